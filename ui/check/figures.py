@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
     from workbench.analysis.validation import Validation
     from workbench.report.content import Fact
-    from workbench.scene import AnyReceiver
+    from workbench.scene import Scene
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
@@ -167,11 +167,10 @@ class CheckFigures(QWidget):
         ]
         rows: list[Fact] = []
         tips: list[str] = []
-        receivers = lens.session.scene.receivers
-        for number, (image, off, receiver) in enumerate(
-            zip(found.images, differences, receivers, strict=True), start=1
+        for number, (image, off, scene) in enumerate(
+            zip(found.images, differences, lens.session.scene.single, strict=True), start=1
         ):
-            for row, tip in _rows_of(image, off, receiver):
+            for row, tip in _rows_of(image, off, scene):
                 name = f"image {number}: {row.name}" if found.further else row.name
                 rows.append(row._replace(name=name))
                 tips.append(tip)
@@ -217,21 +216,24 @@ class CheckFigures(QWidget):
         self.rays_chosen.emit(self.rays)
 
 
-def _rows_of(
-    found: "Validation", difference: float, receiver: "AnyReceiver"
-) -> "list[tuple[Fact, str]]":
+def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tuple[Fact, str]]":
     """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
+    from workbench.measured.light_unit import light_unit
     from workbench.optics.account import words_for
     from workbench.report.figures import account_rows, check_rows, region_rows
 
     checked, regions, words = (
         check_rows(found, difference),
         region_rows(found),
-        words_for(receiver),
+        words_for(scene.receiver),
     )
     tips = [*(_TIPS[row.name] for row in checked), *[_OF_REGION] * len(regions)]
     tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
     return list(
-        zip((*checked, *regions, *account_rows(found.account, receiver)), tips, strict=True)
+        zip(
+            (*checked, *regions, *account_rows(found.account, scene.receiver, light_unit(scene))),
+            tips,
+            strict=True,
+        )
     )

@@ -108,7 +108,7 @@ class RunStatus:
         self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
         self._loss.setText(f"loss {snapshot.state.loss:.3e}")
         scene = frame.session.scene
-        landed = (f"{100 * light.account.efficiency:.1f} %" for light in snapshot.state.lights)
+        landed = _landed(frame)
         errors = ", ".join(_errors(frame))
         self._light.setText(f"Error {errors} · light {scene.receiver.place} {', '.join(landed)}")
         self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
@@ -164,6 +164,16 @@ def _label(bar: QStatusBar, tip: str) -> QLabel:
     label.setContentsMargins(label.fontMetrics().averageCharWidth(), 0, 0, 0)
     bar.addPermanentWidget(label)
     return label
+
+
+def _landed(frame: "Frame") -> list[str]:
+    """How much light each image gets: a part of all, and lumen where the source has any."""
+    from workbench.measured.light_unit import light_unit  # late: takes long to import
+
+    unit = light_unit(frame.session.scene)
+    shares = [light.account.efficiency for light in frame.snapshot.state.lights]
+    words = ((f"{100 * share:.1f} %", unit.flux_in_words(share)) for share in shares)
+    return [" = ".join(filter(None, each)) for each in words]
 
 
 def _errors(frame: "Frame") -> list[str]:

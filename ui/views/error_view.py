@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
-from workbench.pictures.images import ErrorImage, signed_error
+from workbench.pictures.images import ErrorImage, shown_error
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,7 +37,7 @@ class ErrorContent(OnScreen):
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
         """The error of a frame, with its sign."""
         session = frame.session
-        return signed_error(session.scene, session.target, frame.state.irradiance)
+        return shown_error(session.scene, session.target, frame.state.irradiance)
 
 
 class ErrorView(ScreenImageView):

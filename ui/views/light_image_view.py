@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
+from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import IrradianceImage
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class LightContent(OnScreen):
     def __init__(
         self, values: "Callable[[Frame], npt.NDArray[np.float64]]", name: str = ""
     ) -> None:
-        self._name, self.values = name, values
+        self._name, self._light = name, values
         self._look = (False, "")  # logarithmic, colours
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
@@ -47,7 +48,11 @@ class LightContent(OnScreen):
 
     def change(self, frame: "Frame") -> bool:
         """Show the flux of a frame."""
-        return self.image.update(self.values(frame))
+        return self.image.update(self._light(frame))
+
+    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+        """The light of a frame in the scene's unit."""
+        return self._light(frame) * light_unit(frame.session.scene).density
 
     def set_look(self, logarithmic: bool, colours: str) -> bool:
         """Choose scale and colours; whether they were others."""

@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from workbench.measured.light_unit import light_unit
+
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -48,8 +50,11 @@ class RegionMarks:
         from workbench.analysis.regions import light_of_regions  # late: takes long to import
 
         scene = self._scene
-        for text, light in zip(
-            self._texts, light_of_regions(scene.regions, scene.receiver, irradiance), strict=True
-        ):
-            even = "" if light.uniformity is None else f"\nleast / mean {light.uniformity:.2f}"
-            text.set_text(f"{light.name} {100 * light.share:.1f} %{even}")
+        found = light_of_regions(scene.regions, scene.receiver, irradiance, light_unit(scene))
+        for text, light in zip(self._texts, found, strict=True):
+            lines = [f"{light.name} {100 * light.share:.1f} %"]
+            if light.unit.lumens is not None:
+                lines.append(f"mean {light.unit.density_in_words(light.mean)}")
+            if light.uniformity is not None:
+                lines.append(f"least / mean {light.uniformity:.2f}")
+            text.set_text("\n".join(lines))

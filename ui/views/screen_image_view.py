@@ -15,6 +15,7 @@ from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
 from ui.views.region_marks import RegionMarks
 from ui.widgets import theme
+from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import Extent
 
 if TYPE_CHECKING:
@@ -38,8 +39,8 @@ class OnScreen:
         return Extent.of_receiver(session.scene)
 
     def unit(self, session: "Session") -> str:
-        """Per area or solid angle; it is a part of the flux."""
-        return session.scene.receiver.density_words(session.scene.unit).removeprefix("flux ")
+        """Lux or candela, or a part of the flux per area or solid angle."""
+        return light_unit(session.scene).short
 
 
 class ScreenImageView(ImageView):
@@ -106,7 +107,10 @@ class ScreenImageView(ImageView):
             tool.setIcon(theme.icon(icon, self.palette()))
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
-        seen = [(each.scene.receiver, each.scene.unit, each.scene.regions) for each in (one, other)]
+        seen = [
+            (scene.receiver, scene.unit, scene.regions, light_unit(scene))
+            for scene in (one.scene, other.scene)
+        ]
         return seen[0] == seen[1] and one.target is other.target  # whatever lens and light are
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":

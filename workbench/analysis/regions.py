@@ -1,13 +1,14 @@
 """Light of regions of a receiver: how much there is, and how even it is."""
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.coverage import coverage
 
@@ -31,6 +32,8 @@ class RegionLight:
         Flux per area, or per solid angle in a far field, over all of the region.
     least, most : float, optional
         The same of the darkest and the brightest pixel of which at least half is inside.
+    unit : LightUnit
+        In what it is told.
     """
 
     name: str
@@ -38,6 +41,7 @@ class RegionLight:
     mean: float
     least: float | None
     most: float | None
+    unit: LightUnit = field(default=IN_PARTS, repr=False)
 
     @property
     def uniformity(self) -> float | None:
@@ -56,17 +60,26 @@ class RegionLight:
         """How much light it gets, and how even that is."""
         share = f"{100 * self.share:.3f} % of the light"
         even = "–" if self.uniformity is None else f"{self.uniformity:.3f}"
-        if self.most is None or not self.mean:
+        if self.least is None or self.most is None or not self.mean:
             return f"{share}, least / mean {even}"
-        return f"{share}, least / mean {even}, most / mean {self.most / self.mean:.3f}"
+        if self.unit.lumens is None:
+            return f"{share}, least / mean {even}, most / mean {self.most / self.mean:.3f}"
+        mean, least, most = map(self.unit.density_in_words, (self.mean, self.least, self.most))
+        lumens = self.unit.flux_in_words(self.share)
+        return f"{share}, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}"
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""
-        return asdict(self) | {"uniformity": self.uniformity}
+        figures = asdict(self) | {"uniformity": self.uniformity}
+        del figures["unit"]
+        return figures
 
 
 def light_of_regions(
-    regions: Sequence[AnyRegion], receiver: AnyReceiver, irradiance: Array
+    regions: Sequence[AnyRegion],
+    receiver: AnyReceiver,
+    irradiance: Array,
+    unit: LightUnit = IN_PARTS,
 ) -> tuple[RegionLight, ...]:
     """The light of each region.
 
@@ -78,6 +91,8 @@ def light_of_regions(
         Pixel raster.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area, or per solid angle, of a source whose flux is 1; row 0 at +y.
+    unit : LightUnit
+        In what they tell their light; by default as parts of all.
 
     Examples
     --------
@@ -88,7 +103,7 @@ def light_of_regions(
     >>> light_of_regions([RectangleRegion(name="Desk", size=(0.5, 0.5))], screen, even)
     (RegionLight(name='Desk', share=0.25, mean=0.25, least=0.25, most=0.25),)
     """
-    return tuple(_light_of(region, receiver, irradiance) for region in regions)
+    return tuple(_light_of(region, receiver, irradiance, unit) for region in regions)
 
 
 @lru_cache(maxsize=64)  # a run shows image after image
@@ -97,7 +112,9 @@ def _inside(region: AnyRegion, receiver: AnyReceiver) -> Array:
     return coverage(2 * region.outline * receiver.half_extent, receiver)
 
 
-def _light_of(region: AnyRegion, receiver: AnyReceiver, irradiance: Array) -> RegionLight:
+def _light_of(
+    region: AnyRegion, receiver: AnyReceiver, irradiance: Array, unit: LightUnit
+) -> RegionLight:
     inside = _inside(region, receiver)
     share = receiver.total(irradiance * inside)
     within = irradiance[inside >= _INSIDE]
@@ -107,4 +124,5 @@ def _light_of(region: AnyRegion, receiver: AnyReceiver, irradiance: Array) -> Re
         share / receiver.total(inside),
         float(within.min()) if within.size else None,
         float(within.max()) if within.size else None,
+        unit,
     )

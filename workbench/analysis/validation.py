@@ -28,6 +28,7 @@ from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.errors import RunFailed
+from workbench.measured.light_unit import light_unit
 from workbench.optics.account import Account
 from workbench.scene import Scene
 from workbench.watch import Watch, finished, of_equal, unwatched, within
@@ -271,7 +272,9 @@ def validating(
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
         one = yield from within(steps, partial(of_equal, len(images), done))
         clearest = (one.by_cells or one).irradiance
-        regions = light_of_regions(image.scene.regions, image.scene.receiver, clearest)
+        alone = image.scene
+        told = light_unit(alone)
+        regions = light_of_regions(alone.regions, alone.receiver, clearest, told)
         found.append(replace(one, weight=image.weight, regions=regions))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first

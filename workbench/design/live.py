@@ -25,7 +25,7 @@ import numpy.typing as npt
 from workbench.design.lens_state import LensState
 from workbench.design.loss import relative_error
 from workbench.design.run import run
-from workbench.design.session import BESIDE_THE_LENS, Session
+from workbench.design.session import Session, asked_of_the_lens
 from workbench.design.snapshot import History, Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
@@ -185,4 +185,4 @@ def _wanted(scene: Scene) -> tuple[object, ...]:
     """What tells which lens is the best one."""
     run = scene.run
     shop = run.smoothness, run.min_radius, run.min_tool_radius
-    return scene.model_copy(update=BESIDE_THE_LENS), *shop
+    return asked_of_the_lens(scene), *shop

@@ -273,8 +273,12 @@ def _on_net(scene: Scene, target: Array, there: tuple[int, ...] | None) -> Scene
     return definite(scene, target)
 
 
-BESIDE_THE_LENS: dict[str, object] = {"run": None, "regions": ()}
-"""Fields of a scene that say nothing of what a lens shall do, each with what stands for none."""
+_BESIDE_THE_LENS: dict[str, object] = {"run": None, "regions": ()}
+
+
+def asked_of_the_lens(scene: Scene) -> Scene:
+    """A scene without what says nothing of what a lens shall do: no scene to be designed."""
+    return scene.model_copy(update=_BESIDE_THE_LENS | {"source": scene.source.of_any_flux})
 
 
 def task_of(scene: Scene) -> Scene:
@@ -287,7 +291,7 @@ def task_of(scene: Scene) -> Scene:
     entrance = optic.entrance.shape, optic.front_z
     known = {name: None for name in searched if hasattr(optic, name)}
     optic = optic.model_copy(update=known | {"entrance": entrance})
-    return scene.with_optic(optic).model_copy(update=BESIDE_THE_LENS | {"unit": None})
+    return asked_of_the_lens(scene.with_optic(optic)).model_copy(update={"unit": None})
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:

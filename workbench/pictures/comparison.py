@@ -8,6 +8,7 @@ import numpy.typing as npt
 from matplotlib.figure import Figure
 
 from workbench.design.session import KeptRun, Session
+from workbench.measured.light_unit import LightUnit, light_unit
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
@@ -33,31 +34,29 @@ class Light:
     scene : Scene
         Its task.
     target, irradiance : ndarray, shape (n_y, n_x)
-        Target and light.
+        Target, and light in that unit.
+    unit : LightUnit
+        In what the light is told.
+    top : float
+        End of a scale for it.
     """
 
     name: str
     scene: Scene
     target: Array
     irradiance: Array
+    unit: LightUnit
+    top: float
 
     @classmethod
     def of(cls, run: KeptRun, unit: Any) -> Self:
         """The light of a run, with lengths in a unit."""
         session = Session(run.scene, run.target, run.result).of_image(0).in_unit(unit)
         assert session.result is not None
-        return cls(run.name, session.scene, session.target, session.result.state.irradiance)
-
-    @property
-    def density(self) -> str:
-        """Unit of the light."""
-        return self.scene.receiver.density_words(self.scene.unit)
-
-    @property
-    def top(self) -> float:
-        """End of a scale for it."""
-        flux = self.scene.receiver.total(self.irradiance)
-        return full_scale(self.scene, self.target, flux)
+        scene, target, light = session.scene, session.target, session.result.state.irradiance
+        told = light_unit(scene)
+        top = told.density * full_scale(scene, target, scene.receiver.total(light))
+        return cls(run.name, scene, target, told.density * light, told, top)
 
     def at(self, x: float, y: float) -> float | None:
         """The light at a place; None beside the receiver."""
@@ -68,7 +67,7 @@ class Light:
 class Comparison:
     """Draws two runs on a figure that the caller owns.
 
-    Light is drawn on one scale where both are per area, or both per solid angle. The difference,
+    Light is drawn on one scale where both have one unit. The difference,
     second minus first, needs images of the same part of the same receiver; the second is averaged
     over the pixels of the first.
 
@@ -94,14 +93,14 @@ class Comparison:
         figure.clear()
         figure.set_layout_engine("constrained")
         (first, second), (third, fourth) = figure.subplots(2, 2)
-        alike = one.density == other.density
+        alike = one.unit.words == other.unit.words
         top = max(one.top, other.top)
         self._places = dict(zip((first, second), self.lights, strict=True))
         for axes, light in self._places.items():
             image = receiver_map(axes, light.name, light.scene, LIGHT)
             image.set_data(light.irradiance)
             image.set_clim(0, top if alike else light.top)
-            colour_bar(axes, image, light.density, extend="max")
+            colour_bar(axes, image, light.unit.words, extend="max")
             _title(axes, light.name)
         self._draw_difference(third)
         _title(fourth, "Loss")
@@ -118,8 +117,8 @@ class Comparison:
         extent = Extent.of_receiver(light.scene)
         at = f"at {extent.in_words(0, x)}, {extent.in_words(1, y)}"
         if self.difference is None:
-            return f"{light.at(x, y):.4g} {light.density.removeprefix('flux ')} {at}"
-        return f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.density.removeprefix('flux ')} {at}"
+            return f"{light.at(x, y):.4g} {light.unit.short} {at}"
+        return f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.unit.short} {at}"
 
     def _draw_difference(self, axes: "Axes") -> None:
         one, _ = self.lights
@@ -134,14 +133,14 @@ class Comparison:
         image.set_data(self.difference)
         scale = settled_scale(self.difference, 0.0)
         image.set_clim(-scale, scale)
-        colour_bar(axes, image, one.density, extend="both")
+        colour_bar(axes, image, one.unit.words, extend="both")
 
 
 def difference(one: Light, other: Light) -> Array | None:
     """Second minus first, shape as the first; None where their receivers cover different places."""
     receiver, second = one.scene.receiver, other.scene.receiver
     same_place = np.allclose(receiver.bounds, second.bounds, rtol=1e-9)
-    if not same_place or one.density != other.density:
+    if not same_place or one.unit.words != other.unit.words:
         return None
     return averaged(other.irradiance, one.irradiance.shape) - one.irradiance
 

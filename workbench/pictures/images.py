@@ -17,6 +17,7 @@ import numpy.typing as npt
 from matplotlib import colormaps
 from matplotlib.colors import Colormap, LogNorm, Normalize
 
+from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import (
     SIGNED,
     UNSIGNED,
@@ -83,6 +84,18 @@ def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> A
     return target_irradiance(scene, irradiance) - target_irradiance(scene, target)
 
 
+def shown_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
+    """Irradiance minus target as people read it, in the scene's `LightUnit`.
+
+    In parts of all light it is `signed_error`; in lux, irradiance and target have the flux that
+    arrives.
+    """
+    error, unit = signed_error(scene, target, irradiance), light_unit(scene)
+    if unit.lumens is None:
+        return error
+    return error * (unit.density * scene.receiver.total(irradiance))
+
+
 def full_scale(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> float:
     """Upper end of the irradiance scale: it follows the target, so colours keep their meaning.
 
@@ -146,13 +159,13 @@ class IrradianceImage:
         target: npt.NDArray[Any],
         name: str = "",
     ) -> None:
-        self._scene, self._target = scene, target
+        self._scene, self._target, self._unit = scene, target, light_unit(scene)
         self._image = receiver_map(axes, name or scene.receiver.density, scene, LIGHT)
         self.set_colours(LIGHT)
         self._logarithmic = False
-        self._top = full_scale(scene, target)
+        self._top = self._unit.density * full_scale(scene, target)
         self._image.set_clim(0, self._top)
-        colour_bar(axes, self._image, scene.receiver.density_words(scene.unit), extend="max")
+        colour_bar(axes, self._image, self._unit.words, extend="max")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -163,8 +176,10 @@ class IrradianceImage:
         bool
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
-        self._image.set_data(irradiance)
-        top = full_scale(self._scene, self._target, self._scene.receiver.total(irradiance))
+        factor = self._unit.density
+        self._image.set_data(irradiance * factor)
+        flux = self._scene.receiver.total(irradiance)
+        top = factor * full_scale(self._scene, self._target, flux)
         if top == self._top:
             return False
         self._top = top
@@ -198,10 +213,11 @@ class ErrorImage:
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._scene = scene
         self._target = target
+        unit = light_unit(scene)
         self._image = receiver_map(axes, "error", scene, SIGNED)
-        self._scale = round_scale(full_scale(scene, target))
+        self._scale = round_scale(unit.density * full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
-        colour_bar(axes, self._image, scene.receiver.density_words(scene.unit), extend="both")
+        colour_bar(axes, self._image, unit.words, extend="both")
         self.artists: list[Artist] = [self._image]
 
     def update(self, irradiance: Array) -> bool:
@@ -212,7 +228,7 @@ class ErrorImage:
         bool
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
-        error = signed_error(self._scene, self._target, irradiance)
+        error = shown_error(self._scene, self._target, irradiance)
         self._image.set_data(error)
         scale = settled_scale(error, self._scale)
         if scale == self._scale:

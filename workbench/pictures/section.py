@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.pictures.maps import Extent, ticks
 from workbench.scene import Scene
@@ -127,7 +128,8 @@ class SectionCurves:
         self._scene, self._wanted = scene, target
         self._target = target_irradiance(scene, target)
         self._shown: tuple[object, ...] = ()
-        axes.set_ylabel(scene.receiver.density_words(scene.unit), fontsize=_FONT, labelpad=2)
+        self._unit = light_unit(scene)
+        axes.set_ylabel(self._unit.words, fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(ticks())
@@ -153,10 +155,10 @@ class SectionCurves:
         bool
             Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
-        flux = self._scene.receiver.total(irradiance)
-        self._light_line.set_data(cut.along, values_along(irradiance, cut))
-        self._target_line.set_data(cut.along, flux * values_along(self._target, cut))
-        top = _HEADROOM * full_scale(self._scene, self._wanted, flux)
+        flux, factor = self._scene.receiver.total(irradiance), self._unit.density
+        self._light_line.set_data(cut.along, factor * values_along(irradiance, cut))
+        self._target_line.set_data(cut.along, factor * flux * values_along(self._target, cut))
+        top = factor * _HEADROOM * full_scale(self._scene, self._wanted, flux)
         if self._shown == (cut.name, cut.ends, top):
             return False
         self._shown = (cut.name, cut.ends, top)

@@ -11,6 +11,7 @@ from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation import Validation
 from workbench.extended.bound import Bound
+from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.report.content import Fact
 from workbench.scene import AnyReceiver, Scene
@@ -85,14 +86,20 @@ def bound_rows(found: Bound) -> tuple[Fact, ...]:
     )
 
 
-def account_rows(account: Account, receiver: AnyReceiver) -> tuple[Fact, ...]:
-    """Where the light went, in parts of what was emitted."""
+def account_rows(
+    account: Account, receiver: AnyReceiver, unit: LightUnit = IN_PARTS
+) -> tuple[Fact, ...]:
+    """Where the light went, in parts of what was emitted, and in lumen where these are known."""
     parts = {"on_screen": account.on_screen, **account.lost}
     titles = {name: title for name, (title, _) in words_for(receiver).items()}
     return tuple(
-        Fact(titles[name][:1].lower() + titles[name][1:], percent(flux / account.emitted))
+        Fact(titles[name][:1].lower() + titles[name][1:], _part(flux / account.emitted, unit))
         for name, flux in parts.items()
     )
+
+
+def _part(share: float, unit: LightUnit) -> str:
+    return ", ".join(filter(None, (percent(share), unit.flux_in_words(share))))
 
 
 def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Fact, ...]:

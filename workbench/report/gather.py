@@ -20,6 +20,7 @@ from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
 from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.measured.light_unit import light_unit
 from workbench.pictures import report as pictures
 from workbench.report.content import Fact, PagePicture, Report, Section
 from workbench.report.figures import (
@@ -138,7 +139,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     )
     yield Section(
         f"Light account{which}",
-        account_rows(found.account, scene.receiver),
+        account_rows(found.account, scene.receiver, light_unit(scene)),
         note="Parts of the emitted light.",
     )
     yield Section(

@@ -7,7 +7,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict
 
 from workbench.scene.emission import Emission
-from workbench.scene.fields import LENGTH, PLACE, Version, about
+from workbench.scene.fields import LENGTH, PLACE, Measure, Version, about
 from workbench.scene.optic import Optic
 from workbench.scene.part import Positive
 from workbench.scene.points import MOST_RAYS, Place, check_place, disc, in_front
@@ -45,6 +45,16 @@ class AreaSource(WideSource):
         about("Outline", "The shape of its face; of an ellipse the half-widths are semi-axes."),
     ] = "rectangle"
     emission: Emission = "lambertian"
+    flux: Annotated[
+        Positive | None,
+        Measure("lm", "lumen"),
+        about(
+            "Luminous flux",
+            "All light that the emitter gives. With it, light on a screen is told in lux and "
+            "lumen; left empty, in parts of all light. The lens does not depend on it.",
+            le=1e9,
+        ),
+    ] = None
     rays: Annotated[
         int,
         about(
@@ -55,6 +65,16 @@ class AreaSource(WideSource):
             le=MOST_RAYS,
         ),
     ] = 500_000
+
+    @property
+    def lumens(self) -> float | None:
+        """As it says."""
+        return self.flux
+
+    @property
+    def of_any_flux(self) -> Self:
+        """The same emitter, whatever flux it has."""
+        return self if self.flux is None else self.model_copy(update={"flux": None})
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:

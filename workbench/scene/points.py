@@ -59,6 +59,16 @@ class AnySource(Part):
         return np.array([0.0, 0.0, 1.0])
 
     @property
+    def lumens(self) -> float | None:
+        """Its flux, lm, where the scene says it."""
+        return None
+
+    @property
+    def of_any_flux(self) -> "AnySource":
+        """The same source without its flux, which no lens depends on."""
+        return self
+
+    @property
     def ray_count(self) -> int:
         """Rays that it asks for in all, at least."""
         return 1

@@ -193,7 +193,7 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
     (point,) = loaded.views.loss._verified
     assert (point.iteration, point.loss) == (12, 0.1)
     assert window.status._verified.text() == "Checked error 1.25 % at 12"
-    assert loaded.runs.table.table.item(0, 1).text() == "1.25 %"
+    assert loaded.runs.table.table.item(0, 3).text() == "1.25 %"
 
 
 def test_undoing_a_second_run_shows_the_course_of_the_first(designed, qtbot):

@@ -1,0 +1,114 @@
+"""In what the light of a scene is told."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+from tests.accounts import account_of
+from tests.lamps import DISTANCE, PLATE, SCREEN, THICKNESS, downlight
+from workbench.analysis.regions import light_of_regions
+from workbench.design.lens_state import LensState
+from workbench.design.live import asks_for_another_lens
+from workbench.design.session import Session
+from workbench.design.snapshot import Result
+from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import ControlNet
+from workbench.measured.light_unit import IN_PARTS, light_unit
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.samples import Corners
+from workbench.pictures.images import shown_error, signed_error
+from workbench.scene import RectangleRegion
+
+LED = {"kind": "area", "center": [0.0, 0.0, -DISTANCE], "half_width": [0.02, 0.02]}
+# Of light that goes straight through both faces, and how far it seems to come; in metres.
+THROUGH = 0.96**2
+WAY = (DISTANCE + SCREEN - THICKNESS + THICKNESS / 1.5) / 100
+
+
+def flat_lens(scene):
+    """A result that is there."""
+    state = LensState(
+        heights=FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)}),
+        irradiance=np.full((32, 32), 0.25),
+        loss=0.1,
+        account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
+    )
+    return Result(state, losses=np.array([0.1]), seconds=1.0)
+
+
+def middle(scene):
+    """What is told of the light in the middle of the screen behind a plate."""
+    net = ControlNet.of(scene.lens)
+    flat = {"exit": torch.full(net.shape, scene.lens.base.height, dtype=torch.float64)}
+    count = 64 if scene.source.continuous else 1
+    light = BeamPlan(scene, Corners(160, 160, count), dtype=torch.float64).trace(flat)
+    density = (light.flux.numpy() / scene.receiver.pixel_measure)[19:21, 19:21].mean()
+    return density * light_unit(scene).density
+
+
+def test_a_photometric_file_gives_lux_by_the_law_of_distance(make_scene, tmp_path):
+    scene = make_scene({**PLATE, "source": downlight(tmp_path)})
+    unit = light_unit(scene)
+    assert (unit.words, unit.short) == ("lx", "lx")
+    assert unit.lumens == pytest.approx(1000 * 2 * math.pi / 4, rel=1e-4)
+    assert middle(scene) == pytest.approx(1000 * THROUGH / WAY**2, rel=5e-3)
+
+
+def test_an_emitter_with_a_flux_gives_lux_in_any_unit_of_length(make_scene):
+    scene = make_scene({**PLATE, "source": LED | {"flux": 200.0}})
+    lux = 200 / math.pi * THROUGH / WAY**2
+    assert middle(scene) == pytest.approx(lux, rel=0.02)
+    in_mm = light_unit(scene.in_unit("mm"))
+    assert in_mm.lumens == 200
+    assert in_mm.density == pytest.approx(100 * light_unit(scene).density)
+    assert in_mm.flux_in_words(0.5) == "100 lm"
+
+
+def test_light_without_a_flux_is_told_in_parts(make_scene):
+    unit = light_unit(make_scene({**PLATE, "source": LED}))
+    assert (unit.words, unit.density, unit.lumens) == ("flux / cm²", 1.0, None)
+    assert unit.flux_in_words(0.5) == ""
+    gone = {"kind": "photometric", "file": "gone.ies", "position": [0.0, 0.0, -2.0]}
+    assert light_unit(make_scene({**PLATE, "source": gone})).lumens is None
+
+
+def test_light_in_directions_is_told_in_candela(make_scene):
+    far = {"half_angle": [10.0, 10.0], "pixels": [8, 8]}
+    scene = make_scene({**PLATE, "source": LED | {"flux": 200.0}})
+    data = {name: part for name, part in scene.to_data().items() if name != "screen"}
+    unit = light_unit(type(scene).from_data(data | {"far_field": far}))
+    assert (unit.words, unit.density) == ("cd", 200.0)
+
+
+def test_another_flux_asks_for_no_other_lens(make_scene):
+    scene = make_scene({"source": LED})
+    lamp = make_scene({"source": LED | {"flux": 200.0}})
+    designed = Session(scene, np.ones((32, 32)), flat_lens(scene))
+    edited = designed.with_scene(lamp, designed.target)
+    assert edited.result is designed.result and edited.scene.source.flux == 200
+    assert not asks_for_another_lens(designed, edited)
+    assert asks_for_another_lens(designed, replace(edited, target=np.eye(32)))
+
+
+def test_regions_and_differences_are_told_in_lux(make_scene, rng):
+    scene = make_scene({**PLATE, "source": LED | {"flux": 200.0}})
+    light, unit = rng.random((40, 40)) / 16, light_unit(scene)
+    desk = RectangleRegion(name="Desk", size=(0.5, 0.5))
+    (found,) = light_of_regions([desk], scene.receiver, light, unit)
+    inside = light[10:30, 10:30]
+    mean, share = inside.mean(), inside.sum() * 0.01
+    assert f"{200 * share:.4g} lm, mean {mean * 2e6:.4g} lx" in found.words
+    (plain,) = light_of_regions([desk], scene.receiver, light)
+    assert plain.unit is IN_PARTS and "lx" not in plain.words
+    target = rng.random((40, 40))
+    error = shown_error(scene, target, light)
+    flux = light.sum() * 0.01
+    expected = light * 2e6 - target / target.sum() / 0.01 * flux * 2e6
+    np.testing.assert_allclose(error, expected, atol=1e-6)
+    plain_scene = make_scene({**PLATE, "source": LED})
+    np.testing.assert_array_equal(
+        shown_error(plain_scene, target, light), signed_error(plain_scene, target, light)
+    )
