@@ -37,7 +37,7 @@ def resource_files():
     """All that the program reads; the README's pictures stay behind."""
     return {
         path.relative_to(ROOT).as_posix()
-        for ending in ("json", "md", "png", "svg")
+        for ending in ("json", "md", "png", "qm", "svg")
         for path in (ROOT / "resources").rglob(f"*.{ending}")
         if path.parent.name != "readme"
     }

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
 from ui.commands.availability import Situation
+from ui.commands.language_choice import offer_languages, show_language
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
 from ui.commands.theme_choice import offer_themes, show_theme
@@ -32,17 +33,20 @@ from ui.run.lens_on_show import LensOnShow
 from ui.window.early_parts import EarlyParts
 from ui.window.layout import Layout
 from ui.window.view_state import ViewState
+from ui.words import later, tr
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
 
-_STATES = {
-    "loading": "Loading…",
-    "idle": "Ready",
-    "running": "Designing…",
-    "paused": "Paused",
-    "stopping": "Stopping…",
-}
+_STATES = later(
+    {
+        "loading": "Loading…",
+        "idle": "Ready",
+        "running": "Designing…",
+        "paused": "Paused",
+        "stopping": "Stopping…",
+    }
+)
 
 
 class MainWindow(QMainWindow):
@@ -92,7 +96,9 @@ class MainWindow(QMainWindow):
         self._image = TargetImage(document, self.messages, self)
         steps = document.undo_stack
         steps.forgot.connect(
-            lambda count: self.log.add(f"Oldest steps ({count}) forgotten: too much memory to undo")
+            lambda count: self.log.add(
+                tr("Oldest steps ({count}) forgotten: too much memory to undo").format(count=count)
+            )
         )
         self._settings = settings
         self._recent = RecentFiles(settings)
@@ -188,8 +194,10 @@ class MainWindow(QMainWindow):
         elif path.suffix.lower() not in (ENDING, ".json"):
             self.forms.choose_image(path)
         elif self._busy:
-            text = f"{path.name} takes the place of {self.document.name}, which is being designed."
-            self.messages.note(text, ("Stop and open", partial(self._stop_and_open, path)))
+            text = tr("{file} takes the place of {design}, which is being designed.").format(
+                file=path.name, design=self.document.name
+            )
+            self.messages.note(text, (tr("Stop and open"), partial(self._stop_and_open, path)))
         else:
             self.files.open(path)
 
@@ -198,6 +206,7 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange:
             self._show_recent()
+            show_language(self._settings, self.commands)
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
             show_theme(self._settings, self.commands)
@@ -223,11 +232,11 @@ class MainWindow(QMainWindow):
         if not self._busy:
             return self.files.may_leave()
         called = self.document.session.scene.optic.called
-        question = (
-            f"{self.document.name} is still being designed. Stop, and save its best {called}?"
-        )
+        question = tr(
+            "{design} is still being designed. Stop, and save its best {optic}?", optic=called
+        ).format(design=self.document.name)
         if self.forms.postponed_edits:
-            question += " Changes of the task that wait for the end of the run are given up."
+            question += tr(" Changes of the task that wait for the end of the run are given up.")
         answer = self.files.ask(question)
         if answer is not Answer.SAVE:
             return answer is Answer.DISCARD
@@ -290,6 +299,7 @@ class MainWindow(QMainWindow):
             }
         )
         offer_themes(self._settings, self.commands)
+        offer_languages(self._settings, self.commands, self.messages.note)
         self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
@@ -319,9 +329,9 @@ class MainWindow(QMainWindow):
         if not save():
             return
         if self.forms.refused:
-            self.messages.note("Saved with the last valid value of each marked field.")
+            self.messages.note(tr("Saved with the last valid value of each marked field."))
         elif self.forms.postponed_edits and self.loaded is not None:
-            self.loaded.postponed.remind("Saved with the task that the run works on.")
+            self.loaded.postponed.remind(tr("Saved with the task that the run works on."))
 
     def _tell_saved(self, sentence: str) -> None:
         self.log.add(sentence)
@@ -371,16 +381,23 @@ class MainWindow(QMainWindow):
         commands.explain(now.reasons())
         commands.reword(now.texts())
         undo, redo = (text.replace("&", "&&") for text in (stack.undoText(), stack.redoText()))
-        commands.reword({"undo": f"&Undo {undo}", "redo": f"&Redo {redo}"})
+        commands.reword(
+            {
+                "undo": tr("&Undo {undo}").format(undo=undo),
+                "redo": tr("&Redo {redo}").format(redo=redo),
+            }
+        )
         commands["pause"].setChecked(now.state == "paused")
         self.forms.set_running(not now.editable, paused=now.state == "paused")
         self.workspace.history.setEnabled(now.editable)
         if self.loaded is not None:
             self.loaded.allow(look=now.resting, go_on=now.state == "idle")
-        ended = "" if session.result is None else session.result.ended
+        ended = "" if session.result is None else tr(session.result.ended)
         resting = now.state == "idle" and ended
         following = "" if self.loaded is None else self.loaded.follow.text
         if following:
             self.status.go_on(following)
         else:
-            self.status.show_state(ended[0].upper() + ended[1:] if resting else _STATES[now.state])
+            self.status.show_state(
+                ended[0].upper() + ended[1:] if resting else tr(_STATES[now.state])
+            )

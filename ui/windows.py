@@ -15,6 +15,7 @@ from ui.files.left_behind import LeftBehind
 from ui.files.recovery import Recovery
 from ui.main_window import MainWindow
 from ui.startup.warm_up import WarmUp
+from ui.words import tr
 from workbench.files.session import open_design
 
 _STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen
@@ -121,7 +122,11 @@ class Windows(QObject):
         own = next(self._with(path), None)
         if own is not None:
             own.activateWindow()
-            own.messages.note(f"{path.name} is open with the unsaved changes that were recovered.")
+            own.messages.note(
+                tr("{name} is open with the unsaved changes that were recovered.").format(
+                    name=path.name
+                )
+            )
             return None
         place = self.open_beside() if recovered else window
         return place if place.files.open(path) else None
@@ -155,7 +160,7 @@ class Windows(QObject):
         window = self.active()
         if window is not None:
             copy = partial(QGuiApplication.clipboard().setText, details)
-            window.messages.warn(sentence, ("Copy details", copy))
+            window.messages.warn(sentence, (tr("Copy details"), copy))
             window.log.add_details(details)
 
     def log(self, sentence: str) -> None:

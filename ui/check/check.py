@@ -9,6 +9,7 @@ from ui.check.checking import ACCURACY, RAYS, CheckedLens, check, verified_error
 from ui.shown.frame import same_lens
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -70,7 +71,7 @@ class Check(QObject):
             self._forget()
         elif self._shown is not None and (self._asked is None or self._asked_rays != self._rays):
             self._asked, self._asked_rays = self._shown, self._rays
-            self.figures_changed.emit("checking…")
+            self.figures_changed.emit(tr("checking…"))
             self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
             lens = CheckedLens(
@@ -91,25 +92,37 @@ class Check(QObject):
         self._background.close()
 
     def _tell_progress(self, lens: CheckedLens, part: float) -> None:
-        self.figures_changed.emit(f"checking… {100 * part:.0f} %")
+        self.figures_changed.emit(tr("checking… {part:.0f} %").format(part=100 * part))
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
-        self.figures_changed.emit(f"Checked error {verified_error(found.verified)}")
+        self.figures_changed.emit(
+            tr("Checked error {verified}").format(verified=verified_error(found.verified))
+        )
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
         low, high = found.verified.relative_l2_corrected_interval
         self.summary_ready.emit(
-            f"Check with {found.rays:,} fresh rays: relative L2 error "
-            f"{verified_error(found.verified)} ({100 * low:.2f} to {100 * high:.2f} %); "
-            "with the scatter of the rays "
-            f"{100 * found.relative_l2:.2f} ± {100 * found.noise:.2f} %, loss {found.loss:.3e}; "
-            f"{100 * found.efficiency:.1f} % {lens.session.scene.receiver.place}"
+            tr(
+                "Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} "
+                "to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± "
+                "{noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}"
+            ).format(
+                rays=found.rays,
+                verified=verified_error(found.verified),
+                low=100 * low,
+                high=100 * high,
+                relative_l2=100 * found.relative_l2,
+                noise=100 * found.noise,
+                loss=found.loss,
+                efficiency=100 * found.efficiency,
+                place=tr(lens.session.scene.receiver.place),
+            )
         )
 
     def _give_up(self, lens: CheckedLens, error: Exception) -> None:
         self._forget()
-        self.failed.emit(sentence_of(error, "check"))
+        self.failed.emit(sentence_of(error, tr("check")))
 
     def _forget(self) -> None:
         self._asked = None

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.check.checking import RAYS, CheckedLens
+from ui.words import inside, later, tr
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -28,47 +29,75 @@ if TYPE_CHECKING:
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
-_NOTHING = "F8 traces what is on show anew, with rays that its design never saw."
-_TIPS = {
-    "verified error": "Relative L2 error of image and target, by cells and without random rays: "
-    "what the optic itself is off.",
-    "it is surely": "Where that error lies, by a bound from two sizes of cells.",
-    "cells": "Cells of the entrance face whose light is spread over what they cover there.",
-    "error by independent images": "Cells would have to be finer than time allows: the error, and "
-    "where it lies with 95 % confidence, are from pairs of images by random rays: their scatter "
-    "has no mean.",
-    "random rays are off by": "Relative L2 difference of the two images: the second opinion. About "
-    "once the noise of the rays is what chance alone makes.",
-    "relative L2 error": "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
-    "of the rays from pixel to pixel is in it; more rays make it smaller.",
-    "95 % of other rays": "Where the error with scatter lies for as many other rays.",
-    "without ray noise": "The same error without the scatter of the rays: what the optic itself "
-    "is off. 0 if so few rays cannot tell.",
-    "95 % confidence": "Where the error of the optic itself lies.",
-    "loss of the paper": "The norm of the difference between image and target, each divided by "
-    "its sum, over the root of the number of pixels.",
-    "PSNR": "Peak signal-to-noise ratio, against the target's peak: more is better.",
-    "SSIM": "Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.",
-    "correlation": "Pearson's coefficient of image and target over the pixels: 1 for images of "
-    "one shape.",
-    "uniformity": "Least over mean of irradiance / target where the target is lit, at half its "
-    "peak or more: 1 is even, 0 has a dark pixel.",
-    "contrast": "(lit − black) / (lit + black) of the mean irradiances there; black is up to a "
-    "hundredth of the target's peak. 1 is a perfect black.",
-    "efficiency": "Part of the emitted light that makes the image.",
-    "meets the face again": "Light that comes back to the face which it leaves, as in a deep bowl. "
-    "Image and efficiency count it as if nothing were in its way.",
-    "comes through the screen": "Light that the screen keeps from the mirror. Image and efficiency "
-    "count it as if the screen were not in its way; a screen beside the axis is not.",
-    "off the optimiser's image": "Relative L2 difference to the image that the optimiser sees. Its "
-    "filter and the scatter of these rays are in it.",
-    "rays": "Rays of the image; a quarter as many more are traced for the error without scatter.",
-}
+_NOTHING = later("F8 traces what is on show anew, with rays that its design never saw.")
+_TIPS = later(
+    {
+        "verified error": (
+            "Relative L2 error of image and target, by cells and without random "
+            "rays: what the optic itself is off."
+        ),
+        "it is surely": "Where that error lies, by a bound from two sizes of cells.",
+        later(
+            "cells"
+        ): "Cells of the entrance face whose light is spread over what they cover there.",
+        "error by independent images": (
+            "Cells would have to be finer than time allows: the error, and where it "
+            "lies with 95 % confidence, are from pairs of images by random rays: "
+            "their scatter has no mean."
+        ),
+        "random rays are off by": (
+            "Relative L2 difference of the two images: the second opinion. About "
+            "once the noise of the rays is what chance alone makes."
+        ),
+        "relative L2 error": (
+            "‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter "
+            "of the rays from pixel to pixel is in it; more rays make it smaller."
+        ),
+        "95 % of other rays": "Where the error with scatter lies for as many other rays.",
+        "without ray noise": (
+            "The same error without the scatter of the rays: what the optic itself "
+            "is off. 0 if so few rays cannot tell."
+        ),
+        "95 % confidence": "Where the error of the optic itself lies.",
+        "loss of the paper": (
+            "The norm of the difference between image and target, each divided by "
+            "its sum, over the root of the number of pixels."
+        ),
+        "PSNR": "Peak signal-to-noise ratio, against the target's peak: more is better.",
+        "SSIM": "Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.",
+        later("correlation"): "Pearson's coefficient of image and target over the pixels: "
+        "1 for images of one shape.",
+        later("uniformity"): (
+            "Least over mean of irradiance / target where the target is lit, at half "
+            "its peak or more: 1 is even, 0 has a dark pixel."
+        ),
+        later("contrast"): (
+            "(lit − black) / (lit + black) of the mean irradiances there; black is "
+            "up to a hundredth of the target's peak. 1 is a perfect black."
+        ),
+        later("efficiency"): "Part of the emitted light that makes the image.",
+        "meets the face again": (
+            "Light that comes back to the face which it leaves, as in a deep bowl. "
+            "Image and efficiency count it as if nothing were in its way."
+        ),
+        "comes through the screen": (
+            "Light that the screen keeps from the mirror. Image and efficiency count "
+            "it as if the screen were not in its way; a screen beside the axis is "
+            "not."
+        ),
+        "off the optimiser's image": (
+            "Relative L2 difference to the image that the optimiser sees. Its filter "
+            "and the scatter of these rays are in it."
+        ),
+        later("rays"): "Rays of the image; a quarter as many more are traced for the error "
+        "without scatter.",
+    }
+)
 
 
-_OF_REGION = (
-    "Part of the emitted light that falls on the region, and its darkest and brightest pixel over "
-    "the mean: 1 is even."
+_OF_REGION = later(
+    "Part of the emitted light that falls on the region, and its darkest and "
+    "brightest pixel over the mean: 1 is even."
 )
 
 
@@ -93,11 +122,11 @@ class CheckFigures(QWidget):
     def __init__(self, settings: QSettings, check: QAction, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = settings
-        self._hint = QLabel(_NOTHING, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint = QLabel(tr(_NOTHING), wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
         self._table = QTableWidget(0, 2)
         self._table.hide()  # until there is something in it
-        self._table.setAccessibleName("Figures of the check")
+        self._table.setAccessibleName(tr("Figures of the check"))
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._table.setAlternatingRowColors(True)
@@ -109,24 +138,24 @@ class CheckFigures(QWidget):
         contents = QHeaderView.ResizeMode.ResizeToContents
         self._table.horizontalHeader().setSectionResizeMode(0, contents)
         self._table.verticalHeader().setSectionResizeMode(contents)
-        copy = QAction("Copy", self._table)
+        copy = QAction(tr("Copy"), self._table)
         copy.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
         copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         copy.triggered.connect(self.copy)
         self._table.addAction(copy)
         self._rays = QComboBox()
-        self._rays.setAccessibleName("Rays of a check")
-        self._rays.setToolTip("Rays of a check; four times as many halve their scatter")
+        self._rays.setAccessibleName(tr("Rays of a check"))
+        self._rays.setToolTip(tr("Rays of a check; four times as many halve their scatter"))
         for rays in _CHOICES:
-            self._rays.addItem(f"{rays // 1_000_000} million rays", rays)
+            self._rays.addItem(tr("{rays} million rays").format(rays=rays // 1_000_000), rays)
         kept = self._rays.findData(settings.value(_KEY, RAYS, type=int))
         self._rays.setCurrentIndex(kept if kept >= 0 else _CHOICES.index(RAYS))
         self._rays.currentIndexChanged.connect(self._choose)
         ask = QToolButton()
         ask.setDefaultAction(check)
         self._copy = QToolButton()
-        self._copy.setText("Copy")
-        self._copy.setToolTip("Put all figures on the clipboard, a tab between name and value")
+        self._copy.setText(tr("Copy"))
+        self._copy.setToolTip(tr("Put all figures on the clipboard, a tab between name and value"))
         self._copy.clicked.connect(self.copy)
         self._copy.setEnabled(False)
         row = QHBoxLayout()
@@ -171,7 +200,9 @@ class CheckFigures(QWidget):
             zip(found.images, differences, lens.session.scene.single, strict=True), start=1
         ):
             for row, tip in _rows_of(image, off, scene):
-                name = f"image {number}: {row.name}" if found.further else row.name
+                name = row.name
+                if found.further:
+                    name = tr("image {number}: {name}").format(number=number, name=name)
                 rows.append(row._replace(name=name))
                 tips.append(tip)
         self._fill(rows, tips)
@@ -184,8 +215,8 @@ class CheckFigures(QWidget):
         """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
         if figures.startswith("Checked"):
             return
-        before = " Out of date: these figures are of the design before." if self._count else ""
-        self._hint.setText(f"{figures.capitalize() or _NOTHING}{before}")
+        before = tr(" Out of date: these figures are of the design before.") if self._count else ""
+        self._hint.setText(f"{figures[:1].upper()}{figures[1:]}{before}" or tr(_NOTHING))
         self._hint.show()
         self._table.setEnabled(False)
 
@@ -223,17 +254,12 @@ def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tu
     from workbench.optics.account import words_for
     from workbench.report.figures import account_rows, check_rows, region_rows
 
-    checked, regions, words = (
-        check_rows(found, difference),
-        region_rows(found),
-        words_for(scene.receiver),
-    )
-    tips = [*(_TIPS[row.name] for row in checked), *[_OF_REGION] * len(regions)]
-    tips += [words[name][1] for name in ("on_screen", *found.account.lost)]
-    return list(
-        zip(
-            (*checked, *regions, *account_rows(found.account, scene.receiver, light_unit(scene))),
-            tips,
-            strict=True,
-        )
-    )
+    words = words_for(scene.receiver)
+    parts = account_rows(found.account, scene.receiver, light_unit(scene))
+    titles = [words[name] for name in ("on_screen", *found.account.lost)]
+    rows = [
+        *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference)),
+        *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),
+        *((row, inside(tr(name)), tip) for row, (name, tip) in zip(parts, titles, strict=True)),
+    ]
+    return [(row._replace(name=name), tr(tip)) for row, name, tip in rows]

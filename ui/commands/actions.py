@@ -11,6 +11,7 @@ from ui.commands.menus import CHOICES, LABELLED, MENUS, TOOLBAR
 from ui.commands.palette import SEPARATOR
 from ui.commands.table import COMMANDS, Command
 from ui.widgets import theme
+from ui.words import tr
 
 
 class Commands:
@@ -34,7 +35,7 @@ class Commands:
         self.menus: dict[str, QMenu] = {}
         for title, entries in MENUS.items():
             self._fill(window.menuBar(), title, entries)
-        self.toolbar = QToolBar("Toolbar", window)
+        self.toolbar = QToolBar(tr("Toolbar"), window)
         self.toolbar.setObjectName("toolbar")
         self.toolbar.setMovable(False)
         for entry in TOOLBAR:
@@ -54,7 +55,7 @@ class Commands:
 
     def command(self, name: str) -> Command:
         """What the table says of a command, in words for the optic of the design."""
-        return COMMANDS[name].named(self._called)
+        return COMMANDS[name].said_of(self._called)
 
     def name_optic(self, called: str) -> None:
         """Take note of what the optic of the design is called."""
@@ -62,7 +63,7 @@ class Commands:
             return
         self._called = called
         for name, command in COMMANDS.items():
-            if command != command.named(called):
+            if command.names_optic:
                 action, words = self[name], self.command(name)
                 action.setText(words.text)
                 action.setToolTip(_tip(action, words))
@@ -135,7 +136,7 @@ class Commands:
         return action
 
     def _fill(self, place: QMenuBar | QMenu, title: str, entries: list[Any]) -> None:
-        menu = QMenu(title, self._window)
+        menu = QMenu(tr(title), self._window)
         menu.setToolTipsVisible(True)
         place.addMenu(menu)
         self.menus[title] = menu

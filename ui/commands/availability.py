@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ui.commands.table import LOCKS, NEW
+from ui.words import later, tr
 
 if TYPE_CHECKING:
     from workbench.scene import Optic
@@ -23,8 +24,8 @@ _CHANGING = (
     "redo",
     "revert",
 )
-_ONE_FACE = "There is one freeform face: Freeform entrance face gives a lens a second one"
-_RUN_FIRST = (
+_ONE_FACE = later("There is one freeform face: Freeform entrance face gives a lens a second one")
+_RUN_FIRST = later(
     "Not while a run goes on: it works on the design as it was when it began. Stop it first"
 )
 
@@ -80,9 +81,11 @@ class Situation:
     def texts(self) -> dict[str, str]:
         """What commands are called that do one thing or another."""
         return {
-            "second_face": f"{'Flat' if self.two_faces else 'Freeform'} &entrance face",
-            "start": "&Start over" if self.has_lens else "&Start",
-            "pause": "&Resume" if self.state == "paused" else "&Pause",
+            "second_face": tr("Flat &entrance face")
+            if self.two_faces
+            else tr("Freeform &entrance face"),
+            "start": tr("&Start over") if self.has_lens else tr("&Start"),
+            "pause": tr("&Resume") if self.state == "paused" else tr("&Pause"),
         }
 
     def allows(self) -> dict[str, bool]:
@@ -108,14 +111,18 @@ class Situation:
     def reasons(self) -> dict[str, str]:
         """Why commands are not available that a person may look for, and what others take."""
         called = self.optic.called
-        no_lens = "" if self.has_lens else f"There is no {called} yet: Start designs one"
-        taken = f"the best {called} so far" if self.under_way else self.lens
+        no_lens = (
+            "" if self.has_lens else tr("There is no {optic} yet: Start designs one", optic=called)
+        )
+        taken = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
         return {
-            **dict.fromkeys(_CHANGING, "" if self.editable else _RUN_FIRST),
-            **dict.fromkeys(_TAKES_LENS, f"Takes {taken}" if taken else no_lens),
+            **dict.fromkeys(_CHANGING, "" if self.editable else tr(_RUN_FIRST)),
+            **dict.fromkeys(
+                _TAKES_LENS, tr("Takes {lens}").format(lens=taken) if taken else no_lens
+            ),
             "continue": no_lens,
             "second_face": ""
             if self.optic.most_faces > 1
-            else f"A {self.optic.called} has one freeform face",
-            "other_face": "" if self.two_faces else _ONE_FACE,
+            else tr("A {optic} has one freeform face", optic=called),
+            "other_face": "" if self.two_faces else tr(_ONE_FACE),
         }

@@ -6,6 +6,7 @@ from ui.commands.panes import PANES
 from ui.commands.table import (
     COLOURS,
     FACES_BY,
+    LANGUAGE_CHOICES,
     LOCKS,
     NEW,
     PICTURES,
@@ -79,6 +80,7 @@ MENUS: dict[str, list[Any]] = {
         "copy_scene",
         ("&Colours of light", list(COLOURS)),
         ("Th&eme", list(THEMES)),
+        ("La&nguage", list(LANGUAGE_CHOICES)),
         None,
         ("&Go to", [*(f"go_{name}" for name in PANES), None, "next_pane", "previous_pane"]),
         "reset_layout",
@@ -92,7 +94,15 @@ TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "f
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""
-CHOICES = [list(RAYS), list(RAYS_BY), list(FACES_BY), list(COLOURS), list(THEMES), list(TOOLS)]
+CHOICES = [
+    list(RAYS),
+    list(RAYS_BY),
+    list(FACES_BY),
+    list(COLOURS),
+    list(THEMES),
+    list(LANGUAGE_CHOICES),
+    list(TOOLS),
+]
 """Groups of commands of which one is on."""
 LOOK = ["scene_view", "exploded", "perspective", *RAYS, *RAYS_BY, *FACES_BY, "relief", *COLOURS]
 """Those whose state is part of how a design is looked at, and travels with it."""

@@ -14,6 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.words import tr
+
 SEPARATOR = " \N{RIGHTWARDS ARROW} "
 """Between the menu and the command in a name."""
 
@@ -35,9 +37,9 @@ class CommandPalette(QDialog):
     def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
         super().__init__(window, Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setAccessibleName("Command palette")
+        self.setAccessibleName(tr("Command palette"))
         self._entries = entries
-        self._field = QLineEdit(placeholderText="Type parts of a command's name")
+        self._field = QLineEdit(placeholderText=tr("Type parts of a command's name"))
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)
         self._field.installEventFilter(self)

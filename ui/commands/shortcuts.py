@@ -15,6 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.words import tr
+
 _COLUMNS, _ROWS = 70, 24  # characters and lines seen at once
 
 
@@ -31,15 +33,15 @@ class Shortcuts(QDialog):
 
     def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
         super().__init__(window)
-        self.setWindowTitle("Keyboard shortcuts")
-        self._field = QLineEdit(placeholderText="Find by a part of the name, or by the key")
-        self._field.setAccessibleName("Find a shortcut")
+        self.setWindowTitle(tr("Keyboard shortcuts"))
+        self._field = QLineEdit(placeholderText=tr("Find by a part of the name, or by the key"))
+        self._field.setAccessibleName(tr("Find a shortcut"))
         self._field.setClearButtonEnabled(True)
         self._field.textChanged.connect(self._find)
         self._table = QTreeWidget()
         self._table.setObjectName("commands")  # for the style sheet
-        self._table.setAccessibleName("Keyboard shortcuts")
-        self._table.setHeaderLabels(["Command", "Key"])
+        self._table.setAccessibleName(tr("Keyboard shortcuts"))
+        self._table.setHeaderLabels([tr("Command"), tr("Key")])
         self._table.setRootIsDecorated(False)
         self._table.setAlternatingRowColors(True)
         self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeySequence
 
 from resources import EXAMPLES
 from ui.commands.panes import PANES
+from ui.words import LANGUAGES, tr
 
 
 @dataclass(frozen=True)
@@ -33,10 +34,14 @@ class Command:
     icon: str = ""
     checked: bool | None = None
 
-    def named(self, called: str) -> "Command":
-        """The command with what the optic is called in place of each "{optic}"."""
-        text, tip = (words.replace("{optic}", called) for words in (self.text, self.tip))
-        return replace(self, text=text, tip=tip)
+    @property
+    def names_optic(self) -> bool:
+        """Whether it is said otherwise of another kind of optic."""
+        return "{optic}" in self.text + self.tip
+
+    def said_of(self, optic: str) -> "Command":
+        """The command in the language that is spoken, with what the optic is called."""
+        return replace(self, text=tr(self.text, optic=optic), tip=tr(self.tip, optic=optic))
 
 
 _Key = QKeySequence.StandardKey
@@ -56,6 +61,9 @@ COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis",
 
 THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
 """Commands for how the windows look; see `ui.widgets.theme.choose`."""
+
+LANGUAGE_CHOICES = {f"language_{code}": code for code in ("system", *LANGUAGES)}
+"""Commands for the language of the window; see `ui.commands.language_choice`."""
 
 TOOLS = ("turn", "sculpt", "lock", "move_source")
 """Commands for what the left button does in the 3D scene."""
@@ -191,6 +199,14 @@ COMMANDS = {
             checked=name == "system",
         )
         for command, name in THEMES.items()
+    },
+    **{
+        command: Command(
+            LANGUAGES.get(code, "As the &system"),
+            "Language of the window; the command line speaks English",
+            checked=code == "system",
+        )
+        for command, code in LANGUAGE_CHOICES.items()
     },
     **{
         name: Command(text, tip, checked=by_weight is False)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 import resources
 from ui.document.undo_steps import UndoSteps
 from ui.document.verified_errors import VerifiedErrors
+from ui.words import tr
 from workbench.design.snapshot import Result
 from workbench.design.task import with_file, with_task
 from workbench.files.fingerprint import fingerprint
@@ -174,7 +175,7 @@ class Document(QObject):
         """
         before = self._session
         after = with_file(before, self.suggested_path.parent)
-        self.change(after, "new reading of the image")
+        self.change(after, tr("new reading of the image"))
         self.edited.emit(before, after)
 
     def set_result(self, result: Result, text: str) -> None:
@@ -228,7 +229,9 @@ class Document(QObject):
             (self._path, self._fingerprint, self._suggestion), other = other, now
             self.path_changed.emit()
 
-        self.undo_stack.take(self._session, session, f"new task: {name}", exchange=exchange)
+        self.undo_stack.take(
+            self._session, session, tr("new task: {name}").format(name=name), exchange=exchange
+        )
         self.begun.emit(session)
 
     def open(self, path: Path) -> None:
@@ -292,7 +295,7 @@ class Document(QObject):
         """
         if self._path is not None:
             found = fingerprint(self._path)
-            self.change(read_session(self._path), "revert to the file")
+            self.change(read_session(self._path), tr("revert to the file"))
             self._fingerprint = found
             self.undo_stack.setClean()
 

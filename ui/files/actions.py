@@ -16,11 +16,12 @@ from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
 from ui.run.lens_on_show import LensOnShow
 from ui.widgets.message_bar import MessageBar
+from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
 
-_OPENED = f"Designs and scenes (*{ENDING} *.json);;All files (*)"
-_SAVED = f"Designs (*{ENDING})"
+_OPENED = later("Designs and scenes ({endings});;All files (*)")
+_SAVED = later("Designs ({endings})")
 _KIND = "design"  # of files, for dialogs
 
 
@@ -92,7 +93,7 @@ class FileActions(QObject):
         if not (self.may_leave() and self._attempt(lambda: self._document.open(example.file))):
             return False
         self.opened.emit()
-        self._messages.note(example.look)
+        self._messages.note(tr(example.look))
         return True
 
     def begin(self, session: Session, name: str) -> None:
@@ -103,7 +104,9 @@ class FileActions(QObject):
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""
-        path = self._dialogs.to_open(_KIND, "Open", _OPENED)
+        path = self._dialogs.to_open(
+            _KIND, tr("Open"), tr(_OPENED).format(endings=f"*{ENDING} *.json")
+        )
         if path is not None:
             self.open(path)
 
@@ -147,7 +150,9 @@ class FileActions(QObject):
             return
         self._recent.remove(path)
         self.recent_changed.emit()
-        self._messages.warn(f"{path} is no longer there; it was taken off the list.")
+        self._messages.warn(
+            tr("{path} is no longer there; it was taken off the list.").format(path=path)
+        )
 
     def save(self) -> bool:
         """Write the design to its file, asking for one where it has none; False if not saved."""
@@ -160,36 +165,44 @@ class FileActions(QObject):
         if path is None:
             return False
         if path.suffix != ENDING:  # adding it now might overwrite a file without a question
-            self._messages.warn(f"{path.name}: the name of a design ends in {ENDING}")
+            self._messages.warn(
+                tr("{name}: the name of a design ends in {ending}").format(
+                    name=path.name, ending=ENDING
+                )
+            )
             return False
         return self._write(path)
 
     def ask_for_name(self) -> Path | None:
         """Ask where to save."""
         name = self._document.suggested_path.name
-        return self._dialogs.to_save(_KIND, "Save as", name, {_SAVED: ENDING})
+        return self._dialogs.to_save(
+            _KIND, tr("Save as"), name, {tr(_SAVED).format(endings=f"*{ENDING}"): ENDING}
+        )
 
     def may_leave(self) -> bool:
         """Whether the open design may be left, after saving it if a person wants that."""
         if not self._document.dirty:
             return True
-        answer = self.ask(f"Save the changes to {self._document.name}?")
+        answer = self.ask(tr("Save the changes to {name}?").format(name=self._document.name))
         return answer is Answer.DISCARD or (answer is Answer.SAVE and self.save())
 
     def ask(self, question: str) -> Answer:
         """Put a question with the answers Save, Discard and Cancel."""
         buttons = Answer.SAVE.value | Answer.DISCARD.value | Answer.CANCEL.value
         given = QMessageBox.question(
-            self._window, "Unsaved changes", question, buttons, Answer.SAVE.value
+            self._window, tr("Unsaved changes"), question, buttons, Answer.SAVE.value
         )
         return Answer(given)
 
     def _write(self, path: Path) -> bool:
         if self.find_other(path) is not None:  # which would not know of it
-            self._messages.warn(f"{path.name} is open in another window: choose another name.")
+            self._messages.warn(
+                tr("{name} is open in another window: choose another name.").format(name=path.name)
+            )
             return False
         making = self._lens.in_the_making
-        words = "" if making is None else f", with {self._lens.text}"
+        words = "" if making is None else tr(", with {lens}").format(lens=self._lens.text)
         try:
             found = self._document.on_disk(path)
             if found is not OnDisk.KNOWN:
@@ -198,14 +211,16 @@ class FileActions(QObject):
                     return self._save_otherwise(choice)
             self._document.save(path, self.look(), making)
         except Refused as refused:
-            self._messages.warn(str(refused), ("Save as…", self.save_as))
+            self._messages.warn(str(refused), (tr("Save as…"), self.save_as))
             return False
         self._messages.clear()
         self._remember(path)
         size = QLocale.c().formattedDataSize(
             path.stat().st_size, 1, QLocale.DataSizeFormat.DataSizeSIFormat
         )
-        self.saved.emit(f"Saved {path.name}, {size}{words}")
+        self.saved.emit(
+            tr("Saved {name}, {size}{words}").format(name=path.name, size=size, words=words)
+        )
         return True
 
     def _save_otherwise(self, choice: changed.ChangedFileChoice) -> bool:

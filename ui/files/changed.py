@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QMessageBox, QWidget
 
 from ui.document.document import OnDisk
+from ui.words import tr
 
 
 class ChangedFileChoice(Enum):
@@ -36,26 +37,38 @@ def ask(path: Path, found: OnDisk, window: QWidget) -> ChangedFileChoice:
     roles = QMessageBox.ButtonRole
     choices: dict[QAbstractButton, ChangedFileChoice] = {}
     if found is OnDisk.CHANGED:
-        box.setWindowTitle("The file has changed")
+        box.setWindowTitle(tr("The file has changed"))
         box.setText(
-            f"Another program has changed {path.name} since it was last read or saved here."
+            tr("Another program has changed {name} since it was last read or saved here.").format(
+                name=path.name
+            )
         )
         box.setInformativeText(
-            "Overwrite loses what the file holds now. Reload shows it in place of your design; "
-            "Undo brings your design back."
+            tr(
+                "Overwrite loses what the file holds now. Reload shows it in place of "
+                "your design; Undo brings your design back."
+            )
         )
-        choices[box.addButton("&Overwrite", roles.DestructiveRole)] = ChangedFileChoice.OVERWRITE
-        choices[box.addButton("&Reload", roles.ActionRole)] = ChangedFileChoice.RELOAD
+        choices[box.addButton(tr("&Overwrite"), roles.DestructiveRole)] = (
+            ChangedFileChoice.OVERWRITE
+        )
+        choices[box.addButton(tr("&Reload"), roles.ActionRole)] = ChangedFileChoice.RELOAD
     else:
-        box.setWindowTitle("The file is gone")
-        box.setText(f"{path.name} has been deleted, moved or renamed since it was last saved here.")
+        box.setWindowTitle(tr("The file is gone"))
+        box.setText(
+            tr("{name} has been deleted, moved or renamed since it was last saved here.").format(
+                name=path.name
+            )
+        )
         if path.parent.is_dir():
-            choices[box.addButton("&Save there again", roles.ApplyRole)] = (
+            choices[box.addButton(tr("&Save there again"), roles.ApplyRole)] = (
                 ChangedFileChoice.OVERWRITE
             )
         else:
-            box.setInformativeText(f"Its folder, {path.parent}, is gone, too.")
-    save_as = box.addButton("Save &as…", roles.AcceptRole)
+            box.setInformativeText(
+                tr("Its folder, {parent}, is gone, too.").format(parent=path.parent)
+            )
+    save_as = box.addButton(tr("Save &as…"), roles.AcceptRole)
     choices[save_as] = ChangedFileChoice.SAVE_AS
     box.setDefaultButton(save_as)
     box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))

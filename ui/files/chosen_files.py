@@ -8,9 +8,10 @@ from PySide6.QtCore import QObject, QStandardPaths
 from ui.files.dialogs import FileDialogs
 from ui.files.pasted import pasted_picture
 from ui.panels.forms import Forms
-from ui.panels.source import LIGHT_FILES
-from ui.panels.target import IMAGE_FILES
+from ui.panels.source import light_files
+from ui.panels.target import image_files
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 from workbench.errors import Refused
 
 
@@ -48,16 +49,16 @@ class ChosenFiles(QObject):
             self._messages.warn(str(refused))
             return
         if path is None:
-            self._messages.note("There is no picture on the clipboard.")
+            self._messages.note(tr("There is no picture on the clipboard."))
         else:
             self._forms.choose_image(path)
 
     def _choose_image(self) -> None:
-        path = self._dialogs.to_open("image", "Target image", IMAGE_FILES)
+        path = self._dialogs.to_open("image", tr("Target image"), image_files())
         if path is not None:
             self._forms.choose_image(path)
 
     def _choose_light(self) -> None:
-        path = self._dialogs.to_open("light", "File of light", LIGHT_FILES)
+        path = self._dialogs.to_open("light", tr("File of light"), light_files())
         if path is not None:
             self._forms.choose_light(path)

@@ -13,6 +13,7 @@ from ui.run.lens_on_show import NO_LENS, LensOnShow
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.formats import GCODE, Format, formats_for
 
@@ -58,7 +59,7 @@ class Exporter(QObject):
         self._background = Background("export", self)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
-            lambda _, error: messages.warn(sentence_of(error, "export"))
+            lambda _, error: messages.warn(sentence_of(error, tr("export")))
         )
 
     def choose_and_export(self) -> None:
@@ -71,11 +72,11 @@ class Exporter(QObject):
         """Ask how the face is cut, then for the file, and write it."""
         session = self._lens.session
         if session is None:
-            self._messages.note(NO_LENS)
+            self._messages.note(tr(NO_LENS))
             return
         cutting = self.ask_cutting(session)
         if cutting is not None:
-            title, name = f"Cut {self._lens.text}", self._document.name
+            title, name = tr("Cut {lens}").format(lens=self._lens.text), self._document.name
             endings = {_filter(GCODE): GCODE.endings[0]}
             path = self._dialogs.to_save("export", title, name, endings)
             if path is not None:
@@ -84,24 +85,24 @@ class Exporter(QObject):
     def export(self, path: Path, cutting: Cutting | None = None) -> None:
         """Write a file; how a face is cut is asked for, where that counts and is not known."""
         if self._background.busy:
-            self._messages.note("One file is still being written; export the next after it.")
+            self._messages.note(tr("One file is still being written; export the next after it."))
             return
         session = self._lens.session
         if session is None:
-            self._messages.note(NO_LENS)
+            self._messages.note(tr(NO_LENS))
             return
         if cutting is None and path.name.lower().endswith(GCODE.endings):
             cutting = self.ask_cutting(session)
             if cutting is None:
                 return
-        self._messages.note(f"{path.name} is being written…")
+        self._messages.note(tr("{name} is being written…").format(name=path.name))
         self._background.begin(partial(_write, session, path, cutting or PLAIN), self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
         offered = formats_for(self._document.session.heights or ())
         endings = {_filter(each): each.endings[0] for each in offered}
-        title, name = f"Export {self._lens.text}", self._document.name
+        title, name = tr("Export {lens}").format(lens=self._lens.text), self._document.name
         return self._dialogs.to_save("export", title, name, endings)
 
     def close(self) -> None:

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from resources import Example
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.scene import read_scene
 
@@ -45,10 +46,10 @@ class Gallery(QDialog):
     def __init__(self, examples: Sequence[Example], window: QWidget) -> None:
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle("New from example")
+        self.setWindowTitle(tr("New from example"))
         self._examples = examples
         self._list = QListWidget()
-        self._list.setAccessibleName("Examples")
+        self._list.setAccessibleName(tr("Examples"))
         self._list.setViewMode(QListView.ViewMode.IconMode)
         self._list.setResizeMode(QListView.ResizeMode.Adjust)
         self._list.setMovement(QListView.Movement.Static)
@@ -83,11 +84,11 @@ class Gallery(QDialog):
 
     def _tell(self, row: int) -> None:
         example = self._examples[row]
-        self._look.setText(f"{example.group}: {example.look}")
+        self._look.setText(f"{tr(example.group)}: {tr(example.look)}")
 
     def _item(self, example: Example) -> QListWidgetItem:
-        item = QListWidgetItem(self._picture(example), example.title)
-        item.setToolTip(example.look)
+        item = QListWidgetItem(self._picture(example), tr(example.title))
+        item.setToolTip(tr(example.look))
         item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
         return item
 

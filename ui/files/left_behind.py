@@ -15,6 +15,7 @@ from PySide6.QtCore import QLockFile, Qt
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from ui.document.document import ENDING
+from ui.words import tr
 from workbench.files.atomic import remove_left_behind, replacing
 
 
@@ -167,18 +168,24 @@ def ask(work: LeftBehind, window: QWidget) -> RecoveryChoice:
     """Put the question about one."""
     box, name = QMessageBox(window), work.about.name
     box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
-    box.setWindowTitle("Unsaved work")
+    box.setWindowTitle(tr("Unsaved work"))
     if work.about.ended:
         box.setIcon(QMessageBox.Icon.Information)
-        box.setText(f"{name} had unsaved changes when the workbench was asked to end.")
+        box.setText(
+            tr("{name} had unsaved changes when the workbench was asked to end.").format(name=name)
+        )
     else:
         box.setIcon(QMessageBox.Icon.Question)
-        box.setText(f"The workbench was not closed. Unsaved changes to {name} were kept.")
-    box.setInformativeText(f"Kept on {work.kept_at:%Y-%m-%d at %H:%M:%S}.")
+        box.setText(
+            tr("The workbench was not closed. Unsaved changes to {name} were kept.").format(
+                name=name
+            )
+        )
+    box.setInformativeText(tr("Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.").format(kept_at=work.kept_at))
     roles = QMessageBox.ButtonRole
-    recover = box.addButton("&Recover", roles.AcceptRole)
-    discard = box.addButton("&Discard", roles.DestructiveRole)
-    box.setEscapeButton(box.addButton("Ask &later", roles.RejectRole))
+    recover = box.addButton(tr("&Recover"), roles.AcceptRole)
+    discard = box.addButton(tr("&Discard"), roles.DestructiveRole)
+    box.setEscapeButton(box.addButton(tr("Ask &later"), roles.RejectRole))
     box.exec()
     pressed = box.clickedButton()
     box.deleteLater()

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 
@@ -57,10 +58,11 @@ class PhotoPicture(QObject):
         """Ask for a file and save the photo there; where there is none yet, let it be predicted."""
         if self._view.photo is None:
             self._show()
-            self._messages.note("There is no photo of this lens yet; save it once it is seen.")
+            self._messages.note(tr("There is no photo of this lens yet; save it once it is seen."))
             return
-        name, filters = f"{self._document.name} photo", {f"Picture (*{_ENDING})": _ENDING}
-        path = self._dialogs.to_save("plot", "Save picture", name, filters)
+        name = tr("{design} photo").format(design=self._document.name)
+        filters = {tr("Picture ({endings})").format(endings=f"*{_ENDING}"): _ENDING}
+        path = self._dialogs.to_save("plot", tr("Save picture"), name, filters)
         if path is not None:
             self.save(path)
 
@@ -71,7 +73,7 @@ class PhotoPicture(QObject):
 
         photo = self._view.photo
         if photo is None:  # the lens has changed while the dialog stood
-            self._messages.note("The lens has changed since; save the photo of the new one.")
+            self._messages.note(tr("The lens has changed since; save the photo of the new one."))
             return
         try:
             with replacing(path) as file:
@@ -79,4 +81,4 @@ class PhotoPicture(QObject):
         except Refused as refused:
             self._messages.warn(str(refused))
         else:
-            self._messages.note(f"{path} is written.")
+            self._messages.note(tr("{path} is written.").format(path=path))

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, BinaryIO
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QGuiApplication, QImage
 
+from ui.commands.panes import PANES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
+from ui.words import inside, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
@@ -27,12 +29,14 @@ if TYPE_CHECKING:
 _PICTURES = {".png": "png", ".svg": "svg"}
 _TABLE = ".csv"
 _DATA = ".json"
-_FILTERS = {
-    "Picture in pixels (*.png)": ".png",
-    "Picture in lines (*.svg)": ".svg",
-    "Numbers shown (*.csv)": _TABLE,
-}
-_FIGURES = {"Figures (*.json)": _DATA}
+_FILTERS = later(
+    {
+        "Picture in pixels (*.png)": ".png",
+        "Picture in lines (*.svg)": ".svg",
+        "Numbers shown (*.csv)": _TABLE,
+    }
+)
+_FIGURES = later({"Figures (*.json)": _DATA})
 
 
 class Plots(QObject):
@@ -65,8 +69,12 @@ class Plots(QObject):
         self._dialogs = dialogs
         self._last = next(iter(plots))
         self._background = Background("plot", self)
-        self._background.done.connect(lambda path, _: messages.note(f"{path} is written."))
-        self._background.failed.connect(lambda _, error: messages.warn(sentence_of(error, "plot")))
+        self._background.done.connect(
+            lambda path, _: messages.note(tr("{path} is written.").format(path=path))
+        )
+        self._background.failed.connect(
+            lambda _, error: messages.warn(sentence_of(error, tr("plot")))
+        )
         for name, plot in plots.items():
             plot.touched.connect(partial(self._touch, name))
 
@@ -86,7 +94,9 @@ class Plots(QObject):
             with io.BytesIO() as file:
                 self._plots[name].write(file, "png")
                 QGuiApplication.clipboard().setImage(QImage.fromData(file.getvalue()))
-            self._messages.note(f"A picture of the {name} plot is on the clipboard.")
+            self._messages.note(
+                tr("A picture of the {pane} plot is on the clipboard.").format(pane=_in_words(name))
+            )
 
     def choose_and_save(self) -> None:
         """Ask for a file and save the plot there."""
@@ -112,13 +122,17 @@ class Plots(QObject):
             self._write(path, lambda file: plot.write(file, _PICTURES[ending]))
         else:
             known = ", ".join((*_PICTURES, _TABLE, *([] if figures is None else [_DATA])))
-            self._messages.warn(f"{path.name}: a plot is saved as one of {known}")
+            self._messages.warn(
+                tr("{name}: a plot is saved as one of {known}").format(name=path.name, known=known)
+            )
 
     def ask_for_name(self, name: str) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen kind."""
         filters = _FILTERS if self._plots[name].figures() is None else _FILTERS | _FIGURES
+        title = tr("Save {pane} plot").format(pane=_in_words(name))
         suggested = f"{self._document.name} {name}"
-        return self._dialogs.to_save("plot", f"Save {name} plot", suggested, filters)
+        said = {tr(text): ending for text, ending in filters.items()}
+        return self._dialogs.to_save("plot", title, suggested, said)
 
     def close(self) -> None:
         """Let the file under way be written. Safe to call twice."""
@@ -134,7 +148,7 @@ class Plots(QObject):
             if plot.isVisible() and not plot.empty:
                 plot.draw_now()  # what came in the meantime
                 return name
-        self._messages.note("There is no plot to be seen; View shows the docks of all plots.")
+        self._messages.note(tr("There is no plot to be seen; View shows the docks of all plots."))
         return None
 
     def _write(self, path: Path, write: Callable[[BinaryIO], object]) -> None:
@@ -144,11 +158,11 @@ class Plots(QObject):
         except Refused as refused:
             self._messages.warn(str(refused))
         else:
-            self._messages.note(f"{path} is written.")
+            self._messages.note(tr("{path} is written.").format(path=path))
 
     def _write_table(self, columns: "list[Column]", path: Path) -> None:
         if self._background.busy:
-            self._messages.note("One plot is still being written; save the next after it.")
+            self._messages.note(tr("One plot is still being written; save the next after it."))
             return
 
         def work(task: Task) -> None:
@@ -162,3 +176,8 @@ def _header(columns: "list[Column]") -> str:
     with io.StringIO() as line:
         csv.writer(line, lineterminator="").writerow([column.name for column in columns])
         return line.getvalue()
+
+
+def _in_words(name: str) -> str:
+    """What the pane of a plot is called within a sentence."""
+    return inside(tr(PANES[name].title))

@@ -20,6 +20,7 @@ from ui.document.document import ENDING, Document
 from ui.files.left_behind import About, about_of, lock_of
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import Session, write_session
 
@@ -150,12 +151,14 @@ class Recovery(QObject):
 
     def _give_up(self, _: None, error: Exception) -> None:
         self._kept = None
-        self._tell(sentence_of(error, "recovery"))
+        self._tell(sentence_of(error, tr("recovery")))
 
     def _tell(self, reason: str) -> None:
         if not self._warned:
             self._warned = True
-            self.failed.emit(f"Unsaved work cannot be kept for a recovery. {reason}")
+            self.failed.emit(
+                tr("Unsaved work cannot be kept for a recovery. {reason}").format(reason=reason)
+            )
 
     def _remove(self) -> None:
         self._kept = None

@@ -22,6 +22,7 @@ from ui.run.lens_on_show import NO_LENS, LensOnShow
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
+from ui.words import later, tr
 from workbench.errors import RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.report.endings import HTML, PDF, check_ending
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
 _COMMAND = (sys.executable, "-P", "-m", "workbench", "report")
 _SAYS = "freeform: "  # before a reason
 _OFTEN = 0.1  # seconds after which it may be cancelled
-_FILTERS = {"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0]}
+_FILTERS = later({"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0]})
 
 
 class Reporter(QObject):
@@ -64,7 +65,7 @@ class Reporter(QObject):
         self._background = Background("report", self)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
-            lambda _, error: messages.warn(sentence_of(error, "report"))
+            lambda _, error: messages.warn(sentence_of(error, tr("report")))
         )
 
     def choose_and_report(self) -> None:
@@ -77,27 +78,29 @@ class Reporter(QObject):
         """Write a report of the lens as it is now."""
         if self._background.busy:
             self._messages.note(
-                "One report is still being written; ask for the next after it.",
-                ("Cancel", self.cancel),
+                tr("One report is still being written; ask for the next after it."),
+                (tr("Cancel"), self.cancel),
             )
             return
         found = self._lens.session
         if found is None:
-            self._messages.note(NO_LENS)
+            self._messages.note(tr(NO_LENS))
             return
         document = self._document
         session = document.verified.complete(found)
         name = document.suggested_path.stem
         self._messages.note(
-            f"{path.name} is being written, with a check of {self._lens.text}…",
-            ("Cancel", self.cancel),
+            tr("{file} is being written, with a check of {lens}…").format(
+                file=path.name, lens=self._lens.text
+            ),
+            (tr("Cancel"), self.cancel),
         )
         self._background.begin(partial(_write, session, name, path))
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
-        title, name = f"Report {self._lens.text}", self._document.name
-        return self._dialogs.to_save("report", title, name, _FILTERS)
+        title, name = tr("Report {lens}").format(lens=self._lens.text), self._document.name
+        return self._dialogs.to_save("report", title, name, {tr(k): e for k, e in _FILTERS.items()})
 
     def cancel(self) -> None:
         """Write none after all."""
@@ -108,7 +111,11 @@ class Reporter(QObject):
         self._background.close()
 
     def _tell(self, _: None, path: Path | None) -> None:
-        self._messages.note("No report is written." if path is None else f"{path} is written.")
+        self._messages.note(
+            tr("No report is written.")
+            if path is None
+            else tr("{path} is written.").format(path=path)
+        )
 
 
 def _write(session: "Session", name: str, path: Path, task: Task) -> Path | None:

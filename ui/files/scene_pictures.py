@@ -12,6 +12,7 @@ from ui.commands.table import PICTURES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.message_bar import MessageBar
+from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
 
 _ENDING = ".png"
-_FILTER = f"Picture (*{_ENDING})"
+_FILTER = later("Picture ({endings})")
 
 
 class ScenePictures(QObject):
@@ -61,7 +62,7 @@ class ScenePictures(QObject):
         image = self._image(1)
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
-            self._messages.note("A picture of the 3D scene is on the clipboard.")
+            self._messages.note(tr("A picture of the 3D scene is on the clipboard."))
 
     def choose_and_save(self, times: int) -> None:
         """Ask for a file and save the picture there, so many times as large as it is seen."""
@@ -83,16 +84,25 @@ class ScenePictures(QObject):
         except Refused as refused:
             self._messages.warn(str(refused))
         else:
-            self._messages.note(f"{path} is written, {image.width()} × {image.height()} pixels.")
+            self._messages.note(
+                tr("{path} is written, {width} × {height} pixels.").format(
+                    path=path, width=image.width(), height=image.height()
+                )
+            )
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file."""
         name = f"{self._document.name} 3D"
-        return self._dialogs.to_save("plot", "Save picture of 3D", name, {_FILTER: _ENDING})
+        return self._dialogs.to_save(
+            "plot",
+            tr("Save picture of 3D"),
+            name,
+            {tr(_FILTER).format(endings=f"*{_ENDING}"): _ENDING},
+        )
 
     def _seen(self) -> bool:
         if not self._view.isVisible():
-            self._messages.note("The 3D scene is hidden; View > 3D scene shows it.")
+            self._messages.note(tr("The 3D scene is hidden; View > 3D scene shows it."))
         return self._view.isVisible()
 
     def _image(self, times: int) -> QImage | None:

@@ -13,6 +13,7 @@ from ui.commands.shortcuts import Shortcuts
 from ui.help.manual import Manual
 from ui.help.tour import STOPS, Tour
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 
 TITLE = "Freeform Lens Workbench"
 _OFFERED = "tour_offered"
@@ -56,9 +57,11 @@ class Help(QObject):
         if not settings.value(_OFFERED):
             settings.setValue(_OFFERED, True)
             self._messages.note(
-                f"New here? A tour of {len(STOPS)} steps shows what is where. "
-                "Help > Tour begins it at any time.",
-                ("Show me around", self.begin_tour),
+                tr(
+                    "New here? A tour of {count} steps shows what is where. Help > Tour "
+                    "begins it at any time."
+                ).format(count=len(STOPS)),
+                (tr("Show me around"), self.begin_tour),
             )
 
     def begin_tour(self) -> None:
@@ -82,7 +85,9 @@ class Help(QObject):
     def _show_about(self) -> None:
         QMessageBox.about(
             self._window,
-            f"About {TITLE}",
-            f"<h3>{TITLE} {workbench.__version__}</h3><p>Shapes a freeform lens until it throws "
-            "the wanted image of light.</p><p>MIT licence</p>",
+            tr("About {title}").format(title=TITLE),
+            tr(
+                "<h3>{title} {version}</h3><p>Shapes a freeform lens until it throws the "
+                "wanted image of light.</p><p>MIT licence</p>"
+            ).format(title=TITLE, version=workbench.__version__),
         )

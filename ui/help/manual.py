@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from resources.manual_pages import Page, pages
+from ui.words import tr
 
 _COLUMNS, _ROWS = 130, 45  # characters and lines seen at once
 _LIST_COLUMNS = 28
@@ -64,17 +65,17 @@ class Manual(QDialog):
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
-        self.setWindowTitle("Manual")
+        self.setWindowTitle(tr("Manual"))
         self._pages: list[Page] = pages()
         self._places: list[QTextCursor] = []  # of what is searched for, on this page
-        self._search = QLineEdit(placeholderText="Search", clearButtonEnabled=True)
-        self._search.setAccessibleName("Search the manual")
-        self._search.setToolTip("Words that a page must hold; Return goes to the next place")
+        self._search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
+        self._search.setAccessibleName(tr("Search the manual"))
+        self._search.setToolTip(tr("Words that a page must hold; Return goes to the next place"))
         self._list = QListWidget()
-        self._list.setAccessibleName("Pages of the manual")
+        self._list.setAccessibleName(tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
         self._text = PageView()
-        self._text.setAccessibleName("Manual")
+        self._text.setAccessibleName(tr("Manual"))
         self._search.textChanged.connect(self._find)
         self._search.returnPressed.connect(self._find_next)
         self._list.currentRowChanged.connect(self._open)

@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette, QRegion
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.widgets.native import make_native
+from ui.words import later, tr
 
 
 @dataclass(frozen=True)
@@ -23,51 +24,68 @@ class Stop:
     text: str
 
 
-STOPS = (
-    Stop(
-        "design",
-        "Describe the task",
-        "Here you say what you have and what you want: the image of light, the lens, the "
-        "source, the screen. What is not possible is refused beside the field, with what would "
-        "be allowed. Any picture dropped onto the window becomes the target.",
-    ),
-    Stop(
-        "toolbar",
-        "Start",
-        "Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop "
-        "(F7) keeps the best lens so far, Continue goes on from there.",
-    ),
-    Stop(
-        "scene",
-        "Watch the light",
-        "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow "
-        "keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; "
-        "Ctrl+D draws a far screen nearer.",
-    ),
-    Stop(
-        "irradiance",
-        "See what reaches the screen",
-        "Flux per area, live. Below it what is still wrong: too much light is red, too little is "
-        "blue. Both zoom and move together.",
-    ),
-    Stop(
-        "loss",
-        "Look back",
-        "The curve falls while the lens gets better. The slider below it shows the lens at any "
-        "kept moment of the run; you can go on from there.",
-    ),
-    Stop(
-        "history",
-        "Nothing is lost",
-        "Every edit and every run is a step. Undo with Ctrl+Z, or click a step to go there. "
-        "Unsaved work is kept every minute, even if the program breaks off.",
-    ),
-    Stop(
-        "menus",
-        "Find anything",
-        "Ctrl+Shift+P finds any command by parts of its name. File > New from gallery has examples "
-        "by their pictures, File > Export takes the lens to other programs. Enjoy!",
-    ),
+STOPS = later(
+    (
+        Stop(
+            "design",
+            "Describe the task",
+            (
+                "Here you say what you have and what you want: the image of light, the "
+                "lens, the source, the screen. What is not possible is refused beside "
+                "the field, with what would be allowed. Any picture dropped onto the "
+                "window becomes the target."
+            ),
+        ),
+        Stop(
+            "toolbar",
+            "Start",
+            (
+                "Start (F5) shapes the lens until its light fits the target. Pause (F6) "
+                "holds it, Stop (F7) keeps the best lens so far, Continue goes on from "
+                "there."
+            ),
+        ),
+        Stop(
+            "scene",
+            "Watch the light",
+            (
+                "Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to "
+                "zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at "
+                "the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer."
+            ),
+        ),
+        Stop(
+            "irradiance",
+            "See what reaches the screen",
+            (
+                "Flux per area, live. Below it what is still wrong: too much light is "
+                "red, too little is blue. Both zoom and move together."
+            ),
+        ),
+        Stop(
+            "loss",
+            "Look back",
+            (
+                "The curve falls while the lens gets better. The slider below it shows "
+                "the lens at any kept moment of the run; you can go on from there."
+            ),
+        ),
+        Stop(
+            "history",
+            "Nothing is lost",
+            (
+                "Every edit and every run is a step. Undo with Ctrl+Z, or click a step "
+                "to go there. Unsaved work is kept every minute, even if the program "
+                "breaks off."
+            ),
+        ),
+        Stop(
+            "menus",
+            "Find anything",
+            "Ctrl+Shift+P finds any command by parts of its name. File > New from gallery has "
+            "examples by their pictures, File > Export takes the lens to other programs. Enjoy!",
+        ),
+    )
 )
 
 
@@ -179,8 +197,12 @@ class Bubble(QFrame):
         font.setBold(True)
         self._title.setFont(font)
         self._count.setEnabled(False)
-        self.end, self.back, self.on = QPushButton("&End"), QPushButton("&Back"), QPushButton()
-        self.end.setToolTip("End the tour (Esc); Help > Tour begins it again")
+        self.end, self.back, self.on = (
+            QPushButton(tr("&End")),
+            QPushButton(tr("&Back")),
+            QPushButton(),
+        )
+        self.end.setToolTip(tr("End the tour (Esc); Help > Tour begins it again"))
         self.end.clicked.connect(self.left)
         buttons = QHBoxLayout()
         buttons.addWidget(self._count, 1)
@@ -195,13 +217,14 @@ class Bubble(QFrame):
 
     def tell(self, stop: Stop, number: int, count: int) -> None:
         """Say what there is to say at a stop."""
-        self._title.setText(stop.title)
-        self._text.setText(stop.text)
-        self._count.setText(f"{number + 1} of {count}")
-        self.setAccessibleName(f"{stop.title}. {stop.text}")
+        title, text = tr(stop.title), tr(stop.text)
+        self._title.setText(title)
+        self._text.setText(text)
+        self._count.setText(tr("{number} of {count}").format(number=number + 1, count=count))
+        self.setAccessibleName(f"{title}. {text}")
         last = number + 1 == count
         self.back.setEnabled(number > 0)
-        self.on.setText("&Done" if last else "&Next")
+        self.on.setText(tr("&Done") if last else tr("&Next"))
         self.end.setVisible(not last)
 
     def stand_beside(self, target: QRect, room: QRect) -> None:

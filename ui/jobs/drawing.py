@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.widgets import theme
+from ui.words import tr
 from workbench.jobs import Dimension, SideView
 
 Array = npt.NDArray[np.float64]
@@ -27,7 +28,7 @@ class SideDrawing(QWidget):
         self._view: SideView | None = None
         self.setMinimumSize(320, 180)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setAccessibleName("The job from the side")
+        self.setAccessibleName(tr("The job from the side"))
 
     def show_view(self, view: SideView) -> None:
         """Draw another one."""
@@ -117,8 +118,12 @@ class SideDrawing(QWidget):
         """Say from where it is seen, and how much larger heights are."""
         assert self._view is not None  # or nothing is drawn
         along, across = self.scales
-        seen = "From the side" if self._view.across == "y" else "From above"
-        scale = f", {across / along:.1f} × as high" if across > 1.01 * along else ", to scale"
+        seen = tr("From the side") if self._view.across == "y" else tr("From above")
+        scale = (
+            tr(", {across:.1f} × as high").format(across=across / along)
+            if across > 1.01 * along
+            else tr(", to scale")
+        )
         painter.drawText(QPointF(4, self.fontMetrics().ascent() + 2), seen + scale)
 
 

@@ -11,6 +11,7 @@ from ui.panels.fields import Row, TextRow
 from ui.panels.rows import KindRow, Make, Rows
 from ui.panels.source import file_rows
 from ui.panels.target import image_rows, of_image
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
 from workbench.scene import Finish, ImageTarget
@@ -48,8 +49,8 @@ class JobForm(QScrollArea):
         self._refused: dict[str, Waiting] = {}
         page = QWidget()
         column = QVBoxLayout(page)
-        heading = QLabel(f"<b>{title_of(type(job))}</b>")
-        about = QLabel(summary_of(type(job)), wordWrap=True)
+        heading = QLabel(f"<b>{tr(title_of(type(job)))}</b>")
+        about = QLabel(tr(summary_of(type(job))), wordWrap=True)
         column.addWidget(heading)
         column.addWidget(about)
         form = QFormLayout()
@@ -94,7 +95,7 @@ class JobForm(QScrollArea):
         size = getattr(self.job, "image_size", None)
         if size is not None:
             changes["image_size"] = self._in_aspect(size, target)
-        self._edit(Edit("target.image", "picture", changes))
+        self._edit(Edit("target.image", tr("picture"), changes))
 
     def _in_aspect(self, size: tuple[float, float], target: dict[str, object]) -> list[float]:
         """The size of an image that is as large as before and has the aspect of a picture."""
@@ -110,7 +111,7 @@ class JobForm(QScrollArea):
 
     def choose_light(self, path: Path) -> None:
         """Take a file of light."""
-        self._edit(Edit("file", "file of light", {"file": str(path.absolute())}))
+        self._edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
 
     def _edit(self, edit: Edit) -> None:
         """Try an answer; one that is not possible waits in its row."""

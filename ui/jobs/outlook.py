@@ -11,6 +11,7 @@ from ui.panels.editors import Wrapped
 from ui.panels.target import Thumbnail
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.words import tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -44,7 +45,7 @@ class Finder(QObject):
         self._background.progressed.connect(self._pass_on)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, "outlook"))
+            lambda _, error: self.failed.emit(sentence_of(error, tr("outlook")))
         )
 
     def look(self, job: "Job") -> None:
@@ -84,14 +85,14 @@ class Outlook(QWidget):
         self._aspect = 1.0
         self._labels: list[QLabel] = []
         self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
-        self._at_best.setAccessibleName("Picture at best")
-        self._at_best.setToolTip("Blurred by the size of the light, as any lens has to")
+        self._at_best.setAccessibleName(tr("Picture at best"))
+        self._at_best.setToolTip(tr("Blurred by the size of the light, as any lens has to"))
         self._state = Wrapped()
         self._figures = QGridLayout()
         self._figures.setHorizontalSpacing(12)
         self._figures.setColumnStretch(1, 1)
         pictures = QHBoxLayout()
-        for title, picture in (("Wanted", self._wanted), ("At best", self._at_best)):
+        for title, picture in ((tr("Wanted"), self._wanted), (tr("At best"), self._at_best)):
             column = QVBoxLayout()
             column.addWidget(QLabel(title, alignment=Qt.AlignmentFlag.AlignHCenter))
             column.addWidget(picture)
@@ -109,7 +110,7 @@ class Outlook(QWidget):
 
     def wait(self) -> None:
         """Say that figures are being found; what is shown is of the job before."""
-        self._state.say("Computing what can be expected…")
+        self._state.say(tr("Computing what can be expected…"))
         self._at_best.clear()
 
     def refuse(self, why: str) -> None:
@@ -133,9 +134,9 @@ class Outlook(QWidget):
             self._add(row, figure)
 
     def _add(self, row: int, figure: "Figure") -> None:
-        name = QLabel(figure.name)
+        name = QLabel(tr(figure.name))
         mark = "\N{WARNING SIGN} " if figure.warns else ""
-        said = QLabel(f"<b>{mark}{figure.value}</b><br>{figure.meaning}", wordWrap=True)
+        said = QLabel(f"<b>{mark}{tr(figure.value)}</b><br>{tr(figure.meaning)}", wordWrap=True)
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         self._figures.addWidget(said, row, 1)
         self._labels += [name, said]

@@ -19,8 +19,9 @@ from ui.files.dialogs import FileDialogs
 from ui.jobs.drawing import SideDrawing
 from ui.jobs.form import JobForm
 from ui.jobs.outlook import Finder, Outlook
-from ui.panels.source import LIGHT_FILES
-from ui.panels.target import IMAGE_FILES
+from ui.panels.source import light_files
+from ui.panels.target import image_files
+from ui.words import tr
 from workbench.jobs import JOBS, side_view
 from workbench.scene.kinds import summary_of, title_of
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _SIZE = QSize(1240, 820)
-_JOBS_WIDE, _FORM_WIDE = 190, 330
+_JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
 
 
 class StartPage(QDialog):
@@ -55,26 +56,27 @@ class StartPage(QDialog):
 
     def __init__(self, dialogs: FileDialogs, window: QWidget) -> None:
         super().__init__(window)
-        self.setWindowTitle("New design")
+        self.setWindowTitle(tr("New design"))
         self._dialogs = dialogs
         self._session: Session | None = None  # of the job as it is now
         self._begins = False  # as soon as there is one
         self._finder = Finder(self)
         self._drawing, self._outlook = SideDrawing(), Outlook()
         self._jobs = QListWidget()
-        self._jobs.setAccessibleName("Jobs")
+        self._jobs.setAccessibleName(tr("Jobs"))
         self._jobs.setSpacing(3)
-        self._jobs.setFixedWidth(_JOBS_WIDE)
         self._stack = QStackedWidget()
         self._stack.setMinimumWidth(_FORM_WIDE)
         self._forms = [JobForm(kind()) for kind in JOBS]
         for kind, form in zip(JOBS, self._forms, strict=True):
-            self._jobs.addItem(title_of(kind))
-            self._jobs.item(self._jobs.count() - 1).setToolTip(summary_of(kind))
+            self._jobs.addItem(tr(title_of(kind)))
+            self._jobs.item(self._jobs.count() - 1).setToolTip(tr(summary_of(kind)))
             form.changed.connect(self._look)
             form.image_asked.connect(self._choose_image)
             form.light_asked.connect(self._choose_light)
             self._stack.addWidget(form)
+        wide = self._jobs.sizeHintForColumn(0) + 4 * self._jobs.frameWidth()
+        self._jobs.setFixedWidth(max(wide, _JOBS_WIDE))
         self._lay_out()
         self._finder.ready.connect(self._take)
         self._finder.found.connect(self._outlook.show_prospect)
@@ -114,10 +116,10 @@ class StartPage(QDialog):
         line.addWidget(self._stack, 2)
         line.addWidget(scrolled, 3)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self._begin = buttons.addButton("&Begin", QDialogButtonBox.ButtonRole.AcceptRole)
+        self._begin = buttons.addButton(tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         for text, asked in (
-            ("&Open a file…", self.open_asked),
-            ("E&xamples…", self.examples_asked),
+            (tr("&Open a file…"), self.open_asked),
+            (tr("E&xamples…"), self.examples_asked),
         ):
             button = buttons.addButton(text, QDialogButtonBox.ButtonRole.ResetRole)
             button.clicked.connect(self.reject)
@@ -152,18 +154,18 @@ class StartPage(QDialog):
             self._end(session)
 
     def _end(self, session: "Session") -> None:
-        self.begun.emit(session, title_of(type(self.form.job)))
+        self.begun.emit(session, tr(title_of(type(self.form.job))))
         self.accept()
 
     def _choose_image(self) -> None:
-        path = self._dialogs.to_open("image", "Picture", IMAGE_FILES)
+        path = self._dialogs.to_open("image", tr("Picture"), image_files())
         if path is not None:
             self.form.choose_image(path)
         else:
             self.form.show_job()
 
     def _choose_light(self) -> None:
-        path = self._dialogs.to_open("light", "File of light", LIGHT_FILES)
+        path = self._dialogs.to_open("light", tr("File of light"), light_files())
         if path is not None:
             self.form.choose_light(path)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
+from ui.words import tr
 from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet, freeform_nets
 
@@ -49,13 +50,15 @@ class Brush:
         optic, nets = self._view.optic, self._view.nets
         if optic is None or len(nets.faces) < 2:
             return ""
-        name = optic.face_in_words(nets.face)
+        name = tr(optic.face_in_words(nets.face))
         return f"{name[0].upper()}{name[1:]}. "
 
     @property
     def words(self) -> str:
         """How large it is."""
-        return f"radius {self.radius:.2g} {self._view.unit}" if self._part else "a single point"
+        if not self._part:
+            return tr("a single point")
+        return tr("radius {radius:.2g} {unit}").format(radius=self.radius, unit=self._view.unit)
 
     def resize(self, steps: int) -> None:
         """Make it larger, or smaller."""

@@ -15,6 +15,7 @@ from ui.shown.frame import Frame, make_frame
 from ui.threads.background import Background, Task
 from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
+from ui.words import tr
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
 from workbench.optics.kernels.ready import without_waiting
@@ -95,4 +96,4 @@ class LiveLens(QObject):
     def _give_up(self, draft: Draft, error: Exception) -> None:
         if not self._background.busy:  # else a later draft is traced
             called = draft.session.scene.optic.called
-            self.failed.emit(sentence_of(error, f"trace of the {called}"))
+            self.failed.emit(sentence_of(error, tr("trace of the {optic}", optic=called)))

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from ui.lens.brush import Brush, BrushTool, Mask
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -38,11 +39,11 @@ class Lock(BrushTool):
 
     Attributes
     ----------
-    painted : Signal(str, ndarray, str)
+    painted : Signal(str, ndarray, bool)
         The name of a face, its new locks, shape (n_u, n_v), and what was done.
     """
 
-    painted = Signal(str, object, str)
+    painted = Signal(str, object, bool)
 
     cursor = Qt.CursorShape.PointingHandCursor
     keys: Set[int] = ARROWS.keys() | _PAINTS
@@ -59,11 +60,11 @@ class Lock(BrushTool):
         """What can be done with it, in a line."""
         locked = self._view.nets.locked
         count = 0 if locked is None else int(locked.sum())
-        return (
-            f"{self._brush.place}Paint over control points to lock them, or unlock them where you "
-            f"begin on a lock; or use arrows and Space. Brush, [ and ]: {self._brush.words}. "
-            f"{count} locked"
-        )
+        return tr(
+            "{place}Paint over control points to lock them, or unlock them where you "
+            "begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. "
+            "{count} locked"
+        ).format(place=self._brush.place, words=self._brush.words, count=count)
 
     def press(self, at: Pointer) -> bool:
         """Begin to paint."""
@@ -89,7 +90,7 @@ class Lock(BrushTool):
         """Leave it so."""
         paint, self._paint = self._paint, None
         if paint is not None:
-            self.painted.emit(paint.face, paint.locked, "lock" if paint.value else "unlock")
+            self.painted.emit(paint.face, paint.locked, paint.value)
 
     def cancel(self) -> None:
         """Take it back."""

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
+from ui.words import tr
 from workbench.pictures.source_handles import Handle, moved
 from workbench.scene import Source
 
@@ -79,15 +80,15 @@ class MoveSource(QObject):
         """What can be done with it, in a line."""
         source = self._view.source
         if source is None or source.place is None:
-            return "Collimated light comes from everywhere: choose another source to move it"
-        text = (
-            "Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; "
-            "Shift: finely; Esc: back. "
+            return tr("Collimated light comes from everywhere: choose another source to move it")
+        text = tr(
+            "Drag the source across, Ctrl: along z; or use arrows, Page Up and Page "
+            "Down; Shift: finely; Esc: back. "
         )
         if len(source.corners):
-            text += "Corners: its size. "
+            text += tr("Corners: its size. ")
         lengths = (
-            f"{field.title} {_words(getattr(source, field.name))}"
+            f"{tr(field.title)} {_words(getattr(source, field.name))}"
             for field in source.fields()
             if field.measure.power == 1
         )

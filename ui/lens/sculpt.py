@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from ui.lens.brush import Brush, BrushTool
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
+from ui.words import tr
 from workbench.design.brush import Stroke
 from workbench.geometry.faces import FaceArrays
 
@@ -78,12 +79,14 @@ class Sculpt(BrushTool):
     @property
     def hint(self) -> str:
         """What can be done with it, in a line."""
-        text = (
-            f"{self._brush.place}Drag control points along z, or use arrows, Page Up and Page "
-            f"Down; Shift: finely; Esc: back. Brush, [ and ]: {self._brush.words}"
-        )
+        text = tr(
+            "{place}Drag control points along z, or use arrows, Page Up and Page "
+            "Down; Shift: finely; Esc: back. Brush, [ and ]: {words}"
+        ).format(place=self._brush.place, words=self._brush.words)
         if self._drag is not None:
-            text += f". Moved by {self._drag.rise:+.4g} {self._view.unit}"
+            text += tr(". Moved by {rise:+.4g} {unit}").format(
+                rise=self._drag.rise, unit=self._view.unit
+            )
         return text
 
     def press(self, at: Pointer) -> bool:
@@ -140,7 +143,7 @@ class Sculpt(BrushTool):
         if stroke.moves:
             self._drag = _ControlDrag(heights, face, stroke, net.places[index].copy(), at)
         else:
-            self.refused.emit("All control points in the brush are locked; unlock some first.")
+            self.refused.emit(tr("All control points in the brush are locked; unlock some first."))
 
     def _raise(self, drag: _ControlDrag, by: float, fine: bool) -> None:
         drag.rise += by * (_FINE if fine else 1.0)

@@ -22,6 +22,7 @@ from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
 from ui.shown.frame import same_task
 from ui.views.drawing_queue import drawing_queue
+from ui.words import later, tr
 from workbench.design.limits import bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
@@ -40,10 +41,12 @@ if TYPE_CHECKING:
 
 Mask = npt.NDArray[np.bool_]
 
-_BUSY = "Stop the run first; then change the {optic} by hand."
-_NO_LENS = "There is no {optic} to shape yet."
-_ONE_FACE = "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
-_NOT_TO_SCALE = "Show distances to scale first (View > Shorten gaps); then move the source."
+_BUSY = later("Stop the run first; then change the {optic} by hand.")
+_NO_LENS = later("There is no {optic} to shape yet.")
+_ONE_FACE = later(
+    "There is one freeform face. Design > Freeform entrance face gives a lens a second one."
+)
+_NOT_TO_SCALE = later("Show distances to scale first (View > Shorten gaps); then move the source.")
 
 
 class LensTools(QObject):
@@ -92,9 +95,9 @@ class LensTools(QObject):
             "other_face": self._turn_over,
             "brush_larger": partial(self._resize, 1),
             "brush_smaller": partial(self._resize, -1),
-            "lock_all": lambda: self._lock(np.ones_like, "lock all points"),
-            "unlock_all": lambda: self._lock(np.zeros_like, "unlock all points"),
-            "invert_locks": lambda: self._lock(np.logical_not, "invert locks"),
+            "lock_all": lambda: self._lock(np.ones_like, tr("lock all points")),
+            "unlock_all": lambda: self._lock(np.zeros_like, tr("unlock all points")),
+            "invert_locks": lambda: self._lock(np.logical_not, tr("invert locks")),
         }
 
     def close(self) -> None:
@@ -123,7 +126,7 @@ class LensTools(QObject):
         """Work on the next face, seen from outside."""
         optic, nets = self._view.optic, self._view.nets
         if optic is None or len(nets.faces) < 2:
-            self.message.emit(_ONE_FACE)
+            self.message.emit(tr(_ONE_FACE))
             return
         self._view.drop()
         nets.choose(nets.faces[nets.faces.index(nets.face) - 1])
@@ -134,7 +137,7 @@ class LensTools(QObject):
             self._tool.turn_wheel(steps)
 
     def _say(self, text: str) -> None:
-        self.message.emit(self._document.session.scene.optic.name_in(text))
+        self.message.emit(tr(text, optic=self._document.session.scene.optic.called))
 
     def _is_idle(self) -> bool:
         if self._control.busy:
@@ -178,7 +181,7 @@ class LensTools(QObject):
         if not self._is_idle():
             return None
         if self._view.exploded:
-            self.message.emit(_NOT_TO_SCALE)
+            self.message.emit(tr(_NOT_TO_SCALE))
             return None
         return self._document.session.scene.source
 
@@ -194,7 +197,7 @@ class LensTools(QObject):
         old = self._document.session.scene
         try:
             scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
-            self._as_own(lambda: self._document.edit(scene, "move the source", self._key))
+            self._as_own(lambda: self._document.edit(scene, tr("move the source"), self._key))
         except Refused as refused:
             self.message.emit(str(refused))
             return
@@ -228,7 +231,7 @@ class LensTools(QObject):
     def _keep(self, frame: "Frame") -> None:
         """Make a step of a drag that has come to its end, unless it led back."""
         if _lens_of(self._document.session) != frame.state.heights:
-            text = "move control points"
+            text = tr("move control points")
             self._as_own(lambda: self._document.set_result(frame.result, text))
 
     def _give_up(self, sentence: str) -> None:
@@ -250,8 +253,9 @@ class LensTools(QObject):
                 text,
             )
 
-    def _take_paint(self, face: str, locked: Mask, verb: str) -> None:
-        self._set_locked({**self._document.session.locked, face: locked}, f"{verb} points")
+    def _take_paint(self, face: str, locked: Mask, locks: bool) -> None:
+        text = tr("lock points") if locks else tr("unlock points")
+        self._set_locked({**self._document.session.locked, face: locked}, text)
 
     def _set_locked(self, masks: Mapping[str, Mask], text: str) -> None:
         before = self._document.session

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.quantity import read_number
@@ -28,29 +29,35 @@ if TYPE_CHECKING:
 RAYS = 1_000_000
 """Through the cut; some ten seconds."""
 _FEED = "mm/min"
-_LENGTHS = {
-    "tool_radius": (
-        "Tool radius",
-        "a radius that fits",
-        "Radius of the ball. Left empty: that of the design task, or one that fits everywhere.",
-    ),
-    "scallop": (
-        "Ridges",
-        "fine",
-        "How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger "
-        "half-width, or higher where that takes more moves than a program can have.",
-    ),
-    "rim": ("Clamping rim", "0", "Width of stock around the lens, to hold it by."),
-    "safe_height": (
-        "Travel height",
-        "the ball's diameter",
-        "How far over its highest cut the cutter travels.",
-    ),
-}
+_LENGTHS = later(
+    {
+        "tool_radius": (
+            "Tool radius",
+            "a radius that fits",
+            "Radius of the ball. Left empty: that of the design task, or one that fits everywhere.",
+        ),
+        "scallop": (
+            "Ridges",
+            later("fine"),
+            (
+                "How high ridges between neighbouring cuts may be. Left empty: 1e-4 of "
+                "the larger half-width, or higher where that takes more moves than a "
+                "program can have."
+            ),
+        ),
+        "rim": ("Clamping rim", "0", "Width of stock around the lens, to hold it by."),
+        "safe_height": (
+            "Travel height",
+            "the ball's diameter",
+            "How far over its highest cut the cutter travels.",
+        ),
+    }
+)
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
-_ABOUT = (
-    "A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The "
-    "cut is simulated before it is written: a cutter that cuts into the face is refused."
+_ABOUT = later(
+    "A finishing pass of a ball cutter as G-code in millimetres (GRBL, "
+    "LinuxCNC). The cut is simulated before it is written: a cutter that "
+    "cuts into the face is refused."
 )
 
 
@@ -96,7 +103,7 @@ class CutterDialog(QDialog):
 
     def __init__(self, session: "Session", begin_with: Cutting, window: QWidget) -> None:
         super().__init__(window)
-        self.setWindowTitle("Ball cutter")
+        self.setWindowTitle(tr("Ball cutter"))
         self._session, self._unit = session, session.scene.unit
         self.fields = {name: QLineEdit() for name in _LENGTHS}
         form = QFormLayout()
@@ -104,30 +111,39 @@ class CutterDialog(QDialog):
         for name, (title, empty, tip) in _LENGTHS.items():
             value = getattr(begin_with, name)
             self.fields[name].setText(f"{value:g}" if value else "")
-            self._add(form, name, title, empty, tip, self._unit)
+            self._add(form, name, tr(title), tr(empty), tr(tip), self._unit)
         self.fields["feed"] = QLineEdit(f"{begin_with.feed:g}")
-        self._add(form, "feed", "Feed", "600", "How fast the cutter moves while it cuts.", _FEED)
-        self.mould = QCheckBox("Cut a mould of the face")
-        self.mould.setToolTip("The negative: hollows become humps, turned over about the y axis.")
+        self._add(
+            form, "feed", tr("Feed"), "600", tr("How fast the cutter moves while it cuts."), _FEED
+        )
+        self.mould = QCheckBox(tr("Cut a mould of the face"))
+        self.mould.setToolTip(
+            tr("The negative: hollows become humps, turned over about the y axis.")
+        )
         self.mould.setChecked(begin_with.negative)
         form.addRow("", self.mould)
         self.found = QLabel(wordWrap=True)
         self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.found.setAccessibleName("What the cut leaves")
+        self.found.setAccessibleName(tr("What the cut leaves"))
         self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
         self.found.setAlignment(Qt.AlignmentFlag.AlignTop)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.write = buttons.addButton("&Write G-code…", QDialogButtonBox.ButtonRole.AcceptRole)
-        self.look = buttons.addButton("&Simulate and trace", QDialogButtonBox.ButtonRole.ActionRole)
+        self.write = buttons.addButton(tr("&Write G-code…"), QDialogButtonBox.ButtonRole.AcceptRole)
+        self.look = buttons.addButton(
+            tr("&Simulate and trace"), QDialogButtonBox.ButtonRole.ActionRole
+        )
         self.look.setToolTip(
-            "Simulate the cut and trace light through what it leaves, beside the lens as designed"
+            tr(
+                "Simulate the cut and trace light through what it leaves, beside the "
+                "lens as designed"
+            )
         )
         self.look.clicked.connect(self.simulate)
         self.look.setDefault(True)
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
-        column.addWidget(QLabel(_ABOUT, wordWrap=True))
+        column.addWidget(QLabel(tr(_ABOUT), wordWrap=True))
         column.addLayout(form)
         column.addWidget(self.found)
         column.addWidget(buttons)
@@ -136,7 +152,7 @@ class CutterDialog(QDialog):
         self._background.progressed.connect(lambda _, said: self.found.setText(said))
         self._background.done.connect(self._tell)
         self._background.failed.connect(
-            lambda _, error: self._tell(None, sentence_of(error, "simulation of the cut"))
+            lambda _, error: self._tell(None, sentence_of(error, tr("simulation of the cut")))
         )
         self.finished.connect(self._background.close)
 
@@ -157,7 +173,7 @@ class CutterDialog(QDialog):
         cutting = self._asked()
         if cutting is not None:
             self.look.setEnabled(False)
-            self.found.setText("Simulating the cut…")
+            self.found.setText(tr("Simulating the cut…"))
             self._background.begin(partial(_look, self._session, cutting))
 
     def _add(
@@ -179,7 +195,8 @@ class CutterDialog(QDialog):
         value = float(read_number(text, _FEED if name == "feed" else self._unit))
         if value < 0 or (value == 0 and name != "rim"):
             title = self.fields[name].accessibleName()
-            raise ValueError(f"{title}: {value:g}; a number above 0, or nothing")
+            allowed = tr("{value:g}; a number above 0, or nothing").format(value=value)
+            raise ValueError(f"{title}: {allowed}")
         return value
 
     def _asked(self) -> Cutting | None:
@@ -210,18 +227,28 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
     if plan is None:
         return None
-    deep = f"the cut goes up to {plan.cut_off:.2g} {unit} into the face"
+    deep = tr("the cut goes up to {cut_off:.2g} {unit} into the face").format(
+        cut_off=plan.cut_off, unit=unit
+    )
     whole = plan.cut_off < _NEGLIGIBLE * plan.left
     lines = [
-        f"Radius {plan.raster.radius:.4g} {unit}, {plan.raster.tip.size:,} moves. Ridges are up to "
-        f"{plan.left:.2g} {unit} high; {'the face is cut into nowhere' if whole else deep}."
+        tr(
+            "Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} "
+            "{unit} high; {deep}."
+        ).format(
+            radius=plan.raster.radius,
+            unit=unit,
+            size=plan.raster.tip.size,
+            left=plan.left,
+            deep=tr("the face is cut into nowhere") if whole else deep,
+        )
     ]
     if cutting.negative:
         return lines[0]
-    task.report(f"{lines[0]}\nTracing…")
+    task.report(f"{lines[0]}\n{tr('Tracing…')}")
     found = task.follow(
         tracing_cut(session.scene, result.state.heights, session.target, plan.raster, RAYS)
     )
     if found is None:
         return None
-    return "\n".join([*lines, f"{found.sentence} Polishing takes ridges away."])
+    return "\n".join([*lines, f"{found.sentence} {tr('Polishing takes ridges away.')}"])

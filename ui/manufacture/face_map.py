@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from ui.panels.editors import Chooser
 from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
+from ui.words import later, tr
 from workbench.analysis.manufacture_limits import Limits
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.pictures.maps import Extent
@@ -23,11 +24,13 @@ if TYPE_CHECKING:
     from workbench.analysis.manufacture import SurfaceMaps
     from workbench.files.session import Session
 
-_TIPS = (
-    "Thickness along z",
-    "Angle between the face and a plane across the axis",
-    "One over the radius of concave places; zero elsewhere",
-    "One over the radius of convex places; zero elsewhere",
+_TIPS = later(
+    (
+        "Thickness along z",
+        "Angle between the face and a plane across the axis",
+        "One over the radius of concave places; zero elsewhere",
+        "One over the radius of convex places; zero elsewhere",
+    )
 )
 
 
@@ -68,7 +71,7 @@ class FaceMap(ImageView):
     """One of `MAPS`, to be chosen above it."""
 
     _content: FaceContent
-    _WAITING = "Computed when no run changes it…"
+    _WAITING = later("Computed when no run changes it…")
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(FaceContent(), parent=parent)
@@ -76,9 +79,9 @@ class FaceMap(ImageView):
         self.faces = FaceChoice()
         self.faces.currentIndexChanged.connect(self._choose)
         self.chooser = Chooser()
-        self.chooser.setAccessibleName("What the map shows")
+        self.chooser.setAccessibleName(tr("What the map shows"))
         for name in MAPS:
-            self.chooser.addItem(name)
+            self.chooser.addItem(tr(name), name)
         self.chooser.currentIndexChanged.connect(self._turn)
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
@@ -110,6 +113,8 @@ class FaceMap(ImageView):
         self._begin_anew()
 
     def _turn(self, number: int) -> None:
-        self._content.name = self.chooser.currentText()
-        self.chooser.setToolTip(f"<p>{_TIPS[number]}; what is beyond a limit is hatched</p>")
+        self._content.name = self.chooser.currentData()
+        self.chooser.setToolTip(
+            f"<p>{tr(_TIPS[number])}{tr('; what is beyond a limit is hatched')}</p>"
+        )
         self._begin_anew()

@@ -7,18 +7,23 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from ui.manufacture.limits import LimitFields
+from ui.words import later, tr
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
 
-_STATES = {
-    "met": ("✓ met", "No place is beyond the limit."),
-    "open": (
-        "? open",
-        "No place that was looked at is beyond the limit, but that no other place is, is not "
-        "proved: {bound} is all that the face surely keeps to.",
-    ),
-    "broken": ("✗ broken", "Some places are beyond the limit; the map shows where."),
-}
+_STATES = later(
+    {
+        "met": ("✓ met", "No place is beyond the limit."),
+        "open": (
+            "? open",
+            (
+                "No place that was looked at is beyond the limit, but that no other "
+                "place is, is not proved: {bound} is all that the face surely keeps to."
+            ),
+        ),
+        "broken": ("✗ broken", "Some places are beyond the limit; the map shows where."),
+    }
+)
 """Sign, word and tip of each verdict."""
 
 
@@ -38,18 +43,37 @@ _LINES = {
     "tightest_convex": _Line("convex radius", True, ""),  # the same as that above
     "tool_radius": _Line("ball cutter", True, "min_tool_radius"),
 }
-_OF_FACE = {
-    "steepest": ("Slope", "Largest angle between the face and a plane across the axis"),
-    "tightest_concave": ("Concave radius", "Smallest radius of curvature of concave places"),
-    "tightest_convex": ("Convex radius", "Smallest radius of curvature of convex places"),
-    "tool_radius": (
-        "Ball cutter up to",
-        "Largest radius of a ball cutter that fits everywhere on the face, without cutting into "
-        "another part of it",
-    ),
-    "sag_range": ("Sag range", "Height of the highest point of the face over the lowest"),
-    "draft": ("Draft", "Least angle between the face and the axis, along which a mould opens"),
-}
+_OF_FACE = later(
+    {
+        "steepest": (
+            "Slope",
+            "Largest angle between the face and a plane across the axis",
+        ),
+        "tightest_concave": (
+            "Concave radius",
+            "Smallest radius of curvature of concave places",
+        ),
+        "tightest_convex": (
+            "Convex radius",
+            "Smallest radius of curvature of convex places",
+        ),
+        "tool_radius": (
+            "Ball cutter up to",
+            (
+                "Largest radius of a ball cutter that fits everywhere on the face, "
+                "without cutting into another part of it"
+            ),
+        ),
+        "sag_range": (
+            "Sag range",
+            "Height of the highest point of the face over the lowest",
+        ),
+        "draft": (
+            "Draft",
+            "Least angle between the face and the axis, along which a mould opens",
+        ),
+    }
+)
 """Figures that each freeform face has; the same limits hold for both."""
 _ENTRANCE = "entrance "  # before the keys of the entrance face, and before the names of its limits
 _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thicknesses
@@ -75,7 +99,7 @@ class ManufactureFigures(QWidget):
         grid.setHorizontalSpacing(8)
         grid.setVerticalSpacing(3)
         grid.setColumnStretch(_LIMIT, 1)
-        for column, text in ((_FOUND, "Lens"), (_LIMIT, "Limit")):
+        for column, text in ((_FOUND, tr("Lens")), (_LIMIT, tr("Limit"))):
             grid.addWidget(QLabel(f"<b>{text}</b>"), 0, column)
         self.found: dict[str, QLabel] = {}
         self.states: dict[str, QLabel] = {}
@@ -88,17 +112,19 @@ class ManufactureFigures(QWidget):
                 grid.addWidget(field, row, _LIMIT, rows, 1)
                 self._add(row, key, field.label)
             else:
-                self._add(row, key, _named(*_OF_FACE[key]))
+                self._add(row, key, _named(*map(tr, _OF_FACE[key])))
             grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
             self._add_state(row, key)
         end = len(_LINES) + 1
         for row, key in enumerate(("sag_range", "draft"), end):
-            self._add(row, key, _named(*_OF_FACE[key]))
+            self._add(row, key, _named(*map(tr, _OF_FACE[key])))
         self.note = QLabel(wordWrap=True)
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 5)
         grid.setRowStretch(end + 4 + len(_OF_FACE) + 1, 1)
-        self.cut = QPushButton("Ball cutter…")
-        self.cut.setToolTip("Say how the face is cut, see what the cut leaves, and write G-code")
+        self.cut = QPushButton(tr("Ball cutter…"))
+        self.cut.setToolTip(
+            tr("Say how the face is cut, see what the cut leaves, and write G-code")
+        )
         grid.addWidget(self.cut, end + 3 + len(_OF_FACE) + 1, 0, 1, 5)
         fields.changed.connect(self._judge)
 
@@ -152,19 +178,21 @@ class ManufactureFigures(QWidget):
 
     def _add_state(self, row: int, key: str) -> None:
         self.states[key] = state = QLabel()
-        state.setAccessibleName(f"Verdict: {self.found[key].accessibleName()}")
+        state.setAccessibleName(
+            tr("Verdict: {figure}").format(figure=self.found[key].accessibleName())
+        )
         self._grid.addWidget(state, row, _STATE)
 
     def _add_entrance(self) -> None:
         """Rows for a freeform entrance face, which is judged by the limits above."""
         first = len(_LINES) + 3
-        title = QLabel("<b>Entrance face</b>")
+        title = QLabel(f"<b>{tr('Entrance face')}</b>")
         self._grid.addWidget(title, first, 0, 1, 5)
         self._of_entrance.append(title)
         for row, (key, (text, tip)) in enumerate(_OF_FACE.items(), first + 1):
-            name, key = _named(text, tip), f"{_ENTRANCE}{key}"
+            name, key = _named(tr(text), tr(tip)), f"{_ENTRANCE}{key}"
             self._add(row, key, name)
-            self.found[key].setAccessibleName(f"Entrance face: {text}")
+            self.found[key].setAccessibleName(tr("Entrance face: {figure}").format(figure=tr(text)))
             self._of_entrance += [name, self.found[key]]
             line = _LINES.get(key.removeprefix(_ENTRANCE))
             if line is not None:
@@ -180,11 +208,11 @@ class ManufactureFigures(QWidget):
             self._show_state(key, judged.get((line.limited, line.at_least)))
 
     def _show_state(self, key: str, verdict: Verdict | None) -> None:
-        text, tip = _STATES[verdict.state] if verdict else ("", "")
+        text, tip = map(tr, _STATES[verdict.state] if verdict else ("", ""))
         label = self.states[key]
         label.setText(text)
         font = label.font()
-        font.setBold(text == _STATES["broken"][0])
+        font.setBold(verdict is not None and verdict.state == "broken")
         label.setFont(font)
         if verdict is not None:
             tip = tip.format(bound=self._in_words(key, verdict.found.bound))
@@ -192,17 +220,19 @@ class ManufactureFigures(QWidget):
 
     def _in_words(self, key: str, value: float) -> str:
         if math.isinf(value):
-            return "none"
+            return tr("none")
         if key.endswith("steepest"):
             return f"{0 if value < _ROUNDING else value:.4g}°"
         return f"{value:.4g} {self._unit}"
 
     def _where(self, key: str, extreme: Extreme) -> str:
         if math.isinf(extreme.value):
-            return "The face has none."
+            return tr("The face has none.")
         x, y = extreme.place
         bound = self._in_words(key, extreme.bound)
-        return f"At x = {x:.4g}, y = {y:.4g} {self._unit}. Nowhere beyond {bound}."
+        return tr("At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.").format(
+            x=x, y=y, unit=self._unit, bound=bound
+        )
 
 
 def _named(text: str, tip: str) -> QLabel:

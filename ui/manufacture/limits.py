@@ -8,24 +8,30 @@ from PySide6.QtCore import QObject, QSettings, Signal
 
 from ui.panels.edits import Edit, Typed
 from ui.panels.optional import OptionalRow
+from ui.words import later, tr
 from workbench.analysis.manufacture_limits import Limits
 from workbench.scene import LENGTH, Measure, Scene
 
-_ROWS = {
-    "min_thickness": ("Thinnest", "The part has to be as thick as this everywhere"),
-    "max_thickness": ("Thickest", "The part must not be thicker than this anywhere"),
-    "max_slope": (
-        "Slope",
-        "Largest angle between a freeform face and a plane across the axis, in degrees",
-    ),
-    "min_radius": (
-        "Concave radius",
-        "Smallest radius that a tool can cut, of concave and convex places",
-    ),
-    "min_tool_radius": ("Ball cutter", "Radius of the ball cutter that has to fit everywhere"),
-}
+_ROWS = later(
+    {
+        "min_thickness": ("Thinnest", "The part has to be as thick as this everywhere"),
+        "max_thickness": ("Thickest", "The part must not be thicker than this anywhere"),
+        "max_slope": (
+            "Slope",
+            "Largest angle between a freeform face and a plane across the axis, in degrees",
+        ),
+        "min_radius": (
+            "Concave radius",
+            "Smallest radius that a tool can cut, of concave and convex places",
+        ),
+        "min_tool_radius": (
+            "Ball cutter",
+            "Radius of the ball cutter that has to fit everywhere",
+        ),
+    }
+)
 _ANGLE = "max_slope"
-_HINT = "Empty: what the design task keeps to, if anything. Kept for the next start."
+_HINT = later("Empty: what the design task keeps to, if anything. Kept for the next start.")
 
 
 class LimitFields(QObject):
@@ -53,15 +59,15 @@ class LimitFields(QObject):
         self.rows = {
             name: OptionalRow(
                 name,
-                label,
-                f"{tip}. {_HINT}",
+                tr(label),
+                f"{tr(tip)}. {tr(_HINT)}",
                 Measure("°") if name == _ANGLE else LENGTH,
                 partial(self._stand_in, name),
             )
             for name, (label, tip) in _ROWS.items()
         }
         for name, row in self.rows.items():
-            row.editors[name].setAccessibleName(f"Limit: {row.label.text()}")
+            row.editors[name].setAccessibleName(tr("Limit: {label}").format(label=row.label.text()))
             row.edited.connect(self._take)
             row.reverted.connect(self._revert)
 
@@ -90,7 +96,7 @@ class LimitFields(QObject):
                 row.refuse(f"{error}")
                 return
             if not 0 < value < math.inf:
-                row.refuse(f"{value:g}; a number above 0, or nothing")
+                row.refuse(tr("{value:g}; a number above 0, or nothing").format(value=value))
                 return
         row.refuse("")
         self._settings.setValue(self._key(edit.path), "" if value is None else repr(value))
@@ -133,4 +139,4 @@ class LimitFields(QObject):
 
     def _stand_in(self, name: str, _: dict[str, Any]) -> list[float | str]:
         own = self._own()[name]
-        return ["none" if own is None else own]
+        return [tr("none") if own is None else own]

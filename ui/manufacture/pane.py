@@ -18,6 +18,7 @@ from ui.shown.frame import same_lens
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import SideBySide
+from ui.words import tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.geometry.surface import even_counts
 
@@ -71,7 +72,7 @@ class ManufacturePane(SideBySide):
         self._background = Background("look at the face", self)
         self._background.done.connect(self._take)
         self._background.failed.connect(
-            lambda _, error: figures.say(sentence_of(error, "look at the face"))
+            lambda _, error: figures.say(sentence_of(error, tr("look at the face")))
         )
         self._fields.changed.connect(self.map.show_limits)
 
@@ -106,7 +107,7 @@ class ManufacturePane(SideBySide):
             self._figures.say("")
             return
         if self._found is not None:
-            self._figures.say("Out of date: of the lens before; computed anew when it rests.")
+            self._figures.say(tr("Out of date: of the lens before; computed anew when it rests."))
         if self._resting and self.isVisible():
             self._rest.start()
         else:

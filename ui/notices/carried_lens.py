@@ -10,22 +10,24 @@ from PySide6.QtCore import QObject, Signal
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene, value_at
 from ui.widgets.message_bar import MessageBar, Offer
+from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import AutoNet, Optic
 from workbench.scene.net import LARGEST_NET
 
-_NO_LENS = (
+_NO_LENS = later(
     "The {optic} does not fit the new outline: Start designs another one, Undo brings it back."
 )
-_ANOTHER_FACE = (
-    "The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo "
-    "takes the change back."
+_ANOTHER_FACE = later(
+    "The entrance face is freeform now, and flat so far. Continue shapes "
+    "both faces, and Undo takes the change back."
 )
-_ONE_FACE_LESS = (
-    "The entrance face is flat now; the exit face stays as it was, but it was made for the light "
-    "of both. Continue shapes it alone, and Undo takes the change back."
+_ONE_FACE_LESS = later(
+    "The entrance face is flat now; the exit face stays as it was, but it "
+    "was made for the light of both. Continue shapes it alone, and Undo "
+    "takes the change back."
 )
 
 
@@ -76,30 +78,36 @@ class CarriedLens(QObject):
         if after.result is not None and changed is None:  # within its new limits
             return
         if new is None:
-            self._say_of(after, _NO_LENS)
+            self._say_of(after, self._named(_NO_LENS))
         elif set(new) - set(old):
-            self._say_of(after, _ANOTHER_FACE)
+            self._say_of(after, tr(_ANOTHER_FACE))
         elif set(old) - set(new):
-            self._say_of(after, _ONE_FACE_LESS)
+            self._say_of(after, tr(_ONE_FACE_LESS))
         elif changed is None and new is not old:
             unit = after.scene.unit
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)
             self._say_of(
                 after,
-                f"The {{optic}} is changed by up to {moved:.2g} {unit} to be within its new "
-                "limits. Continue goes on from there, and Undo takes the change back.",
+                self._named(
+                    "The {optic} is changed by up to {moved:.2g} {unit} to be within its "
+                    "new limits. Continue goes on from there, and Undo takes the change back."
+                ).format(moved=moved, unit=unit),
             )
         elif changed is not None and changed.automatic:
             self._say_of(
                 after,
-                f"The program takes {_size(changed.new.shape)} control points now. Continue goes "
-                "on from the {optic} that was there, carried over, and Undo takes the change back.",
+                self._named(
+                    "The program takes {size} control points now. Continue goes on from the "
+                    "{optic} that was there, carried over, and Undo takes the change back."
+                ).format(size=_size(changed.new.shape)),
             )
         elif changed is not None:
             self._before, self._after = before, after
             if changed.new.contains(changed.old):
                 self._say(
-                    f"On {_size(changed.new.shape)} control points {changed.name} is the same."
+                    tr("On {size} control points {name} is the same.").format(
+                        size=_size(changed.new.shape), name=changed.name
+                    )
                 )
             else:
                 off = deviation(changed.old, old[changed.face], changed.new, new[changed.face])
@@ -107,8 +115,10 @@ class CarriedLens(QObject):
         elif before.result is not None:
             self._tell_once(
                 before,
-                "The {optic} was designed for another task and is a start for this one: Continue "
-                "goes on from it, Start over does not",
+                self._named(
+                    "The {optic} was designed for another task and is a start for this one: "
+                    "Continue goes on from it, Start over does not"
+                ),
             )
 
     def _ask(self, before: Session, after: Session, changed: "_ChangedNet", off: float) -> None:
@@ -117,22 +127,25 @@ class CarriedLens(QObject):
         offers: list[Offer] = []
         if exact != changed.old.shape:
             take = partial(self._take, before, after, changed.path, exact)
-            offers = [(f"Take {_size(exact)}, exact", take)]
+            offers = [(tr("Take {size}, exact").format(size=_size(exact)), take)]
         self._say(
-            f"On {_size(wanted)} control points {changed.name} is off by up to {off:.2g} {unit}. "
-            "Continue goes on from there, Start over from nothing, and Undo takes the change back.",
+            tr(
+                "On {size} control points {name} is off by up to {off:.2g} {unit}. "
+                "Continue goes on from there, Start over from nothing, and Undo takes "
+                "the change back."
+            ).format(size=_size(wanted), name=changed.name, off=off, unit=unit),
             *offers,
         )
 
     def _take(self, before: Session, after: Session, path: str, size: tuple[int, int]) -> None:
-        text = f"change of {path.replace('.', ' ').replace('_', ' ')}"
+        text = tr("change of {name}").format(name=tr("control points"))
         scene = edited_scene(after.scene, [Edit(path, text, {path: list(size)})])
         self._document.change(before.with_scene(scene, after.target), text)
 
     def _tell_once(self, before: Session, text: str) -> None:
         if self._noted is None or self._noted[0] is not before or self._noted[1] != text:
             self._noted = before, text
-            self.noted.emit(self._named(text))
+            self.noted.emit(text)
 
     def _say_of(self, after: Session, text: str) -> None:
         """Say something of the session after an edit."""
@@ -140,11 +153,11 @@ class CarriedLens(QObject):
         self._say(text)
 
     def _say(self, text: str, *offers: Offer) -> None:
-        self._text = self._named(text)
+        self._text = text
         self._messages.note(self._text, *offers)
 
     def _named(self, text: str) -> str:
-        return self._document.session.scene.optic.name_in(text)
+        return tr(text, optic=self._document.session.scene.optic.called)
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""
@@ -168,10 +181,14 @@ def _changed_net(before: Optic, after: Optic) -> _ChangedNet | None:
     old, new = freeform_nets(before), freeform_nets(after)
     changed = [face for face in new if face in old and old[face] != new[face]]
     if after.face in changed:
-        face, name, path = after.face, "the {optic}", f"{after.called}.control_points"
+        face, name, path = (
+            after.face,
+            tr("the {optic}", optic=after.called),
+            f"{after.called}.control_points",
+        )
         points: object = after.control_points
     elif changed:
-        (face,), name, path = changed, "the entrance face", "lens.entrance.control_points"
+        (face,), name, path = changed, tr("the entrance face"), "lens.entrance.control_points"
         points = value_at(after, "entrance.control_points")
     else:
         return None

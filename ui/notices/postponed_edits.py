@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject
 from ui.panels.forms import Forms
 from ui.run.control import RunControl
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 
 
 class PostponedEdits(QObject):
@@ -40,7 +41,9 @@ class PostponedEdits(QObject):
     def _offer(self, sentence: str) -> None:
         self._text = sentence
         stop = self._control.runner.stop
-        self._messages.note(sentence, ("Stop and apply", stop), ("Take back", self._take_back))
+        self._messages.note(
+            sentence, (tr("Stop and apply"), stop), (tr("Take back"), self._take_back)
+        )
 
     def _take_back(self) -> None:
         self._withdraw()

@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject
 
 from ui.panels.forms import Forms
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 
 
 class RefusedFields(QObject):
@@ -27,8 +28,10 @@ class RefusedFields(QObject):
         """Say which fields are to be corrected."""
         count = len(self._forms.refusals)
         first = self._forms.refusals[0]
-        others = f" ({count - 1} more refused)" if count > 1 else ""
-        self._text = f"{first}{others}. Correct it, or press Esc in the field, first."
+        others = tr(" ({count} more refused)").format(count=count - 1) if count > 1 else ""
+        self._text = tr("{first}{others}. Correct it, or press Esc in the field, first.").format(
+            first=first, others=others
+        )
         self._messages.warn(self._text)
 
     def _follow(self) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.panels.edits import Edit, edited_scene
 from ui.widgets.message_bar import MessageBar, Offer
+from ui.words import tr
 from workbench.design.shortfall import Shortfall, wider_entrance
 from workbench.files.session import Session
 
@@ -57,10 +58,10 @@ class ShortfallNotice(QObject):
         shortfall = frame.state.shortfall
         if shortfall is None or not self._control.busy or self._text_of_run:
             return
-        text = f"{self._sentence(shortfall)} The run goes on within these limits."
+        text = f"{self._sentence(shortfall)} {tr('The run goes on within these limits.')}"
         self._text_of_run = text
         widen = partial(self._stop_and_widen, shortfall)
-        offers = [("Stop and widen", widen)] if self._wider(shortfall) else []
+        offers = [(tr("Stop and widen"), widen)] if self._wider(shortfall) else []
         self._say(text, *offers)
 
     def _end(self) -> None:
@@ -83,9 +84,9 @@ class ShortfallNotice(QObject):
 
     def _offers(self, shortfall: Shortfall) -> list[Offer]:
         if self._wider(shortfall):
-            return [("Widen", partial(self._widen, shortfall))]
+            return [(tr("Widen"), partial(self._widen, shortfall))]
         if shortfall.cause == "height_range":  # the next run takes a wider one by itself
-            return [("Continue", self._go_on)]
+            return [(tr("Continue"), self._go_on)]
         return []
 
     def _wider(self, shortfall: Shortfall) -> Edit | None:
@@ -93,10 +94,10 @@ class ShortfallNotice(QObject):
         scene = self._document.session.scene
         path = f"{scene.optic.called}.height_range"
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
-            return Edit(path, "automatic height range", {path: None})
+            return Edit(path, tr("automatic height range"), {path: None})
         if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
             path = "lens.entrance.height_range"
-            return Edit(path, "wider entrance range", {path: list(wider)})
+            return Edit(path, tr("wider entrance range"), {path: list(wider)})
         return None
 
     def _sentence(self, shortfall: Shortfall) -> str:
@@ -118,16 +119,21 @@ class ShortfallNotice(QObject):
         scene = self._document.session.scene
         self._document.edit(edited_scene(scene, [edit]), edit.text, "")
         scene = self._document.session.scene
-        said = "The height range follows from the task now"
+        said = tr("The height range follows from the task now")
         if shortfall.cause == "entrance_range":
             low, high = scene.optic.entrance_offsets
-            said = f"The entrance range is {low:.3g} to {high:.3g} {scene.unit} now"
+            said = tr("The entrance range is {low:.3g} to {high:.3g} {unit} now").format(
+                low=low, high=high, unit=scene.unit
+            )
         # From a lens that was cut off at its ends the way is long, and often does not lead as far.
-        self._text = (
-            f"{said}, and the {scene.optic.called} is as it was. Start over mostly finds a better "
-            "one than Continue does."
+        self._text = tr(
+            "{said}, and the {optic} is as it was. Start over mostly finds a better one than "
+            "Continue does.",
+            optic=scene.optic.called,
+        ).format(said=said)
+        self._messages.note(
+            self._text, (tr("Start over"), self._start_over), (tr("Continue"), self._go_on)
         )
-        self._messages.note(self._text, ("Start over", self._start_over), ("Continue", self._go_on))
 
     def _say(self, text: str, *offers: Offer) -> None:
         self._text = text

@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject
 
 from ui.document.document import Document
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 from workbench.design.picture import changed_on_disk, why_not_kept
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -48,10 +49,10 @@ class TargetImage(QObject):
 
     def _tell_if_changed(self, session: Session) -> None:
         if changed_on_disk(session.scene, session.picture):
-            self._text = (
-                f"{session.scene.image} has changed. The design keeps the picture that it has."
-            )
-            self._messages.note(self._text, ("Read it again", self._read_again))
+            self._text = tr(
+                "{image} has changed. The design keeps the picture that it has."
+            ).format(image=session.scene.image)
+            self._messages.note(self._text, (tr("Read it again"), self._read_again))
 
     def _read_again(self) -> None:
         try:

@@ -10,6 +10,7 @@ from ui.threads.background import Background, Task
 from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
 from ui.views.scene_view import SceneView
+from ui.words import tr
 from workbench.optics.account import LOSSES
 
 if TYPE_CHECKING:
@@ -68,12 +69,13 @@ class TotalReflectionNotice(QObject):
         self._view.show_spots(heights, found.places)
         cure = LOSSES["total_reflection"].cure_in(session.scene)
         self.said.emit(
-            f"{found.sentence(session.scene)}, as marked in the 3D scene. "
-            f"{cure[0].upper()}{cure[1:]}."
+            tr("{where}, as marked in the 3D scene. {cure}.").format(
+                where=found.sentence(session.scene), cure=cure[0].upper() + cure[1:]
+            )
         )
 
     def _give_up(self, session: "Session", error: Exception) -> None:
-        self.said.emit(sentence_of(error, "search for total reflection"))
+        self.said.emit(sentence_of(error, tr("search for total reflection")))
 
     def _forget(self) -> None:
         """What is looked for is a place of another lens."""

@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject
 
 from ui.document.document import Document
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 from workbench.files.session import Session
 from workbench.units import ratio
 
@@ -32,16 +33,16 @@ class UnitChange(QObject):
         if old == new:
             return
         self._after = after
-        self._text = (
-            f"All lengths are converted: 1 {old} is {float(ratio(old, new)):.6g} {new} now."
+        self._text = tr("All lengths are converted: 1 {old} is {ratio:.6g} {new} now.").format(
+            old=old, ratio=float(ratio(old, new)), new=new
         )
         self._messages.note(
-            self._text, ("Keep the numbers", lambda: self._keep_numbers(before, after))
+            self._text, (tr("Keep the numbers"), lambda: self._keep_numbers(before, after))
         )
 
     def _keep_numbers(self, before: Session, after: Session) -> None:
         scene = before.scene.model_copy(update={"unit": after.scene.unit})
-        self._document.change(before.with_scene(scene, before.target), "change of unit alone")
+        self._document.change(before.with_scene(scene, before.target), tr("change of unit alone"))
 
     def _withdraw(self, session: Session) -> None:
         """What was said is about the session that it was said of."""

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QCheckBox
 
 from ui.panels.edits import value_at
 from ui.panels.fields import NumberRow, Row
+from ui.words import tr
 from workbench.scene import AutoNet, Measure
 from workbench.scene.auto_net import AUTO
 
@@ -28,8 +29,8 @@ class AutoRow(NumberRow):
         whole: bool = False,
     ) -> None:
         super().__init__(path, label, tip, measure, between, count, whole)
-        self.box = QCheckBox("Auto")
-        self.box.setAccessibleName(f"{label}, automatic")
+        self.box = QCheckBox(tr("Auto"))
+        self.box.setAccessibleName(tr("{label}, automatic").format(label=label))
         self.box.setToolTip(f"<p>{tip}</p>")
         self._editors.addWidget(self.box)
         self._shape: tuple[int, ...] | None = None  # what counts now
@@ -45,7 +46,7 @@ class AutoRow(NumberRow):
         self._shape = value.shape if isinstance(value, AutoNet) else value
         if self.path not in pending:
             self.box.setChecked(auto)
-        numbers = self._shape or ("auto",) * len(self.editors)
+        numbers = self._shape or (tr("auto"),) * len(self.editors)
         for (path, editor), number in zip(self.editors.items(), numbers, strict=True):
             editor.setPlaceholderText(str(number))
             if not pending & {path, self.path}:

@@ -72,6 +72,8 @@ class Edit:
         What numbers of the field are measured in.
     between : str
         What stands between them.
+    name : str
+        What the field is called within a sentence; the text, if it is left out.
     """
 
     path: str
@@ -82,6 +84,7 @@ class Edit:
     waits: bool = True
     measure: Measure = _NONE
     between: str = ""
+    name: str = ""
 
     @property
     def field(self) -> str:
@@ -99,8 +102,8 @@ class Edit:
         if self.between == "×" and len({*old}) == len({*new}) == 1:  # alike along x and y
             old, new = old[:1], new[:1]
         between = f" {self.between} ".replace(" ,", ",")
-        name, unit = self.text.removeprefix("change of "), self.measure.sign_in(after.unit)
-        return f"{name} {between.join(old)} → {between.join(new)} {unit}".rstrip()
+        unit = self.measure.sign_in(after.unit)
+        return f"{self.name or self.text} {between.join(old)} → {between.join(new)} {unit}".rstrip()
 
 
 def _numbers(value: object) -> list[str]:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, holder_of, value_at
 from ui.widgets import theme
+from ui.words import inside, tr
 from workbench.scene import Measure, Part
 
 Changes = dict[str, object]
@@ -87,7 +88,7 @@ class Row(QWidget):
         part, name = holder_of(scene, self.path)
         remarks = part.remarks() if isinstance(part, Part) else {}
         unit = self.measure.sign_in(value_at(scene, "unit"))
-        self._unit.setText(remarks.get(str(name), unit))
+        self._unit.setText(tr(remarks.get(str(name), unit)))
         self._unit.setVisible(bool(self._unit.text()))
 
     def commit(self) -> None:
@@ -128,8 +129,11 @@ class Row(QWidget):
             self.label.setBuddy(widget)
 
     def _tell(self, path: str, changes: Changes) -> None:
-        text, measure = f"change of {self.name.lower()}", self.measure
-        self.edited.emit(Edit(path, text, changes, measure=measure, between=self.between))
+        name = inside(self.name)
+        text = tr("change of {name}").format(name=name)
+        self.edited.emit(
+            Edit(path, text, changes, measure=self.measure, between=self.between, name=name)
+        )
 
 
 class NumberRow(Row):
@@ -161,9 +165,13 @@ class NumberRow(Row):
         self.editors = {p: NumberEditor(measure, whole, narrow=len(paths) > 2) for p in paths}
         for number, (place, editor) in enumerate(self.editors.items()):
             if number:
-                self._add(QLabel(between), 0)
+                self._add(QLabel(tr(between)), 0)
             if between:
-                editor.setAccessibleName(f"{label}, {number + 1} of {count}")
+                editor.setAccessibleName(
+                    tr("{label}, {number} of {count}").format(
+                        label=label, number=number + 1, count=count
+                    )
+                )
             self._add(editor)
             editor.committed.connect(lambda text, p=place: self._commit(p, text))
             editor.reverted.connect(lambda p=place: self.reverted.emit(p))

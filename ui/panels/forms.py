@@ -20,6 +20,7 @@ from ui.panels.run import RunPanel
 from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, ImageTarget, Scene
@@ -167,7 +168,8 @@ class Forms(QScrollArea):
         two_faces = self._session.scene.optic.entrance.shape == "freeform"
         shape = "flat" if two_faces else "freeform"
         changes: dict[str, object] = {"lens.entrance": {"shape": shape}}
-        self.edit(Edit("lens.entrance.shape", f"{shape} entrance face", changes, alone=True))
+        text = tr("flat entrance face") if two_faces else tr("freeform entrance face")
+        self.edit(Edit("lens.entrance.shape", text, changes, alone=True))
 
     def take_aspect(self) -> None:
         """Give the receiver, and its pixels, the aspect of the target's picture."""
@@ -177,12 +179,14 @@ class Forms(QScrollArea):
         scene = session.scene
         receiver, target = scene.receiver, scene.target
         if not isinstance(target, ImageTarget):
-            self.file_refused.emit("The target is no picture: only a picture has an aspect.")
+            self.file_refused.emit(tr("The target is no picture: only a picture has an aspect."))
             return
         try:
             aspect = picture_aspect(target, session.picture)
         except Refused as refused:
-            self.file_refused.emit(f"The picture has no aspect: {refused}")
+            self.file_refused.emit(
+                tr("The picture has no aspect: {refused}").format(refused=refused)
+            )
             return
         (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
         name = "far_field" if scene.screen is None else "screen"
@@ -190,7 +194,7 @@ class Forms(QScrollArea):
             f"{name}.{receiver.extent}": [half, half / aspect],
             f"{name}.pixels": [pixels, max(round(pixels / aspect), 1)],
         }
-        text = f"{receiver.called} of the picture's aspect"
+        text = tr("{receiver} of the picture's aspect", receiver=receiver.called)
         self.edit(Edit(f"{name}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
@@ -202,8 +206,11 @@ class Forms(QScrollArea):
     def set_running(self, running: bool, paused: bool = False) -> None:
         """Whether a run goes on, whose end edits wait for."""
         self._running = running
-        state = "paused" if paused else "running"
-        self._run_hint = f"The design is {state}. Changes wait until it ends."
+        self._run_hint = (
+            tr("The design is paused. Changes wait until it ends.")
+            if paused
+            else tr("The design is running. Changes wait until it ends.")
+        )
         self._show_hint()
 
     def make_postponed_edits(self) -> None:
@@ -228,9 +235,11 @@ class Forms(QScrollArea):
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
             self._pending[edit.path] = Waiting(edit, refused)
-            self.message.emit(f"Refused: {refused}")
+            self.message.emit(tr("Refused: {refused}").format(refused=refused))
         else:
-            self.file_refused.emit(f"The {edit.text} is refused: {refused}")
+            self.file_refused.emit(
+                tr("The {edit} is refused: {refused}").format(edit=edit.text, refused=refused)
+            )
 
     def _try(self, edits: list[Edit]) -> Refused | None:
         """Edit the document, now or after the run; the last one names the step."""
@@ -252,14 +261,14 @@ class Forms(QScrollArea):
 
     def _read_image_again(self) -> None:
         if self._running:
-            self.file_refused.emit("Stop the run first; then read the image again.")
+            self.file_refused.emit(tr("Stop the run first; then read the image again."))
             return
         try:
             self._document.read_image_again()
         except Refused as refused:
             path = "target.image"
-            self._pending[path] = Waiting(Edit(path, "new reading of the image", {}), refused)
-            self.message.emit(f"Refused: {refused}")
+            self._pending[path] = Waiting(Edit(path, tr("new reading of the image"), {}), refused)
+            self.message.emit(tr("Refused: {refused}").format(refused=refused))
             self._show()
 
     def _postpone(self, edits: list[Edit], scene: Scene) -> None:
@@ -277,7 +286,7 @@ class Forms(QScrollArea):
     def postponed_text(self) -> str:
         """Which edits wait for the end of the run."""
         texts = dict.fromkeys(edit.text for edit in self._later)
-        return f"Waits for the end of the run: {', '.join(texts)}."
+        return tr("Waits for the end of the run: {edits}.").format(edits=", ".join(texts))
 
     def _revert(self, path: str) -> None:
         self._pending.pop(path, None)
@@ -344,13 +353,13 @@ class ScenePanel(Panel):
         rows = Rows(lambda: self.session.scene, {"unit": _unit_rows})
         fields = [field for field in Scene.fields() if field.tip and not field.parts]
         super().__init__(
-            "Scene", [row for field in fields for row in rows.of_field(field, field.name)]
+            tr("Scene"), [row for field in fields for row in rows.of_field(field, field.name)]
         )
 
 
 def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
     units = [(unit, unit) for unit, _ in field.choices]  # in small letters
-    return [_UnitRow(path, field.title, field.tip, units)]
+    return [_UnitRow(path, tr(field.title), tr(field.tip), units)]
 
 
 class _UnitRow(ChoiceRow):
@@ -359,7 +368,7 @@ class _UnitRow(ChoiceRow):
     def _tell(self, path: str, changes: Changes) -> None:
         # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
         unit = self.chooser.currentData()
-        self.edited.emit(Edit(path, "change of unit", {}, alone=True, unit=unit))
+        self.edited.emit(Edit(path, tr("change of unit"), {}, alone=True, unit=unit))
 
 
 def _row_of(path: str, rows: list[Row]) -> Row | None:

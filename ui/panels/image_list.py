@@ -1,6 +1,7 @@
 """The further images of a scene as a list, in their order."""
 
 from ui.panels.part_list import PartListRow
+from ui.words import inside, tr
 from workbench.scene import FurtherImage, Scene
 from workbench.scene.kinds import title_of
 
@@ -15,13 +16,13 @@ class ImageListRow(PartListRow[FurtherImage]):
             "further_images",
             label,
             tip,
-            "further image",
-            "Further images",
+            tr("further image"),
+            tr("Further images"),
             (
-                "Add an image farther away, with the target of the last one",
-                "Remove the chosen image",
-                "Move the chosen image up",
-                "Move the chosen image down",
+                tr("Add an image farther away, with the target of the last one"),
+                tr("Remove the chosen image"),
+                tr("Move the chosen image up"),
+                tr("Move the chosen image down"),
             ),
         )
         self._scene: Scene | None = None
@@ -30,8 +31,10 @@ class ImageListRow(PartListRow[FurtherImage]):
         """Show the further images of a scene."""
         self._scene = scene
         images = scene.further_images
-        count = f"{len(images) + 1} images in all, each by its weight; the first one has 1."
-        self.show_parts(images, count if images else "None: there is one image.")
+        count = tr("{count} images in all, each by its weight; the first one has 1.").format(
+            count=len(images) + 1
+        )
+        self.show_parts(images, count if images else tr("None: there is one image."))
 
     def _new(self) -> FurtherImage:
         """Like the last one, farther away where it is at a distance."""
@@ -44,5 +47,7 @@ class ImageListRow(PartListRow[FurtherImage]):
 
     def _summary(self, part: FurtherImage) -> str:
         receiver = part.receiver
-        place = f"z = {receiver.plane_z:.6g}" if receiver.at_distance else receiver.called
-        return f"{place}, {title_of(type(part.target)).lower()}, weight {part.weight:g}"
+        place = f"z = {receiver.plane_z:.6g}" if receiver.at_distance else tr(receiver.called)
+        return tr("{place}, {target}, weight {weight:g}").format(
+            place=place, target=inside(tr(title_of(type(part.target)))), weight=part.weight
+        )

@@ -12,6 +12,7 @@ from ui.panels.listed import ListedPanel
 from ui.panels.receiver import ChoiceOfReceiver, receiver_kinds
 from ui.panels.rows import KindRow, Rows
 from ui.panels.target import image_rows, of_image
+from ui.words import tr
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, FurtherImage
 
@@ -33,7 +34,7 @@ class ImagesPanel(ListedPanel):
     image_asked = Signal()
 
     def __init__(self, field: FieldDescription) -> None:
-        self._list = ImageListRow("Elsewhere", field.tip)
+        self._list = ImageListRow(tr("Elsewhere"), tr(field.tip))
         super().__init__(field.title, self._list)
 
     def show_list(self, session: Session) -> None:
@@ -42,14 +43,16 @@ class ImagesPanel(ListedPanel):
 
     def name_of(self, number: int) -> str:
         """Its number; the scene's own image is the first."""
-        return f"Image {number + 2}"
+        return tr("Image {number}").format(number=number + 2)
 
     def choose_image(self, path: Path) -> None:
         """Ask for an image file as the target of the chosen image."""
         before = self.session.scene.further_images[self._bound].target
         where = f"{self._path}.target"
         changes: Changes = {where: of_image(path, before)}
-        self.edited.emit(Edit(f"{where}.image", "change of target image", {**changes}, waits=False))
+        self.edited.emit(
+            Edit(f"{where}.image", tr("change of target image"), {**changes}, waits=False)
+        )
 
     @property
     def _path(self) -> str:

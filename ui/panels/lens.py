@@ -8,6 +8,7 @@ from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, NumberRow, Row
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
+from ui.words import tr
 from workbench.design.limits import bounded
 from workbench.geometry.surface import ControlNet
 from workbench.materials import CATALOGUE
@@ -33,30 +34,34 @@ class LensPanel(PartPanel):
     def _material_rows(self, field: FieldDescription, path: str) -> list[Row]:
         material = ChoiceRow(
             path,
-            field.title,
-            field.tip,
-            [(_OWN_INDEX, "Custom index"), *((name, name) for name in CATALOGUE)],
+            tr(field.title),
+            tr(field.tip),
+            [(_OWN_INDEX, tr("Custom index")), *((name, name) for name in CATALOGUE)],
             read=_material,
             changes=self._change_material,
         )
-        index = NumberRow(path, "Index", "Refractive index of the lens; the air around it has 1.")
+        index = NumberRow(
+            path, tr("Index"), tr("Refractive index of the lens; the air around it has 1.")
+        )
         index.only_if(lambda scene: _material(scene) == _OWN_INDEX)
         return [material, index]
 
     def _range_rows(self, field: FieldDescription, path: str) -> list[Row]:
         choice = ChoiceRow(
             path,
-            field.title,
-            field.tip,
-            [(_AUTOMATIC, "Automatic"), (_OWN_RANGE, "Own limits")],
+            tr(field.title),
+            tr(field.tip),
+            [(_AUTOMATIC, tr("Automatic")), (_OWN_RANGE, tr("Own limits"))],
             read=lambda scene: _range(scene, path),
             changes=lambda choice: self._change_range(choice, path),
         )
         limits = NumberRow(
             path,
-            "From the base" if path in _FACE_RANGES else "From the entrance",
-            "How far a control point may move from the base, down and up. A wider range bends "
-            "light further.",
+            tr("From the base") if path in _FACE_RANGES else tr("From the entrance"),
+            tr(
+                "How far a control point may move from the base, down and up. A wider "
+                "range bends light further."
+            ),
             field.measure,
             field.between,
         )

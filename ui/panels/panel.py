@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFormLayout, QSizePolicy, QToolButton, QVBoxLayout
 
 from ui.panels.fields import Row
 from ui.panels.rows import Make, Rows
+from ui.words import inside, tr
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Kinds
 
@@ -91,7 +92,7 @@ class Panel(QWidget):
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
         """Append rows, which undo menu and refusals call by ``name`` and their label."""
         for row in rows:
-            row.name = f"{name} {row.label.text().lower()}"
+            row.name = tr("{panel} {field}").format(panel=name, field=inside(row.label.text()))
             row.label.setMinimumWidth(self._label_width)
             self._form.addRow(row.label, row)
             row.edited.connect(self.edited)
@@ -122,7 +123,7 @@ class PartPanel(Panel):
         self._part = field.name
         rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
         super().__init__(
-            field.title,
+            tr(field.title),
             rows.of_kinds(field, kinds, field.name, kinds.title)
             if kinds
             else rows.of_part(field.parts[0], field.name),

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
 from ui.panels.editors import Wrapped
 from ui.panels.edits import Edit
 from ui.panels.fields import Row
+from ui.words import tr
 from workbench.scene import Part
 
 _MOST_SEEN = 6  # parts; more are scrolled to
@@ -50,7 +51,7 @@ class PartListRow(Row, Generic[AnyPart]):
         self._rest = Wrapped()
         self._buttons = [
             _button(text, tip)
-            for text, tip in zip(("Add", "Remove", "Up", "Down"), tips, strict=True)
+            for text, tip in zip((tr("Add"), tr("Remove"), tr("Up"), tr("Down")), tips, strict=True)
         ]
         actions = (self._append, self._drop, lambda: self._move(-1), lambda: self._move(1))
         buttons = QHBoxLayout()
@@ -116,17 +117,29 @@ class PartListRow(Row, Generic[AnyPart]):
         down.setEnabled(0 <= current < count - 1)
 
     def _append(self) -> None:
-        self._put([*self._parts, self._new()], f"new {self._called}", len(self._parts))
+        self._put(
+            [*self._parts, self._new()],
+            tr("new {part}").format(part=self._called),
+            len(self._parts),
+        )
 
     def _drop(self) -> None:
         current = self.current
         rest = [part for number, part in enumerate(self._parts) if number != current]
-        self._put(rest, f"removal of {self._called} {current + 1}", current)
+        self._put(
+            rest,
+            tr("removal of {part} {number}").format(part=self._called, number=current + 1),
+            current,
+        )
 
     def _move(self, step: int) -> None:
         current, parts = self.current, list(self._parts)
         parts.insert(current + step, parts.pop(current))
-        self._put(parts, f"move of {self._called} {current + 1}", current + step)
+        self._put(
+            parts,
+            tr("move of {part} {number}").format(part=self._called, number=current + 1),
+            current + step,
+        )
 
     def _put(self, parts: list[AnyPart], text: str, chosen: int) -> None:
         data = [part.model_dump(mode="json", exclude_none=True) for part in parts]

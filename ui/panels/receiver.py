@@ -7,6 +7,7 @@ from ui.panels.edits import value_at
 from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.panel import Panel
 from ui.panels.rows import Rows
+from ui.words import tr
 from workbench.files.session import Session
 from workbench.scene import AnyReceiver, FieldDescription
 from workbench.scene.kinds import summary_of
@@ -22,14 +23,14 @@ class ReceiverPanel(Panel):
     """
 
     def __init__(self, *fields: FieldDescription) -> None:
-        self._titles = {field.name: field.title for field in fields}
+        self._titles = {field.name: tr(field.title) for field in fields}
         self._kinds = receiver_kinds(fields)
         rows = Rows(lambda: self.session.scene)
         first, *others = fields
         choice = ChoiceOfReceiver(fields, self._change)
-        super().__init__(first.title, [choice, *rows.of_part(first.parts[0], first.name)])
+        super().__init__(tr(first.title), [choice, *rows.of_part(first.parts[0], first.name)])
         for field in others:
-            self._add_rows(rows.of_part(field.parts[0], field.name), field.title)
+            self._add_rows(rows.of_part(field.parts[0], field.name), tr(field.title))
 
     def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
         """Show the receiver that is there, under its own heading."""
@@ -65,12 +66,12 @@ class ChoiceOfReceiver(ChoiceRow):
         change: Callable[[str], Changes | None],
         holder: str = "",
     ) -> None:
-        titles = {field.name: field.title for field in fields}
+        titles = {field.name: tr(field.title) for field in fields}
         before = f"{holder}." if holder else ""
         super().__init__(
             before + fields[0].name,
-            "Kind",
-            " ".join(f"{field.title}: {summary_of(field.parts[0])}" for field in fields),
+            tr("Kind"),
+            " ".join(f"{titles[field.name]}: {tr(summary_of(field.parts[0]))}" for field in fields),
             list(titles.items()),
             read=lambda scene: _given(value_at(scene, holder) if holder else scene, titles),
             changes=change,

@@ -1,6 +1,7 @@
 """The regions of a scene as a list."""
 
 from ui.panels.part_list import PartListRow
+from ui.words import tr
 from workbench.scene import AnyRegion, RectangleRegion, Scene
 from workbench.scene.kinds import title_of
 
@@ -13,13 +14,13 @@ class RegionListRow(PartListRow[AnyRegion]):
             "regions",
             label,
             tip,
-            "region",
-            "Regions",
+            tr("region"),
+            tr("Regions"),
             (
-                "Add a region in the middle",
-                "Remove the chosen region",
-                "Move the chosen region up",
-                "Move the chosen region down",
+                tr("Add a region in the middle"),
+                tr("Remove the chosen region"),
+                tr("Move the chosen region up"),
+                tr("Move the chosen region down"),
             ),
         )
         self._scene: Scene | None = None
@@ -27,11 +28,11 @@ class RegionListRow(PartListRow[AnyRegion]):
     def show_regions(self, scene: Scene) -> None:
         """Show the regions of a scene."""
         self._scene = scene
-        self.show_parts(scene.regions, "" if scene.regions else "None.")
+        self.show_parts(scene.regions, "" if scene.regions else tr("None."))
 
     def _new(self) -> AnyRegion:
         assert self._scene is not None  # shown before anything can be clicked
-        return RectangleRegion(name=f"Region {len(self._scene.regions) + 1}")
+        return RectangleRegion(name=tr("Region {count}").format(count=len(self._scene.regions) + 1))
 
     def _summary(self, part: AnyRegion) -> str:
         """Name, kind and how far it goes, in the receiver's own coordinates."""

@@ -7,6 +7,7 @@ from ui.panels.fields import Row, TextRow
 from ui.panels.listed import ListedPanel
 from ui.panels.region_list import RegionListRow
 from ui.panels.rows import Rows
+from ui.words import tr
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Kinds
 
@@ -22,7 +23,7 @@ class RegionsPanel(ListedPanel):
 
     def __init__(self, field: FieldDescription) -> None:
         self._field = field
-        self._list = RegionListRow("Watched", field.tip)
+        self._list = RegionListRow(tr("Watched"), tr(field.tip))
         super().__init__(field.title, self._list)
 
     def show_list(self, session: Session) -> None:
@@ -31,14 +32,14 @@ class RegionsPanel(ListedPanel):
 
     def name_of(self, number: int) -> str:
         """Its number, from 1."""
-        return f"Region {number + 1}"
+        return tr("Region {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
         """Shape, place and size of a region."""
         kinds = self._field.mark(Kinds)
         assert kinds is not None  # they are of several kinds
         rows = Rows(lambda: self.session.scene, {"corners": _corner_rows})
-        return rows.of_kinds(self._field, kinds, f"regions[{number}]", "Shape")
+        return rows.of_kinds(self._field, kinds, f"regions[{number}]", tr("Shape"))
 
 
 class CornersRow(TextRow):
@@ -68,4 +69,11 @@ def _places(text: str) -> object:
 
 def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
     """Places are typed as one line."""
-    return [CornersRow(path, field.title, f"{field.tip} As x, y; x, y; …", measure=field.measure)]
+    return [
+        CornersRow(
+            path,
+            tr(field.title),
+            f"{tr(field.tip)} {tr('As x, y; x, y; …')}",
+            measure=field.measure,
+        )
+    ]

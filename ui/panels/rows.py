@@ -10,6 +10,7 @@ from ui.panels.auto_row import AutoRow
 from ui.panels.edits import holder_of, value_at
 from ui.panels.fields import Changes, CheckRow, ChoiceRow, Condition, NumberRow, Row, TextRow
 from ui.panels.optional import OptionalRow
+from ui.words import inside, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 from workbench.scene.fields import Fallback, ForMethod
 from workbench.scene.kinds import summary_of, title_of
@@ -61,7 +62,7 @@ class Rows:
         """The choice of a kind, and the rows of each kind that are there with it."""
         choice = KindRow(
             path,
-            label or field.title,
+            tr(label or field.title),
             field,
             kinds,
             lambda kind: self._first_of(kinds, kind, path),
@@ -106,9 +107,10 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
     otherwise : str
         What a person reads for no choice, where it may be left out.
     """
-    label, tip = field.title, f"{field.tip} {field.limits}".rstrip()
+    label, tip = tr(field.title), f"{tr(field.tip)} {_limits(field)}".rstrip()
     if field.choices:
-        return ChoiceRow(path, label, tip, field.choices, otherwise if field.optional else "")
+        choices = [(value, tr(title)) for value, title in field.choices]
+        return ChoiceRow(path, label, tip, choices, otherwise if field.optional else "")
     if field.type is bool:
         return CheckRow(path, label, tip)
     if field.number is None:
@@ -162,8 +164,8 @@ class KindRow(ChoiceRow):
         super().__init__(
             f"{part}.{kinds.field}",
             label,
-            " ".join([field.tip, *map(_sentence, field.parts)]),
-            [(name, title_of(kind)) for name, kind in self._named.items()],
+            " ".join([tr(field.tip), *map(_sentence, field.parts)]),
+            [(name, tr(title_of(kind))) for name, kind in self._named.items()],
             otherwise,
             read=self._read_kind,
             changes=self._change,
@@ -199,8 +201,13 @@ class KindRow(ChoiceRow):
 
 
 def _sentence(kind: type[Part]) -> str:
-    summary = summary_of(kind)
-    return f"{title_of(kind)}: {summary[0].lower()}{summary[1:]}"
+    return f"{tr(title_of(kind))}: {inside(tr(summary_of(kind)))}"
+
+
+def _limits(field: FieldDescription) -> str:
+    """Between which numbers it lies, as a sentence."""
+    sentence, *ends = field.bounds
+    return tr(sentence).format(*ends)
 
 
 def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[type[Part]]]]:
@@ -231,6 +238,6 @@ def _stand_in(field: FieldDescription) -> Callable[[Any], Sequence[float | str]]
     """What counts where a field is left empty."""
     fallback = field.mark(Fallback)
     if fallback is None:
-        return lambda scene: ["none"] * field.count
+        return lambda scene: [tr("none")] * field.count
     found = attrgetter(fallback.path)
     return lambda scene: found(scene) if field.count > 1 else [found(scene)]

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel
 from ui.panels.fields import Row
 from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
+from ui.words import tr
 from workbench.design.parametrisation import memory_bytes, parameter_count
 from workbench.system_memory import as_bytes
 
@@ -26,9 +27,12 @@ class _SizeRow(Row):
     def __init__(self) -> None:
         super().__init__(
             "run.parameters",
-            "Parameters",
-            "How many numbers are optimised, and the memory that they take with their gradient "
-            "and the optimiser's two moments. A network that does not fit is refused at the start.",
+            tr("Parameters"),
+            tr(
+                "How many numbers are optimised, and the memory that they take with "
+                "their gradient and the optimiser's two moments. A network that does not "
+                "fit is refused at the start."
+            ),
         )
         self._text = QLabel()
         self._add(self._text)

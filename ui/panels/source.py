@@ -9,6 +9,7 @@ from ui.panels.edits import Edit
 from ui.panels.fields import Row, TextRow
 from ui.panels.panel import PartPanel
 from ui.panels.rows import KindRow, Make
+from ui.words import tr
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.scene import (
     FieldDescription,
@@ -21,7 +22,12 @@ from workbench.scene import (
 _KINDS: tuple[type[MeasuredSource], ...] = (PhotometricSource, RayFileSource)
 _ENDINGS = tuple(ending for kind in _KINDS for ending in kind.endings)
 _NAMED = Kinds("kind")
-LIGHT_FILES = f"Files of light ({' '.join(f'*{ending}' for ending in _ENDINGS)});;All files (*)"
+
+
+def light_files() -> str:
+    """Names of files of light, as dialogs take them."""
+    endings = " ".join(f"*{ending}" for ending in _ENDINGS)
+    return tr("Files of light ({endings});;All files (*)").format(endings=endings)
 
 
 def is_light_file(path: Path) -> bool:
@@ -59,12 +65,12 @@ class SourcePanel(PartPanel):
         if isinstance(scene.source, kind):
             source = scene.source.model_dump(mode="json")
         edit = Edit(
-            "source.file", "change of file of light", {"source": source | file}, waits=False
+            "source.file", tr("change of file of light"), {"source": source | file}, waits=False
         )
         self.edited.emit(edit)
 
 
 def file_rows(field: FieldDescription, path: str) -> list[Row]:
     """A row in which a file can be looked for."""
-    kept = f"The design keeps files of up to {LARGEST_PICTURE >> 20} MB."
-    return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose a file of light")]
+    kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
+    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose a file of light"))]

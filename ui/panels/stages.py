@@ -4,10 +4,11 @@ from ui.panels.fields import Changes, ChoiceRow, Row
 from ui.panels.listed import ListedPanel
 from ui.panels.rows import Rows
 from ui.panels.stage_list import StageListRow
+from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Stage
 
-_AS_THE_SCENE = "As the scene"
+_AS_THE_SCENE = later("As the scene")
 
 
 class StagesPanel(ListedPanel):
@@ -15,7 +16,7 @@ class StagesPanel(ListedPanel):
 
     def __init__(self) -> None:
         self._list = StageListRow()
-        super().__init__("Stages", self._list)
+        super().__init__(tr("Stages"), self._list)
 
     def show_list(self, session: Session) -> None:
         """List the stages of the run."""
@@ -24,7 +25,7 @@ class StagesPanel(ListedPanel):
 
     def name_of(self, number: int) -> str:
         """Its number, from 1."""
-        return f"Stage {number + 1}"
+        return tr("Stage {number}").format(number=number + 1)
 
     def rows_of(self, number: int) -> list[Row]:
         """What a stage may have of its own."""
@@ -32,7 +33,7 @@ class StagesPanel(ListedPanel):
         rows = Rows(
             lambda: self.session.scene.parts()[number],
             {"method": self._method_rows},
-            _AS_THE_SCENE,
+            tr(_AS_THE_SCENE),
             path,
         )
         return rows.of_part(Stage, path)
@@ -48,5 +49,12 @@ class StagesPanel(ListedPanel):
             return made
 
         return [
-            ChoiceRow(path, field.title, field.tip, field.choices, _AS_THE_SCENE, changes=changes)
+            ChoiceRow(
+                path,
+                tr(field.title),
+                tr(field.tip),
+                [(value, tr(title)) for value, title in field.choices],
+                tr(_AS_THE_SCENE),
+                changes=changes,
+            )
         ]

@@ -14,17 +14,20 @@ from ui.panels.edits import Edit
 from ui.panels.fields import Row, TextRow
 from ui.panels.panel import PartPanel
 from ui.panels.rows import KindRow, Make
+from ui.words import tr
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish
 from workbench.targets.tone import SRGB
 
-IMAGE_FILES = (
-    "Images (*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga "
-    "*.npy);;All files (*)"
-)
+_ENDINGS = "*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga *.npy"
 
 _HEIGHT = 110  # logical pixels of a thumbnail
+
+
+def image_files() -> str:
+    """Names of files of images, as dialogs take them."""
+    return tr("Images ({endings});;All files (*)").format(endings=_ENDINGS)
 
 
 class TargetPanel(PartPanel):
@@ -42,8 +45,8 @@ class TargetPanel(PartPanel):
     image_again = Signal()
 
     def __init__(self, field: FieldDescription) -> None:
-        dropped = "An image file can also be dropped onto the window."
-        super().__init__(replace(field, tip=f"{field.tip} {dropped}"))
+        dropped = tr("An image file can also be dropped onto the window.")
+        super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"))
         for row in self.rows:
             if isinstance(row, KindRow | TextRow):
                 row.asked.connect(lambda *_: self.image_asked.emit())
@@ -66,7 +69,7 @@ class TargetPanel(PartPanel):
             self.image_again.emit()
             return
         target = of_image(path, self.session.scene.target)
-        edit = Edit("target.image", "change of target image", {"target": target}, waits=False)
+        edit = Edit("target.image", tr("change of target image"), {"target": target}, waits=False)
         self.edited.emit(edit)
 
 
@@ -79,8 +82,10 @@ def of_image(path: Path, before: Finish) -> dict[str, object]:
 
 def image_rows(field: FieldDescription, path: str) -> list[Row]:
     """A row in which a file can be looked for."""
-    kept = f"The design keeps images of up to {LARGEST_PICTURE >> 20} MB."
-    return [TextRow(path, field.title, f"{field.tip} {kept}", "Choose an image file")]
+    kept = tr("The design keeps images of up to {largest} MB.").format(
+        largest=LARGEST_PICTURE >> 20
+    )
+    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose an image file"))]
 
 
 class Thumbnail(QWidget):
@@ -96,8 +101,8 @@ class Thumbnail(QWidget):
         super().__init__()
         self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(height)
-        self.setToolTip("The light that is wanted on the screen")
-        self.setAccessibleName("Target image")
+        self.setToolTip(tr("The light that is wanted on the screen"))
+        self.setAccessibleName(tr("Target image"))
 
     def show_target(self, target: npt.NDArray[np.float64], aspect: float) -> None:
         """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from ui.document.document import Document
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.words import tr
 
 if TYPE_CHECKING:
     from workbench.extended.bound import Bound
@@ -35,7 +36,7 @@ class BoundOfDesign(QObject):
         self._background = Background("bound", self)
         self._background.done.connect(lambda _, found: self.figures_changed.emit(*found))
         self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, "bound"))
+            lambda _, error: self.failed.emit(sentence_of(error, tr("bound")))
         )
         document.session_changed.connect(self.follow)
 
@@ -69,7 +70,9 @@ def _in_words(bound: "Bound", task: Task) -> tuple[str, str]:
     if allowed is None:
         return "", ""
     return (
-        f"at best {percent(bound.relative_l2)}",
-        f"There can be {bound.short}; {percent(allowed)} with a source half as wide. This is the "
-        "least relative L2 error, certified; freeform bound tells more.",
+        tr("at best {error}").format(error=percent(bound.relative_l2)),
+        tr(
+            "There can be {bound}; {error} with a source half as wide. This is the "
+            "least relative L2 error, certified; freeform bound tells more."
+        ).format(bound=bound.short, error=percent(allowed)),
     )

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.run.run_figures import figures_of
+from ui.words import later, tr
 from workbench.design.session import KeptRun
 from workbench.pictures.comparison import Comparison
 from workbench.pictures.style import paint
@@ -27,9 +28,9 @@ from workbench.report.differences import differences
 
 _SIZE = QSize(1180, 740)
 _SHARES = (64, 36)  # of the pictures and the table
-_SAME = "The scenes are the same"
-_DIFFER = "Fields of the scenes that differ"
-_POINT = "Point at an image to read its light"
+_SAME = later("The scenes are the same")
+_DIFFER = later("Fields of the scenes that differ")
+_POINT = later("Point at an image to read its light")
 
 Pair = tuple[KeptRun, KeptRun]
 
@@ -47,16 +48,16 @@ class RunComparison(QDialog):
 
     def __init__(self, verified: Callable[[KeptRun], str], window: QWidget) -> None:
         super().__init__(window)
-        self.setWindowTitle("Comparison of two runs")
+        self.setWindowTitle(tr("Comparison of two runs"))
         self._verified = verified
         self._pair: Pair | None = None
         self._picture: Comparison | None = None
-        self._readout = QLabel(_POINT)
-        self._readout.setAccessibleName("Light under the pointer")
+        self._readout = QLabel(tr(_POINT))
+        self._readout.setAccessibleName(tr("Light under the pointer"))
         self._figure = Figure()
         self._canvas = FigureCanvasQTAgg(self._figure)
         self._canvas.mpl_connect("motion_notify_event", self._read)
-        self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(_POINT))
+        self._canvas.mpl_connect("axes_leave_event", lambda _: self._readout.setText(tr(_POINT)))
         self.table = _table()
         pictures = QWidget()
         column = QVBoxLayout(pictures)
@@ -97,14 +98,14 @@ class RunComparison(QDialog):
         if self._pair is None:
             return
         own = zip(*(figures_of(run, self._verified(run)) for run in self._pair), strict=True)
-        rows = [(name, (one, other)) for (name, one), (_, other) in own]
+        rows = [(tr(name), (one, other)) for (name, one), (_, other) in own]
         one, other = (run.scene for run in self._pair)
-        apart = [(each.title, each.values) for each in differences(one, other)]
+        apart = [(_title(each.title), each.values) for each in differences(one, other)]
         self.table.setHorizontalHeaderLabels(["", *(run.name for run in self._pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
         self._add(rows)
-        self._add_heading(_DIFFER if apart else _SAME)
+        self._add_heading(tr(_DIFFER if apart else _SAME))
         self._add(apart)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -122,7 +123,7 @@ class RunComparison(QDialog):
         if self._picture is None or event.inaxes is None:
             return
         words = self._picture.in_words(event.inaxes, event.xdata, event.ydata)
-        self._readout.setText(words or _POINT)
+        self._readout.setText(words or tr(_POINT))
 
     def _add(self, rows: Sequence[tuple[str, tuple[str, str]]]) -> None:
         for name, values in rows:
@@ -144,9 +145,14 @@ class RunComparison(QDialog):
         self.table.setSpan(row, 0, 1, self.table.columnCount())
 
 
+def _title(field: str) -> str:
+    """Of a field, with the parts that it is in."""
+    return " · ".join(map(tr, field.split(" · ")))
+
+
 def _table() -> QTableWidget:
     table = QTableWidget(0, 3)
-    table.setAccessibleName("Figures of both runs")
+    table.setAccessibleName(tr("Figures of both runs"))
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setAlternatingRowColors(True)
     table.setShowGrid(False)

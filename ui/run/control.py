@@ -9,6 +9,7 @@ from ui.run.kept import with_run
 from ui.run.runner import Runner
 from ui.shown.frame import iterations_before
 from ui.shown.frame_history import FrameHistory
+from ui.words import tr
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
@@ -70,7 +71,10 @@ class RunControl(QObject):
     def go_on_from(self, frame: "Frame") -> None:
         """Go on from the lens as it was at some moment of the run."""
         self.history.branch(frame)
-        self._document.set_result(frame.result, f"return to iteration {iterations_before(frame)}")
+        self._document.set_result(
+            frame.result,
+            tr("return to iteration {number}").format(number=iterations_before(frame)),
+        )
         self.go_on()
 
     def toggle_pause(self) -> None:
@@ -115,7 +119,7 @@ class RunControl(QObject):
         if result is not None:
             self.history.keep(result)
             session, given_way = with_run(self._document.session, result)
-            self._document.change(session, "design run")
+            self._document.change(session, tr("design run"))
             for run in given_way:
                 self.gave_way.emit(run.name)
         self.ended.emit()

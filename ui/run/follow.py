@@ -23,6 +23,7 @@ from ui.run.worker import RunJob, work
 from ui.threads.background import Background
 from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
+from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
 from workbench.optics.kernels.ready import is_compiled
@@ -35,10 +36,10 @@ if TYPE_CHECKING:
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _PATIENCE_MS = 3000
-_UNDER_WAY = "Following: the first design is under way"
-_SLOW = (
-    "Edits are followed no longer: a first result of this design takes more than {:g} s here, time "
-    "after time. Start designs it."
+_UNDER_WAY = later("Following: the first design is under way")
+_SLOW = later(
+    "Edits are followed no longer: a first result of this design takes more "
+    "than {seconds:g} s here, time after time. Start designs it."
 )
 _TIMES = 2  # in succession that the first lens may be late, since the machine may be busy just once
 
@@ -215,7 +216,7 @@ class Follow(QObject):
             self._take_next()
         elif self._design.has_lens:
             self._design.job.gate.stop()
-        self._say(_UNDER_WAY)
+        self._say(tr(_UNDER_WAY))
 
     def _snapshots(self, session: "Session", goes_on: bool) -> "Generator[Snapshot, None, str]":
         """Meant for the thread, which alone touches the lenses of before."""
@@ -266,13 +267,14 @@ class Follow(QObject):
         if design.own_step:
             design.own_step = False
             self._document.change(
-                session, f"design of the {session.scene.optic.called} that was missing"
+                session,
+                tr("design of the {optic} that was missing", optic=session.scene.optic.called),
             )
             self._changes = 0
         else:
             self._document.improve(session)
         error = 100 * relative_error(best.state, session.target)
-        self._say(f"Following: error {error:.1f} %, still getting better")
+        self._say(tr("Following: error {error:.1f} %, still getting better").format(error=error))
 
     def _end(self, design: _Design, _: object) -> None:
         self._take_frame()
@@ -306,7 +308,7 @@ class Follow(QObject):
             return
         self._on, self._late = False, 0
         self.rest()
-        self.gave_up.emit(_SLOW.format(self._limit.interval() / 1000))
+        self.gave_up.emit(tr(_SLOW).format(seconds=self._limit.interval() / 1000))
 
     def rest(self) -> None:
         """Design no more until the next edit, and let the control show the document's lens."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from ui.document.document import Document
+from ui.words import later, tr
 from workbench.design.origin import origin
 
 if TYPE_CHECKING:
@@ -14,7 +15,9 @@ if TYPE_CHECKING:
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
 
-NO_LENS = "There is no result yet, or its light is still being traced; try again in a moment."
+NO_LENS = later(
+    "There is no result yet, or its light is still being traced; try again in a moment."
+)
 
 
 class LensOnShow(QObject):
@@ -65,8 +68,16 @@ class LensOnShow(QObject):
         making, session = self.in_the_making, self._document.session
         called = session.scene.optic.called
         if making is not None:
-            return f"the best {called} so far, after {making.iterations} iterations"
-        return "" if session.heights is None else f"the {called} on show, {origin(session)}"
+            return tr("the best {optic} so far, after {count} iterations", optic=called).format(
+                count=making.iterations
+            )
+        return (
+            ""
+            if session.heights is None
+            else tr("the {optic} on show, {origin}", optic=called).format(
+                origin=tr(origin(session))
+            )
+        )
 
     def _take(self, frame: "Frame") -> None:
         self._preview = frame

@@ -8,17 +8,20 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.status import clock
+from ui.words import later, tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.design.snapshot import Snapshot
 
-_TURNS = {
-    ("running", "paused"): "Run paused",
-    ("paused", "running"): "Run resumed",
-    ("running", "stopping"): "Stop asked for",
-    ("paused", "stopping"): "Stop asked for",
-}
+_TURNS = later(
+    {
+        ("running", "paused"): "Run paused",
+        ("paused", "running"): "Run resumed",
+        ("running", "stopping"): "Stop asked for",
+        ("paused", "stopping"): "Stop asked for",
+    }
+)
 
 
 class RunLog(QObject):
@@ -48,7 +51,11 @@ class RunLog(QObject):
         control.runner.frame_ready.connect(self._look)
         control.ended.connect(self._end)
         control.gave_way.connect(
-            lambda name: tell(f"{name} is kept no longer: kept runs would take too much memory")
+            lambda name: tell(
+                tr("{name} is kept no longer: kept runs would take too much memory").format(
+                    name=name
+                )
+            )
         )
 
     def _follow(self, state: str) -> None:
@@ -56,10 +63,18 @@ class RunLog(QObject):
         if (before, state) == ("idle", "running"):
             self._last = None
             run = self._document.session.scene.run
-            self._tell(f"Run begins: {self._document.name}, method {run.method}")
+            self._tell(
+                tr("Run begins: {name}, method {method}").format(
+                    name=self._document.name, method=run.method
+                )
+            )
         elif (before, state) in _TURNS:
-            at = f" at iteration {self._last.iteration}" if self._last is not None else ""
-            self._tell(_TURNS[before, state] + at)
+            at = (
+                tr(" at iteration {iteration}").format(iteration=self._last.iteration)
+                if self._last is not None
+                else ""
+            )
+            self._tell(tr(_TURNS[before, state]) + at)
 
     def _look(self, frame: "Frame") -> None:
         if not self._control.busy:  # a preview
@@ -67,21 +82,34 @@ class RunLog(QObject):
         shot, last = frame.snapshot, self._last
         self._last = shot
         if shot.stages > 1 and (last is None or last.stage != shot.stage):
-            self._tell(f"Stage {shot.stage + 1} of {shot.stages}, iteration {shot.iteration}")
+            self._tell(
+                tr("Stage {stage} of {stages}, iteration {iteration}").format(
+                    stage=shot.stage + 1, stages=shot.stages, iteration=shot.iteration
+                )
+            )
         new = [note for note in shot.notes if last is None or note not in last.notes]
         if new:
-            self._tell("Trace: " + "; ".join(new))
+            self._tell(tr("Trace: {notes}").format(notes="; ".join(new)))
 
     def _end(self) -> None:
         if self._last is None:
             called = self._document.session.scene.optic.called
-            self._tell(f"Run ended before its first {called}")
+            self._tell(tr("Run ended before its first {optic}", optic=called))
             return
         shot, session = self._last, self._document.session
-        result, place = session.result, session.scene.receiver.place
-        why = f" ({result.ended})" if result is not None and result.ended else ""
+        result, place = session.result, tr(session.scene.receiver.place)
+        why = f" ({tr(result.ended)})" if result is not None and result.ended else ""
         self._tell(
-            f"Run ended{why} after iteration {shot.iteration} of {shot.iterations}, "
-            f"{clock(shot.seconds)}: last loss {shot.state.loss:.3e}, "
-            f"{100 * shot.state.account.efficiency:.1f} % {place}"
+            tr(
+                "Run ended{why} after iteration {iteration} of {iterations}, {clock}: "
+                "last loss {loss:.3e}, {efficiency:.1f} % {place}"
+            ).format(
+                why=why,
+                iteration=shot.iteration,
+                iterations=shot.iterations,
+                clock=clock(shot.seconds),
+                loss=shot.state.loss,
+                efficiency=100 * shot.state.account.efficiency,
+                place=place,
+            )
         )

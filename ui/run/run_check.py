@@ -12,6 +12,7 @@ from ui.run.control import RunControl
 from ui.shown.frame import iterations_before, same_task
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
+from ui.words import tr
 from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class RunCheck(QObject):
         self._background = Background("check of the run", self)
         self._background.done.connect(self._take)
         self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, "check of the run"))
+            lambda _, error: self.failed.emit(sentence_of(error, tr("check of the run")))
         )
         control.runner.state_changed.connect(self._follow)
         control.runner.frame_ready.connect(self._look)
@@ -127,7 +128,9 @@ class RunCheck(QObject):
             self._rested_at = monotonic()
             self._cost = self._rested_at - self._began
             history.add_check(verified)
-        self._text = f"Checked error {verified_error(found.verified)} at {lens.iterations}"
+        self._text = tr("Checked error {error} at {iteration}").format(
+            error=verified_error(found.verified), iteration=lens.iterations
+        )
         self._tell()
         self.checked.emit(lens, found)
 

@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
 
 from ui.run.status import clock
+from ui.words import tr
 from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
 from workbench.extended.bound import percent
@@ -12,10 +13,10 @@ from workbench.pictures.images import full_scale, to_colours
 
 
 def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
-    """Figures by what people call them; ``verified`` is what checks said, empty for nothing."""
+    """Figures by their English names; ``verified`` is what checks said, empty for nothing."""
     result, (n_u, n_v) = run.result, run.scene.optic.net_shape
     return [
-        ("Target", run.scene.target.called),
+        ("Target", tr(run.scene.target.called)),
         ("Error", percent(relative_error(result.state, run.target))),
         ("Verified", verified or "–"),
         ("On screen", f"{100 * result.state.account.efficiency:.1f} %"),
@@ -24,7 +25,7 @@ def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
         ("Net", f"{n_u} × {n_v}"),
         ("Method", run.scene.run.method),
         ("Loss", f"{result.state.loss:.3e}"),
-        ("Ended", result.ended or "–"),
+        ("Ended", tr(result.ended) or "–"),
     ]
 
 

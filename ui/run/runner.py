@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from ui.run.worker import Generate, RunJob, work
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
+from ui.words import tr
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
@@ -162,7 +163,7 @@ class Runner(QObject):
         self._drop_job()
         self._set_state("idle")
         if error is not None:
-            self.failed.emit(sentence_of(error, "run"))
+            self.failed.emit(sentence_of(error, tr("run")))
         if not job.preview:
             self.finished.emit(job.history.result())
         elif error is not None:

@@ -13,6 +13,7 @@ from ui.run.control import RunControl
 from ui.run.kept import renamed, restored, without
 from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
+from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import KeptRun
 from workbench.pictures.loss import LossCourse
@@ -68,8 +69,12 @@ class Runs(QObject):
     def slots(self) -> dict[str, Callable[[], object]]:
         """What commands do here."""
         return {
-            "restore_run": lambda: self._with_choice(self.table.restore, "one run"),
-            "delete_run": lambda: self._with_choice(self.table.delete, "runs"),
+            "restore_run": lambda: self._with_choice(
+                self.table.restore, tr("Choose one run in View > Runs first.")
+            ),
+            "delete_run": lambda: self._with_choice(
+                self.table.delete, tr("Choose runs in View > Runs first.")
+            ),
             "compare_runs": self._compare_chosen,
         }
 
@@ -90,7 +95,7 @@ class Runs(QObject):
         if len(self.table.chosen) == 2:
             self.table.compare()
         else:
-            self.refused.emit("Choose two runs in View > Runs first: Ctrl and a click.")
+            self.refused.emit(tr("Choose two runs in View > Runs first: Ctrl and a click."))
 
     def _show_pair(self, pair: tuple[KeptRun, KeptRun]) -> None:
         if self.comparison is None:
@@ -99,11 +104,11 @@ class Runs(QObject):
         self.comparison.show()
         self.comparison.raise_()
 
-    def _with_choice(self, act: Callable[[], None], what: str) -> None:
+    def _with_choice(self, act: Callable[[], None], otherwise: str) -> None:
         if self.table.chosen:
             act()
         else:
-            self.refused.emit(f"Choose {what} in View > Runs first.")
+            self.refused.emit(otherwise)
 
     def _verified_error(self, run: KeptRun) -> str:
         error = self._document.verified.of(run)
@@ -140,16 +145,26 @@ class Runs(QObject):
     def _rename(self, run: KeptRun, name: str) -> None:
         session = self._document.session
         try:
-            self._document.change(renamed(session, run, name.strip()), "rename run")
+            self._document.change(renamed(session, run, name.strip()), tr("rename run"))
         except Refused as refused:
-            self.refused.emit(f"The run is still called {run.name}: {refused.reason}")
+            self.refused.emit(
+                tr("The run is still called {name}: {reason}").format(
+                    name=run.name, reason=refused.reason
+                )
+            )
             self.show()
 
     def _restore(self, run: KeptRun) -> None:
-        self._document.change(restored(self._document.session, run), f"return to {run.name}")
+        self._document.change(
+            restored(self._document.session, run), tr("return to {name}").format(name=run.name)
+        )
 
     def _delete(self, runs: tuple[KeptRun, ...]) -> None:
-        text = f"delete {runs[0].name}" if len(runs) == 1 else f"delete {len(runs)} runs"
+        text = (
+            tr("delete {name}").format(name=runs[0].name)
+            if len(runs) == 1
+            else tr("delete {count} runs").format(count=len(runs))
+        )
         self._document.change(without(self._document.session, runs), text)
 
 

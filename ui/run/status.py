@@ -7,11 +7,17 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from ui.run.pace import Pace
 from ui.widgets.elided_label import ElidedLabel
+from ui.words import later, tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
 
 _READ_MS = 6000  # a sentence
+_ITERATION = later("iteration {done} of {count}{rate}")
+_LIGHT = later("Error {error} · light {place} {shares}")
+_LOSS = later("loss {loss:.3e}")
+_ELAPSED = later("{time} elapsed")
+_AT_MOST = later("at most {time} left")
 
 
 class RunStatus:
@@ -33,40 +39,52 @@ class RunStatus:
         self._progress = QProgressBar()
         self._progress.setFixedWidth(150)
         self._progress.setTextVisible(False)
-        self._progress.setAccessibleName("Progress of the design")
+        self._progress.setAccessibleName(tr("Progress of the design"))
         self._progress.hide()
         bar.addPermanentWidget(self._progress)
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(
             bar,
-            "Iterations done, and how many a second lately",
-            "iteration 0000 of 0000, 00.0/s",
+            tr("Iterations done, and how many a second lately"),
+            tr(_ITERATION).format(done="0000", count="0000", rate=", 00.0/s"),
         )
         self._verified = _passing(
             bar,
-            "Relative L2 error of the image after so many iterations of the run, by an independent "
-            "trace with rays that the design never saw; the scatter of these rays is left out",
+            tr(
+                "Relative L2 error of the image after so many iterations of the run, by "
+                "an independent trace with rays that the design never saw; the scatter "
+                "of these rays is left out"
+            ),
         )
         self._check = _passing(
             bar,
-            "Relative L2 error of the design on show, by an independent trace with rays that the "
-            "design never saw; the scatter of these rays is left out. The log tells more",
+            tr(
+                "Relative L2 error of the design on show, by an independent trace with "
+                "rays that the design never saw; the scatter of these rays is left out. "
+                "The log tells more"
+            ),
         )
         self._bound = _passing(bar, "")
         self._light = _figure(
             bar,
-            "How far the image is from the target, as the design sees it (relative L2), and how "
-            "much of the light lands where it is wanted: on the screen, or in the far field. Of "
-            "several images, both are told of each",
-            "Error 00.0 % · light in the far field 000.0 %",
+            tr(
+                "How far the image is from the target, as the design sees it (relative "
+                "L2), and how much of the light lands where it is wanted: on the screen, "
+                "or in the far field. Of several images, both are told of each"
+            ),
+            tr(_LIGHT).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
         )
-        self._loss = _figure(bar, "What the design makes as small as it can", "loss 0.000e-00")
-        self._elapsed = _figure(bar, "Run time", "00:00 elapsed")
+        self._loss = _figure(
+            bar, tr("What the design makes as small as it can"), tr(_LOSS).format(loss=1e-9)
+        )
+        self._elapsed = _figure(bar, tr("Run time"), tr(_ELAPSED).format(time="00:00"))
         self._left = _figure(
             bar,
-            "Time left at the pace of the last seconds. Automatic ends sooner when nothing "
-            "improves any more",
-            "at most 00:00 left",
+            tr(
+                "Time left at the pace of the last seconds. Automatic ends sooner when "
+                "nothing improves any more"
+            ),
+            tr(_AT_MOST).format(time="00:00"),
         )
         self._pace = Pace()
 
@@ -105,16 +123,22 @@ class RunStatus:
             self._pace.note(snapshot.seconds, done)
             rate, left = self._pace.rate, self._pace.left(all_of_it - done)
         each_second = "" if rate is None else f", {rate:.3g}/s"
-        self._iteration.setText(f"iteration {done} of {all_of_it}{each_second}" if counting else "")
-        self._loss.setText(f"loss {snapshot.state.loss:.3e}")
+        self._iteration.setText(
+            tr(_ITERATION).format(done=done, count=all_of_it, rate=each_second) if counting else ""
+        )
+        self._loss.setText(tr(_LOSS).format(loss=snapshot.state.loss))
         scene = frame.session.scene
         landed = _landed(frame)
         errors = ", ".join(_errors(frame))
-        self._light.setText(f"Error {errors} · light {scene.receiver.place} {', '.join(landed)}")
-        self._elapsed.setText(f"{clock(snapshot.seconds)} elapsed" if counting else "")
+        self._light.setText(
+            tr(_LIGHT).format(
+                error=errors, place=tr(scene.receiver.place), shares=", ".join(landed)
+            )
+        )
+        self._elapsed.setText(tr(_ELAPSED).format(time=clock(snapshot.seconds)) if counting else "")
         may_stop = scene.run.method == "auto"
-        at_most = "at most " if may_stop else ""
-        self._left.setText("" if left is None else f"{at_most}{clock(left)} left")
+        words = tr(_AT_MOST) if may_stop else tr("{time} left")
+        self._left.setText("" if left is None else words.format(time=clock(left)))
 
     def show_verified(self, figures: str) -> None:
         """Show what checks say of a run; empty for nothing."""

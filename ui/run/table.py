@@ -22,24 +22,29 @@ from PySide6.QtWidgets import (
 )
 
 from ui.run.run_figures import figures_of, thumbnail_of
+from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
 
-_NOTHING = "Each run that ends is kept here, to be compared with others and gone back to."
-_COLUMNS = {
-    "Name": "What the run is called, with its light; a check mark draws its loss beside that of "
-    "this run",
-    "Target": "The image that the light should draw: its file, or what it is",
-    "Error": "Relative L2 error of its best result, as the run saw it",
-    "Verified": "Relative L2 error of its result, by an independent trace with other rays",
-    "On screen": "Part of the light that lands on the screen, or in the far field",
-    "Time": "Run time",
-    "Iterations": "Iterations taken, those of runs that it continued included",
-    "Net": "Numbers of control points along x and y",
-    "Method": "How the result was searched for",
-    "Loss": "Loss of its best result, as the run saw it",
-    "Ended": "Why the run ended",
-}
+_NOTHING = later("Each run that ends is kept here, to be compared with others and gone back to.")
+_COLUMNS = later(
+    {
+        "Name": (
+            "What the run is called, with its light; a check mark draws its loss "
+            "beside that of this run"
+        ),
+        "Target": "The image that the light should draw: its file, or what it is",
+        "Error": "Relative L2 error of its best result, as the run saw it",
+        "Verified": "Relative L2 error of its result, by an independent trace with other rays",
+        "On screen": "Part of the light that lands on the screen, or in the far field",
+        "Time": "Run time",
+        "Iterations": "Iterations taken, those of runs that it continued included",
+        "Net": "Numbers of control points along x and y",
+        "Method": "How the result was searched for",
+        "Loss": "Loss of its best result, as the run saw it",
+        "Ended": "Why the run ended",
+    }
+)
 _LEFT = ("Target", "Ended")  # words; numbers stand at the right
 _PICTURE = 40  # pixels of the light beside the name
 _WIDEST = 32  # characters of a column; longer texts are cut, and whole in a tip
@@ -80,18 +85,18 @@ class RunTable(QWidget):
         self._runs: tuple[KeptRun, ...] = ()
         self._marked: set[int] = set()  # ids of results, which outlive other names
         self._pictures: dict[int, QIcon] = {}  # by the same
-        self._hint = QLabel(_NOTHING, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint = QLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
         self._hint.setMargin(self.fontMetrics().height())
         self.table = QTableWidget(0, len(_COLUMNS))
-        self.table.setAccessibleName("Kept runs")
+        self.table.setAccessibleName(tr("Kept runs"))
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setAlternatingRowColors(True)
         self.table.setIconSize(QSize(_PICTURE, _PICTURE))
         self.table.setFrameShape(QTableWidget.Shape.NoFrame)
         for column, (title, tip) in enumerate(_COLUMNS.items()):
-            heading = QTableWidgetItem(title)
-            heading.setToolTip(f"<p>{tip}</p>")
+            heading = QTableWidgetItem(tr(title))
+            heading.setToolTip(f"<p>{tr(tip)}</p>")
             self.table.setHorizontalHeaderItem(column, heading)
         rows = self.table.verticalHeader()
         rows.hide()
@@ -102,17 +107,19 @@ class RunTable(QWidget):
         self.table.setItemDelegateForColumn(0, _NameDelegate(self.table))
         self.table.itemChanged.connect(self._take_change)
         self.table.itemSelectionChanged.connect(self._show_possible)
-        delete = QAction("Delete", self.table)
+        delete = QAction(tr("Delete"), self.table)
         delete.setShortcut(QKeySequence(QKeySequence.StandardKey.Delete))
         delete.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
         delete.triggered.connect(self.delete)
         self.table.addAction(delete)
         self._restore = _button(
-            "Restore", "Give the design this run's task and result", self.restore
+            tr("Restore"), tr("Give the design this run's task and result"), self.restore
         )
-        self._delete = _button("Delete", "Forget the chosen runs", self.delete)
+        self._delete = _button(tr("Delete"), tr("Forget the chosen runs"), self.delete)
         self._compare = _button(
-            "Compare", "See two chosen runs beside each other: light, figures, fields", self.compare
+            tr("Compare"),
+            tr("See two chosen runs beside each other: light, figures, fields"),
+            self.compare,
         )
         self._editable = True
         buttons = QHBoxLayout()
@@ -199,7 +206,8 @@ class RunTable(QWidget):
         font = name.font()
         font.setBold(is_current)
         name.setFont(font)
-        name.setToolTip(f"{run.name}\nThe one of the design" if is_current else run.name)
+        own = tr("The one of the design")
+        name.setToolTip(f"{run.name}\n{own}" if is_current else run.name)
         self.table.setItem(row, 0, name)
         for column, (title, text) in enumerate(figures_of(run, self._verified(run)), start=1):
             item = QTableWidgetItem(text)
@@ -251,7 +259,11 @@ class _NameDelegate(QStyledItemDelegate):
 
 def _say_too_long(editor: QLineEdit) -> None:
     below = editor.mapToGlobal(editor.rect().bottomLeft())
-    QToolTip.showText(below, f"A name has at most {LONGEST_NAME} characters", editor)
+    QToolTip.showText(
+        below,
+        tr("A name has at most {count} characters").format(count=LONGEST_NAME),
+        editor,
+    )
 
 
 def _button(text: str, tip: str, slot: Callable[[], None]) -> QPushButton:

@@ -24,6 +24,7 @@ from PySide6.QtCore import (
 )
 
 from ui.threads.failure import LOG
+from ui.words import tr
 from workbench.defects import details, unexpected
 
 # The 3D view asks for its format when a context is there already, which serves it as well.
@@ -76,8 +77,9 @@ class UnexpectedErrors(QObject):
             return
         self._known.add(known)
         self.happened.emit(
-            f"Something went wrong that should not: {unexpected(error)}. "
-            "Your work is still here: save it.",
+            tr(
+                "Something went wrong that should not: {error}. Your work is still here: save it."
+            ).format(error=unexpected(error)),
             f"Qt {qVersion()}\n{details(error)}",
         )
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.words import tr
 
 # All that the views and the runner stand on, without Qt, which is for the window's thread alone.
 _SLOW = ("workbench.pictures.lens", "workbench.pictures.style", "workbench.design.run")
@@ -30,7 +31,7 @@ class WarmUp(QObject):
         self._background = Background("warm-up", self)
         self._background.progressed.connect(self.imported)
         self._background.failed.connect(
-            lambda _, error: self.failed.emit(sentence_of(error, "start"))
+            lambda _, error: self.failed.emit(sentence_of(error, tr("start")))
         )
 
     def start(self) -> None:

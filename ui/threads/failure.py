@@ -2,6 +2,7 @@
 
 import logging
 
+from ui.words import tr
 from workbench.defects import details, unexpected
 from workbench.errors import Refused, RunFailed
 
@@ -23,4 +24,4 @@ def sentence_of(error: Exception, work: str) -> str:
     if isinstance(error, Refused | RunFailed):
         return str(error)
     LOG.error(details(error))
-    return f"The {work} ended with an {unexpected(error)}"
+    return tr("The {work} ended with an {error}").format(work=work, error=unexpected(error))

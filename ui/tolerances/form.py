@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import NumberRow
+from ui.words import later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
 from workbench.scene import LENGTH, Measure, Scene, Unit
@@ -51,8 +52,10 @@ class ToleranceForm(QWidget):
                 grid.addWidget(row, line, 2 * number + 1, 1, 3 if row.path in PAIRS else 1)
         self.begin = QPushButton()
         self.begin.clicked.connect(self.toggled)
-        self.save = QPushButton("Save…")
-        self.save.setToolTip("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
+        self.save = QPushButton(tr("Save…"))
+        self.save.setToolTip(
+            tr("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
+        )
         self.save.clicked.connect(self.save_asked)
         buttons = QHBoxLayout()
         buttons.setSpacing(6)
@@ -186,7 +189,7 @@ class ToleranceForm(QWidget):
             if row.path in ABOUT:
                 row.setVisible(row.path in there)
                 row.label.setVisible(row.path in there)
-                row.explain(ABOUT[row.path].tip_of(self._scene.optic.called))
+                row.explain(tr(ABOUT[row.path].tip, optic=self._scene.optic.called))
 
     def _row(self, path: str) -> NumberRow:
         return next(row for row in self._rows if row.concerns(path))
@@ -200,8 +203,10 @@ def _sound(path: str, value: float) -> bool:
 
 def _allowed(path: str) -> str:
     if path == "lenses":
-        return f"a whole number from 1 to {_MOST} is needed"
-    return f"a {'whole' if path == 'seed' else 'finite'} number from 0 is needed"
+        return tr("a whole number from 1 to {most} is needed").format(most=_MOST)
+    if path == "seed":
+        return tr("a whole number from 0 is needed")
+    return tr("a finite number from 0 is needed")
 
 
 def _make_rows() -> tuple[NumberRow, ...]:
@@ -209,15 +214,17 @@ def _make_rows() -> tuple[NumberRow, ...]:
         *(
             NumberRow(
                 name,
-                about.title,
-                about.tip_of("lens"),
+                tr(about.title),
+                tr(about.tip, optic="lens"),
                 _MEASURES[about.unit],
-                between="over" if name in PAIRS else "",
+                between=later("over") if name in PAIRS else "",
             )
             for name, about in ABOUT.items()
         ),
-        NumberRow("lenses", "Lenses", "How many are traced; more make the tail surer", whole=True),
-        NumberRow("seed", "Seed", "The same seed gives the same lenses", whole=True),
+        NumberRow(
+            "lenses", tr("Lenses"), tr("How many are traced; more make the tail surer"), whole=True
+        ),
+        NumberRow("seed", tr("Seed"), tr("The same seed gives the same lenses"), whole=True),
     )
 
 

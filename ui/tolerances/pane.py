@@ -13,6 +13,7 @@ from ui.tolerances.form import ToleranceForm
 from ui.tolerances.sampling import Sample, trace_sample
 from ui.tolerances.spread_view import SpreadView
 from ui.widgets.side_by_side import SideBySide
+from ui.words import later, tr
 from workbench.analysis.tolerances import Distribution
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _RAYS = 1_000_000  # for each lens, as on the command line
-_NOTHING_OFF = "Nothing is off: give a tilt, a decentre or another tolerance."
+_NOTHING_OFF = later("Nothing is off: give a tilt, a decentre or another tolerance.")
 
 
 class TolerancePane(SideBySide):
@@ -91,7 +92,7 @@ class TolerancePane(SideBySide):
                     self.summary.setText(self.form.obstacle)
                 return
             if not self.form.within.any:
-                self.summary.setText(_NOTHING_OFF)
+                self.summary.setText(tr(_NOTHING_OFF))
                 return
             sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
             self._sample = sample
@@ -113,17 +114,17 @@ class TolerancePane(SideBySide):
     def _give_up(self, sample: Sample, error: Exception) -> None:
         self._sample = None
         self._offer()
-        self.failed.emit(sentence_of(error, "sample of tolerances"))
+        self.failed.emit(sentence_of(error, tr("sample of tolerances")))
 
     def _offer(self) -> None:
         """Tell what can be done now, and of which lens the figures are."""
         busy, sample = self._background.busy, self._sample
         begin = self.form.begin
-        begin.setText("Cancel" if busy else "Start")
+        begin.setText(tr("Cancel") if busy else tr("Start"))
         begin.setToolTip(
-            "Trace no more; those that are traced count"
+            tr("Trace no more; those that are traced count")
             if busy
-            else "Perturb what is on show at random, and trace each with fresh rays"
+            else tr("Perturb what is on show at random, and trace each with fresh rays")
         )
         possible = self._resting and self._frame is not None
         begin.setEnabled(not self._background.stopping if busy else possible)
@@ -134,15 +135,22 @@ class TolerancePane(SideBySide):
         sample = self._sample
         if sample is None:
             return ""
-        done = f"{len(sample.others)} of {sample.wanted} lenses"
+        done = tr("{count} of {wanted} lenses").format(
+            count=len(sample.others), wanted=sample.wanted
+        )
         if sample.nominal is None or not sample.others:
             return f"{done}…"
         spread = Distribution.of(sample.nominal, sample.others)
-        text = (
-            f"{done}{'…' if busy else ''}: error as designed {100 * spread.nominal:.2f} %, median "
-            f"{100 * spread.percentiles['50']:.2f} %, 95 % of lenses below "
-            f"{100 * spread.percentiles['95']:.2f} %, worst {100 * spread.worst:.2f} %"
+        text = tr(
+            "{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses "
+            "below {most:.2f} %, worst {worst:.2f} %"
+        ).format(
+            done=f"{done}…" if busy else done,
+            nominal=100 * spread.nominal,
+            median=100 * spread.percentiles["50"],
+            most=100 * spread.percentiles["95"],
+            worst=100 * spread.worst,
         )
         if self._frame is None or not same_lens(sample.frame, self._frame):
-            return f"{text}. Out of date: the lens has changed since."
+            return f"{text}. {tr('Out of date: the lens has changed since.')}"
         return text

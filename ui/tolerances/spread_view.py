@@ -6,6 +6,7 @@ import numpy as np
 
 from ui.tolerances.sampling import Sample
 from ui.views.plot_view import PlotView
+from ui.words import later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS
 from workbench.analysis.tolerances import Distribution
 from workbench.pictures.data import Column
@@ -25,7 +26,9 @@ class SpreadView(PlotView):
     """The distribution of the error over the lenses of a sample, while they come in."""
 
     _HAS_BAR = False
-    _WAITING = "How does the image change when lenses are a little off? Start traces some of them."
+    _WAITING = later(
+        "How does the image change when lenses are a little off? Start traces some of them."
+    )
 
     def __init__(self) -> None:
         super().__init__()
@@ -67,7 +70,7 @@ class SpreadView(PlotView):
         return spread.to_data() | {"samples": [each.to_data() for each in sample.others]}
 
     def _why_empty(self, frame: "Frame | None") -> str:
-        return "" if self._sample is not None else self._WAITING
+        return "" if self._sample is not None else tr(self._WAITING)
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         sample = self._sample

@@ -19,6 +19,7 @@ from ui.views.computing_view import ComputingView
 from ui.views.derivatives import DerivativeRequest, derivative
 from ui.views.face_choice import FaceChoice
 from ui.views.plot_view import PlotView
+from ui.words import tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures.derivative import DerivativeImage
@@ -58,7 +59,7 @@ class DerivativeView(PlotView, ComputingView):
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
         self._faces = FaceChoice()
-        self._boxes = (_index_box("along x"), _index_box("along y"))
+        self._boxes = (_index_box("x"), _index_box("y"))
         self._place = QLabel()
         self._sum = QLabel(wordWrap=True)
         self._box.insertLayout(0, self._row())
@@ -114,8 +115,8 @@ class DerivativeView(PlotView, ComputingView):
     def _row(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setContentsMargins(6, 4, 6, 0)
-        name = QLabel("Control point")
-        name.setToolTip("Choose it here, or click it in the 3D scene.")
+        name = QLabel(tr("Control point"))
+        name.setToolTip(tr("Choose it here, or click it in the 3D scene."))
         row.addWidget(name)
         row.addWidget(self._faces)
         for box in self._boxes:
@@ -142,7 +143,7 @@ class DerivativeView(PlotView, ComputingView):
         """The map on show is not of this lens or point any more."""
         self._background.cancel()
         if self._seen():
-            self._sum.setText("Computed when the design rests…")
+            self._sum.setText(tr("Computed when the design rests…"))
             self._rest.start()
             self.chosen.emit(self.point)
 
@@ -155,7 +156,7 @@ class DerivativeView(PlotView, ComputingView):
         frame = self._frame
         assert frame is not None
         request = DerivativeRequest(frame.session.scene, frame.state.heights, self.point)
-        self._sum.setText("Computing…")
+        self._sum.setText(tr("Computing…"))
         self._background.begin(partial(derivative, request), request)
 
     def _take(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
@@ -167,12 +168,12 @@ class DerivativeView(PlotView, ComputingView):
     def _give_up(self, request: DerivativeRequest, error: Exception) -> None:
         self._map = None
         self._place.clear()
-        self._sum.setText(sentence_of(error, "derivative map"))
+        self._sum.setText(sentence_of(error, tr("derivative map")))
         self._ask()
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._map is None:
-            return "There is no map of this point yet."
+            return tr("There is no map of this point yet.")
         return super()._why_empty(frame)
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
@@ -183,11 +184,11 @@ class DerivativeView(PlotView, ComputingView):
         return self._image.update(None if self._map is None else self._map.map)
 
 
-def _index_box(along: str) -> QSpinBox:
+def _index_box(axis: str) -> QSpinBox:
     box = QSpinBox()
     box.setKeyboardTracking(False)
-    box.setToolTip(f"Number of the control point {along}, counted from 0")
-    box.setAccessibleName(f"Control point {along}")
+    box.setToolTip(tr("Number of the control point along {axis}, counted from 0").format(axis=axis))
+    box.setAccessibleName(tr("Control point along {axis}").format(axis=axis))
     return box
 
 
@@ -197,5 +198,11 @@ def _place(found: "DerivativeMap", unit: str) -> str:
 
 
 def _sum(found: "DerivativeMap", unit: str) -> str:
-    part = f", {found.sum / found.flux:.1e} of the total flux there" if found.flux else ""
-    return f"Sum: flux on the screen changes by {found.sum:.1e} per {unit}{part}"
+    part = (
+        tr(", {part:.1e} of the total flux there").format(part=found.sum / found.flux)
+        if found.flux
+        else ""
+    )
+    return tr("Sum: flux on the screen changes by {sum:.1e} per {unit}{part}").format(
+        sum=found.sum, unit=unit, part=part
+    )

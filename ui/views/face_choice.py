@@ -3,6 +3,7 @@
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from ui.words import tr
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Optic
 
@@ -12,8 +13,8 @@ class FaceChoice(QComboBox):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAccessibleName("Face")
-        self.setToolTip("Which of the freeform faces of the lens is meant")
+        self.setAccessibleName(tr("Face"))
+        self.setToolTip(tr("Which of the freeform faces of the lens is meant"))
         self.hide()
 
     @property
@@ -34,7 +35,7 @@ class FaceChoice(QComboBox):
         with QSignalBlocker(self):
             self.clear()
             for face in faces:
-                name = optic.face_in_words(face)
+                name = tr(optic.face_in_words(face))
                 self.addItem(f"{name[0].upper()}{name[1:]}", face)
             self.choose(chosen)
         self.setVisible(len(faces) > 1)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.views.canvas import PlotCanvas
 from ui.views.view import View
+from ui.words import tr
 from workbench.pictures.focus_curve import FocusCurve
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ class FocusCurveView(View):
         self._box.addWidget(self._canvas)
         self.setMinimumHeight(self.sizeHint().height())
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
-        self.setToolTip("Relative L2 error against the distance; the dotted line is the screen")
+        self.setToolTip(tr("Relative L2 error against the distance; the dotted line is the screen"))
         self._ends = (0.0, 1.0)
         self._z = 0.0
         self._errors: dict[float, float] = {}

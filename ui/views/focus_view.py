@@ -22,6 +22,7 @@ from ui.views.computing_view import ComputingView
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
+from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.design.session import verified_error
 
@@ -30,10 +31,10 @@ if TYPE_CHECKING:
     from workbench.analysis.validation import Validation
     from workbench.files.session import Session
 
-_TRACE = "trace through focus"
+_TRACE = later("trace through focus")
 _REST_MS = 250  # longer than between two frames of a run
 _FEW, _MANY = 200_000, 4_000_000  # rays
-_NO_DISTANCE = "A far field is at no distance: there is nothing to focus."
+_NO_DISTANCE = later("A far field is at no distance: there is nothing to focus.")
 _NEAREST, _SCREEN, _FARTHEST = 500, 1000, 1500  # of the way from lens to screen, per mille
 _STEP, _PAGE = 5, 50
 _PLACES, _CURVE_RAYS = 31, 100_000  # of the curve
@@ -59,7 +60,7 @@ class FocusView(LightImageView, ComputingView):
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)
         for traces in (self._image_of, self._curve_of):
-            traces.failed.connect(lambda _, error: self._tell(sentence_of(error, _TRACE)))
+            traces.failed.connect(lambda _, error: self._tell(sentence_of(error, tr(_TRACE))))
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._trace_anew)
         self._slider = QSlider(Qt.Orientation.Horizontal)
@@ -67,18 +68,22 @@ class FocusView(LightImageView, ComputingView):
         self._slider.setValue(_SCREEN)
         self._slider.setSingleStep(_STEP)
         self._slider.setPageStep(_PAGE)
-        self._slider.setAccessibleName("Distance of the screen")
+        self._slider.setAccessibleName(tr("Distance of the screen"))
         self._slider.setToolTip(
-            "Look at the light before or behind the screen: half to one and a half times its "
-            "distance. The scene stays as it is"
+            tr(
+                "Look at the light before or behind the screen: half to one and a half "
+                "times its distance. The scene stays as it is"
+            )
         )
         self._slider.valueChanged.connect(self._slide)
         self._place = QLabel()
-        self._back = QPushButton("At screen")
-        self._back.setToolTip("Go back to the distance of the scene's screen")
+        self._back = QPushButton(tr("At screen"))
+        self._back.setToolTip(tr("Go back to the distance of the scene's screen"))
         self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
-        self._more = QPushButton("Curve")
-        self._more.setToolTip("Trace the light to many distances and draw the error against them")
+        self._more = QPushButton(tr("Curve"))
+        self._more.setToolTip(
+            tr("Trace the light to many distances and draw the error against them")
+        )
         self._more.setCheckable(True)
         self._more.toggled.connect(self._show_curve)
         row = QHBoxLayout()
@@ -139,9 +144,9 @@ class FocusView(LightImageView, ComputingView):
         for control in (self._slider, self._back, self._more):
             control.setEnabled(at_a_distance)
         if not at_a_distance:
-            self._place.setText(_NO_DISTANCE)
+            self._place.setText(tr(_NO_DISTANCE))
         elif self._seen():
-            self._tell("traced when the design rests…")
+            self._tell(tr("traced when the design rests…"))
             self._rest.start()
 
     def _want_nothing(self) -> None:
@@ -168,7 +173,7 @@ class FocusView(LightImageView, ComputingView):
         assert frame is not None  # what nobody sees is not traced
         lens = frame.session, frame.state.heights
         self._curve.mark(self.z)
-        self._tell("tracing…")
+        self._tell(tr("tracing…"))
         request = FocusRequest(*lens, ((self.z, _FEW), (self.z, _MANY)))
         self._image_of.begin(partial(trace_through_focus, request), request)
 
@@ -176,16 +181,18 @@ class FocusView(LightImageView, ComputingView):
         _, found = traced
         if found is None:
             self._traced.light = np.zeros_like(request.session.target)
-            self._tell("no light arrives there")
+            self._tell(tr("no light arrives there"))
         else:
             self._traced.light = found.irradiance
-            arrives = f"{100 * found.efficiency:.1f} % of the light"
-            self._tell(f"error {verified_error(found)}, {arrives}")
+            arrives = tr("{part:.1f} % of the light").format(part=100 * found.efficiency)
+            self._tell(
+                tr("error {error}, {light}").format(error=verified_error(found), light=arrives)
+            )
         self._ask()
 
     def _tell(self, what: str) -> None:
         assert self._frame is not None
-        at_screen = " (screen)" if self._slider.value() == _SCREEN else ""
+        at_screen = f" ({tr('screen')})" if self._slider.value() == _SCREEN else ""
         self._place.setText(f"z = {self.z:.4g} {self._frame.session.scene.unit}{at_screen}: {what}")
 
     def _show_curve(self, shown: bool) -> None:
@@ -228,7 +235,7 @@ class FocusView(LightImageView, ComputingView):
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if not self._at_a_distance(frame):
-            return _NO_DISTANCE
+            return tr(_NO_DISTANCE)
         if frame is not None and self._traced.light is None:
-            return "The light there is traced when the design rests."
+            return tr("The light there is traced when the design rests.")
         return super()._why_empty(frame)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
 from ui.shown.frame import iterations_before
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -31,16 +32,24 @@ class HistorySlider(QWidget):
         super().__init__(parent)
         self._frames: Sequence[Frame] = ()
         self._slider = QSlider(Qt.Orientation.Horizontal)
-        self._slider.setAccessibleName("Moment of the run")
-        self._slider.setToolTip("Look back at the design and its light at any moment of the run")
+        self._slider.setAccessibleName(tr("Moment of the run"))
+        self._slider.setToolTip(
+            tr("Look back at the design and its light at any moment of the run")
+        )
         self._slider.valueChanged.connect(self._look)
         self._slider.setMinimumWidth(4 * self._slider.sizeHint().height())  # with room to move
         self._text = QLabel()
-        self._text.setMinimumWidth(self._text.fontMetrics().horizontalAdvance("iteration 00000"))
-        self._button = QPushButton("Go on from here")
+        self._text.setMinimumWidth(
+            self._text.fontMetrics().horizontalAdvance(
+                tr("iteration {number}").format(number="00000")
+            )
+        )
+        self._button = QPushButton(tr("Go on from here"))
         self._button.setToolTip(
-            "Take the design as it was at this moment, and continue from it; "
-            "Undo brings the later one back"
+            tr(
+                "Take the design as it was at this moment, and continue from it; Undo "
+                "brings the later one back"
+            )
         )
         self._button.clicked.connect(lambda: self.continued.emit(self._frame))
         self._row = row = QHBoxLayout(self)
@@ -89,4 +98,8 @@ class HistorySlider(QWidget):
         self.frame_chosen.emit(self._frame)
 
     def _tell(self) -> None:
-        self._text.setText(f"iteration {iterations_before(self._frame)}" if self._frames else "")
+        self._text.setText(
+            tr("iteration {number}").format(number=iterations_before(self._frame))
+            if self._frames
+            else ""
+        )

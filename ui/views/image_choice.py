@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
 
 from ui.views.image_link import ImageLink
+from ui.words import tr
 
 if TYPE_CHECKING:
     from workbench.scene import AnyReceiver, Scene
@@ -23,15 +24,15 @@ class ImageChoice(QComboBox):
     def __init__(self, link: ImageLink) -> None:
         super().__init__()
         self._link = link
-        self.setAccessibleName("Image that is shown")
-        self.setToolTip("Which of the scene's images is shown")
+        self.setAccessibleName(tr("Image that is shown"))
+        self.setToolTip(tr("Which of the scene's images is shown"))
         self.activated.connect(link.show_image)
         self.hide()
 
     def show_scene(self, scene: "Scene") -> None:
         """Offer the images of a scene; nothing where there is only one."""
         titles = [
-            f"Image {number}, {_place(receiver, scene.unit)}"
+            tr("Image {number}, {place}").format(number=number, place=_place(receiver, scene.unit))
             for number, receiver in enumerate(scene.receivers, start=1)
         ]
         with QSignalBlocker(self):
@@ -43,4 +44,4 @@ class ImageChoice(QComboBox):
 
 
 def _place(receiver: "AnyReceiver", unit: str) -> str:
-    return f"z = {receiver.plane_z:.4g} {unit}" if receiver.at_distance else receiver.called
+    return f"z = {receiver.plane_z:.4g} {unit}" if receiver.at_distance else tr(receiver.called)

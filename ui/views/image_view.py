@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 from ui.views.image_link import ImageLink, Part, Place
 from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
+from ui.words import tr
 from workbench.pictures.maps import Extent, pixel_at
 
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ class ImageView(PlotView):
         self._dragged = False
         self._readout = QLabel()
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._readout.setAccessibleName("Value under the pointer")
+        self._readout.setAccessibleName(tr("Value under the pointer"))
         self._bottom = QHBoxLayout()
         self._bottom.setContentsMargins(6, 0, 6, 2)
         self._bottom.addWidget(self._readout, 1)
@@ -167,8 +168,12 @@ class ImageView(PlotView):
         if pixel is not None:
             value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
             if np.isnan(self._values[pixel]):
-                value = f"beside the {self._shown.scene.optic.called}"
-            self._readout.setText(f"{value} at {extent.in_words(0, x)}, {extent.in_words(1, y)}")
+                value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
+            self._readout.setText(
+                tr("{value} at {x}, {y}").format(
+                    value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
+                )
+            )
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:

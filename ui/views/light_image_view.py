@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
+from ui.words import tr
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import IrradianceImage
 
@@ -75,8 +76,8 @@ class LightImageView(ScreenImageView):
         super().__init__(content, link, parent)
         self._logarithmic = self._add_tool(
             "logarithmic",
-            "Logarithmic colours",
-            "Logarithmic colours, over three decades: stray light is seen",
+            tr("Logarithmic colours"),
+            tr("Logarithmic colours, over three decades: stray light is seen"),
         )
         self._logarithmic.toggled.connect(self._link.set_logarithmic)
 

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink
 from ui.views.view import View
+from ui.words import later, tr
 from workbench.optics.account import LOSSES, losses_in, words_for
 from workbench.scene import Screen
 
@@ -17,7 +18,12 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _AT_FIRST = words_for(Screen)
-_SUM = ("All parts", "The parts together; the account is complete when this is 100 %.")
+_SUM = later(
+    (
+        "All parts",
+        "The parts together; the account is complete when this is 100 %.",
+    )
+)
 
 
 class LightView(View):
@@ -41,11 +47,13 @@ class LightView(View):
         self._grid.setVerticalSpacing(2)
         self._grid.setHorizontalSpacing(8)
         self._grid.setColumnStretch(1, 1)
-        self._rows = {name: _AccountLine(self._grid, *text) for name, text in _AT_FIRST.items()}
+        self._rows = {
+            name: _AccountLine(self._grid, *map(tr, text)) for name, text in _AT_FIRST.items()
+        }
         rule = QFrame(frameShape=QFrame.Shape.HLine, frameShadow=QFrame.Shadow.Plain)
         rule.setForegroundRole(QPalette.ColorRole.Mid)
         self._grid.addWidget(rule, self._grid.rowCount(), 0, 1, 3)
-        self._sum = _AccountLine(self._grid, *_SUM)
+        self._sum = _AccountLine(self._grid, *map(tr, _SUM))
         self._grid.setRowStretch(self._grid.rowCount(), 1)
         self._box.addWidget(table)
 
@@ -60,7 +68,7 @@ class LightView(View):
         session, frame = session.of_image(number), frame and frame.of_image(number)
         there = losses_in(session.scene)
         for name, text in words_for(session.scene.receiver).items():
-            self._rows[name].call(*text)
+            self._rows[name].call(*map(tr, text))
             self._rows[name].show(name not in LOSSES or name in there)
         if frame is None:
             for line in (*self._rows.values(), self._sum):

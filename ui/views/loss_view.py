@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, chosen_of
+from ui.words import tr
 from workbench.pictures.loss import Against, LossCourse, LossPicture, Verified
 
 if TYPE_CHECKING:
@@ -30,11 +31,13 @@ class LossView(PlotView):
         super().__init__(parent)
         self._runs: tuple[LossCourse, ...] = ()
         self._verified: tuple[Verified, ...] = ()
-        self._axes_choice = MenuButton("Axes", "What the loss is drawn against, and how")
-        self._against = self._axes_choice.add_choice([f"Against {name}" for name in _AGAINST])
+        self._axes_choice = MenuButton(tr("Axes"), tr("What the loss is drawn against, and how"))
+        self._against = self._axes_choice.add_choice(
+            [tr("Against iterations"), tr("Against seconds")]
+        )
         self._logarithmic = (
-            self._axes_choice.add_toggle("Logarithmic x", on=False),
-            self._axes_choice.add_toggle("Logarithmic y", on=True),
+            self._axes_choice.add_toggle(tr("Logarithmic x"), on=False),
+            self._axes_choice.add_toggle(tr("Logarithmic y"), on=True),
         )
         self._axes_choice.chosen.connect(self._begin_anew)
         self._add_in_corner(self._axes_choice)
@@ -58,7 +61,7 @@ class LossView(PlotView):
     def _why_empty(self, frame: "Frame | None") -> str:
         if self._runs or (frame is not None and frame.result.losses.size):
             return ""
-        return "The loss is drawn here while a design runs. Run > Start begins one."
+        return tr("The loss is drawn here while a design runs. Run > Start begins one.")
 
     def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
         against = _AGAINST[chosen_of(self._against)]

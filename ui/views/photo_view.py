@@ -27,6 +27,7 @@ from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink
 from ui.views.photos import PhotoRequest, take_photo
 from ui.views.pixels import Pixels
+from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 
 if TYPE_CHECKING:
@@ -34,11 +35,11 @@ if TYPE_CHECKING:
     from workbench.analysis.photo.photo import Photo
     from workbench.files.session import Session
 
-_TAKE = "predict the photo"
+_TAKE = later("predict the photo")
 _REST_MS = 250  # longer than between two steps of a hand
 _STEPS, _MOST = 3, 8  # of the slider for each stop, as on cameras; stops to either side
-_NO_LENS = "There is no lens yet: Start designs one."
-_WAITS = "The photo is predicted when the design rests."
+_NO_LENS = later("There is no lens yet: Start designs one.")
+_WAITS = later("The photo is predicted when the design rests.")
 
 
 class PhotoView(ComputingView):
@@ -57,17 +58,19 @@ class PhotoView(ComputingView):
         self._resting = True
         self._taken: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
-        self._said = QLabel(_NO_LENS, wordWrap=True)
+        self._said = QLabel(tr(_NO_LENS), wordWrap=True)
         self._said.setContentsMargins(6, 0, 6, 4)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._take)
         self._background = Background(_TAKE, self)
         self._background.progressed.connect(
-            lambda _, part: self._said.setText(f"predicting… {100 * part:.0f} %")
+            lambda _, part: self._said.setText(
+                tr("predicting… {part:.0f} %").format(part=100 * part)
+            )
         )
         self._background.done.connect(self._show)
         self._background.failed.connect(
-            lambda _, error: self._said.setText(sentence_of(error, _TAKE))
+            lambda _, error: self._said.setText(sentence_of(error, tr(_TAKE)))
         )
         self._pixels = Pixels()
         self._box.addWidget(self._pixels, 1)
@@ -103,7 +106,7 @@ class PhotoView(ComputingView):
         self._taken = None
         self._pixels.show_pixels(None)
         super().show_nothing(session)
-        self._said.setText(_NO_LENS)
+        self._said.setText(tr(_NO_LENS))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End the thread with the view."""
@@ -119,26 +122,32 @@ class PhotoView(ComputingView):
         """Exposure, and below it what is photographed: two rows fit into a narrow dock."""
         self._choice = ImageChoice(self._link)
         self._light = QComboBox()
-        self._light.setAccessibleName("Light of the photo")
+        self._light.setAccessibleName(tr("Light of the photo"))
         self._light.setToolTip(
-            "What the lens is lit by: as its source suggests (daylight from infinitely far, a "
-            "laser as a Gaussian beam, else an LED), or another light"
+            tr(
+                "What the lens is lit by: as its source suggests (daylight from "
+                "infinitely far, a laser as a Gaussian beam, else an LED), or another "
+                "light"
+            )
         )
-        self._light.addItem("Light of the source", "")
+        self._light.addItem(tr("Light of the source"), "")
         for name, light in LIGHTS.items():
-            self._light.addItem(light.title[0].upper() + light.title[1:], name)
+            title = tr(light.title)
+            self._light.addItem(title[0].upper() + title[1:], name)
         self._light.currentIndexChanged.connect(self._want)
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setRange(-_MOST * _STEPS, _MOST * _STEPS)
         self._slider.setPageStep(_STEPS)
-        self._slider.setAccessibleName("Exposure")
-        self._slider.setToolTip("Exposure in stops: one more makes all twice as bright")
+        self._slider.setAccessibleName(tr("Exposure"))
+        self._slider.setToolTip(tr("Exposure in stops: one more makes all twice as bright"))
         self._slider.valueChanged.connect(self._expose)
         self._stops = QLabel()
-        self._stops.setMinimumWidth(self._stops.fontMetrics().horizontalAdvance("−8⅔ stops "))
+        self._stops.setMinimumWidth(
+            self._stops.fontMetrics().horizontalAdvance(tr("{number} stops").format(number="−8⅔ "))
+        )
         self._usual = QPushButton("0")
-        self._usual.setToolTip("The usual exposure: the target's brightest pixel is white")
-        self._usual.setAccessibleName("Usual exposure")
+        self._usual.setToolTip(tr("The usual exposure: the target's brightest pixel is white"))
+        self._usual.setAccessibleName(tr("Usual exposure"))
         self._usual.setMaximumWidth(2 * self._usual.sizeHint().height())
         self._usual.clicked.connect(lambda: self._slider.setValue(0))
         self._expose()
@@ -200,8 +209,8 @@ class PhotoView(ComputingView):
             text = self._taken[1].summary
             self._said.setText(f"{text[0].upper()}{text[1:]}.")
         elif not self._background.busy:
-            before = "" if self._taken is None else "Out of date: of the lens before. "
-            self._said.setText(before + _WAITS)
+            before = "" if self._taken is None else tr("Out of date: of the lens before. ")
+            self._said.setText(before + tr(_WAITS))
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         if self._taken is not None:
@@ -215,4 +224,4 @@ def _in_thirds(steps: int) -> str:
     whole, part = divmod(abs(steps), _STEPS)
     sign = "" if steps == 0 else "−" if steps < 0 else "+"
     number = f"{whole or ''}{('', '⅓', '⅔')[part]}" or "0"
-    return f"{sign}{number} stops"
+    return tr("{number} stops").format(number=f"{sign}{number}")

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from ui.shown.frame import same_task
 from ui.views.canvas import PlotCanvas
 from ui.views.view import View
+from ui.words import later, tr
 from workbench.pictures.data import Column, shown_data
 
 if TYPE_CHECKING:
@@ -34,9 +35,9 @@ class PlotView(View):
     touched = Signal()
 
     _HAS_BAR = True
-    _WAITING = "The first picture of this design comes in a moment."
-    _NO_ROOM = "There is too little room here for a picture."
-    _NOTHING = "There is no picture of this design: its light cannot be traced."
+    _WAITING = later("The first picture of this design comes in a moment.")
+    _NO_ROOM = later("There is too little room here for a picture.")
+    _NOTHING = later("There is no picture of this design: its light cannot be traced.")
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -135,10 +136,10 @@ class PlotView(View):
         """Why there is nothing to see; empty if there is something."""
         if frame is not None:
             return ""
-        return self._NOTHING if self._untraced else self._WAITING
+        return tr(self._NOTHING if self._untraced else self._WAITING)
 
     def _why_small(self) -> str:
-        return "" if self._roomy else self._NO_ROOM
+        return "" if self._roomy else tr(self._NO_ROOM)
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
         """Whether the empty pictures of two designs are the same."""

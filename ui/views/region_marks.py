@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ui.words import tr
 from workbench.measured.light_unit import light_unit
 
 if TYPE_CHECKING:
@@ -54,7 +55,9 @@ class RegionMarks:
         for text, light in zip(self._texts, found, strict=True):
             lines = [f"{light.name} {100 * light.share:.1f} %"]
             if light.unit.lumens is not None:
-                lines.append(f"mean {light.unit.density_in_words(light.mean)}")
+                lines.append(
+                    tr("mean {light}").format(light=light.unit.density_in_words(light.mean))
+                )
             if light.uniformity is not None:
-                lines.append(f"least / mean {light.uniformity:.2f}")
+                lines.append(tr("least / mean {number:.2f}").format(number=light.uniformity))
             text.set_text("\n".join(lines))

@@ -15,6 +15,7 @@ from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
 from ui.views.region_marks import RegionMarks
 from ui.widgets import theme
+from ui.words import tr
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import Extent
 
@@ -64,8 +65,11 @@ class ScreenImageView(ImageView):
         self._icons: dict[QToolButton, str] = {}
         self._line_tool = self._add_tool(
             "cut-line",
-            "Draw a line",
-            "Drag across an image to draw the line of a cross-section; Shift and drag does so too",
+            tr("Draw a line"),
+            tr(
+                "Drag across an image to draw the line of a cross-section; Shift and "
+                "drag does so too"
+            ),
         )
         self._line_tool.toggled.connect(self._link.set_drawing)
         self._choice = ImageChoice(self._link)

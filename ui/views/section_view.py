@@ -16,6 +16,7 @@ from ui.views.image_link import ImageLink, Line, Place
 from ui.views.keys import ARROWS
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, choose, chosen_of
+from ui.words import later, tr
 from workbench.pictures.maps import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 
@@ -30,10 +31,11 @@ if TYPE_CHECKING:
     from workbench.scene import AnyReceiver, Scene
 
 _DIRECTIONS = ("x", "y", "line")
-_TIP = (
-    "Where the screen is cut: along x or y through the place that is clicked in an image,\n"
-    "or along a line that is drawn across one with Shift and drag.\n"
-    "Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line"
+_TIP = later(
+    "Where the screen is cut: along x or y through the place that is clicked "
+    "in an image,\nor along a line that is drawn across one with Shift and "
+    "drag.\nArrow keys move place or line by a pixel, with Shift by ten; with "
+    "Ctrl, the end of the line"
 )
 _FAR = 10  # pixels, with Shift
 _SHORTEST = 0.5  # pixels that are left of a line
@@ -59,8 +61,10 @@ class SectionView(PlotView):
         self._place: Place = (0.0, 0.0)
         self._number = self._link.number
         self._line: Line | None = None  # from corner to corner until one is drawn
-        self._button = MenuButton("Along", _TIP)
-        self._direction = self._button.add_choice(["Along x", "Along y", "Along a line"])
+        self._button = MenuButton(tr("Along"), tr(_TIP))
+        self._direction = self._button.add_choice(
+            [tr("Along x"), tr("Along y"), tr("Along a line")]
+        )
         self._button.chosen.connect(self._turn)
         self._add_in_corner(self._button)
         self._link.pinned.connect(self._pin)
@@ -160,9 +164,13 @@ class SectionView(PlotView):
             assert self._line is not None  # since the picture began
             start, end = (f"({x:.3g}, {y:.3g})" for x, y in self._line)
             unit = Extent.of_receiver(scene).unit
-            self._button.setToolTip(f"From {start} to {end} {unit}.\n{_TIP}")
+            self._button.setToolTip(
+                tr("From {start} to {end} {unit}.\n{tip}").format(
+                    start=start, end=end, unit=unit, tip=tr(_TIP)
+                )
+            )
             return cut_between(scene, *self._line)
-        self._button.setToolTip(_TIP)
+        self._button.setToolTip(tr(_TIP))
         return cut_through(scene, self._along, self._place)
 
 

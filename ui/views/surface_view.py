@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
 from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
+from ui.words import tr
 from workbench.pictures.maps import Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
@@ -63,10 +64,11 @@ class SurfaceView(ImageView):
         self._faces = FaceChoice()
         super().__init__(SurfaceContent(self._faces), parent=parent)
         self._aspects = QComboBox()
-        self._aspects.setAccessibleName("What the map shows")
+        self._aspects.setAccessibleName(tr("What the map shows"))
         for number, aspect in enumerate(ASPECTS):
-            self._aspects.addItem(aspect.name[0].upper() + aspect.name[1:])
-            self._aspects.setItemData(number, aspect.tip, Qt.ItemDataRole.ToolTipRole)
+            name = tr(aspect.name)
+            self._aspects.addItem(name[0].upper() + name[1:])
+            self._aspects.setItemData(number, tr(aspect.tip), Qt.ItemDataRole.ToolTipRole)
         self._aspects.currentIndexChanged.connect(self._turn)
         self._faces.currentIndexChanged.connect(self._begin_anew)
         row = QHBoxLayout()
@@ -79,5 +81,5 @@ class SurfaceView(ImageView):
 
     def _turn(self) -> None:
         self._content.aspect = aspect = ASPECTS[self._aspects.currentIndex()]
-        self._aspects.setToolTip(f"<p>{aspect.tip}</p>")
+        self._aspects.setToolTip(f"<p>{tr(aspect.tip)}</p>")
         self._begin_anew()

@@ -9,14 +9,16 @@ from PySide6.QtWidgets import QWidget
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
+from ui.words import later, tr
 from workbench.pictures.images import target_irradiance
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
 
-_TIP = (
-    "The target with as much light as arrives: where the irradiance is right, both have the same "
-    "colour, however much light is lost on the way. The light account tells where that goes."
+_TIP = later(
+    "The target with as much light as arrives: where the irradiance is "
+    "right, both have the same colour, however much light is lost on the "
+    "way. The light account tells where that goes."
 )
 
 
@@ -29,7 +31,7 @@ class TargetView(LightImageView):
     def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
         super().__init__(LightContent(_target, "target"), link, parent)
         self._light = 0.0  # all of it, as drawn
-        self.setToolTip(_TIP)
+        self.setToolTip(tr(_TIP))
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another target, or of another amount of light."""

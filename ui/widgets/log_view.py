@@ -5,6 +5,8 @@ from datetime import datetime
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from ui.words import tr
+
 _LINES = 2000  # of which the oldest give way
 
 
@@ -17,8 +19,8 @@ class LogView(QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setMaximumBlockCount(_LINES)
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
-        self.setPlaceholderText("What runs, checks and exports tell is written here.")
-        self.setAccessibleName("Log")
+        self.setPlaceholderText(tr("What runs, checks and exports tell is written here."))
+        self.setAccessibleName(tr("Log"))
         self._at_end = True
         bar = self.verticalScrollBar()
         bar.rangeChanged.connect(lambda _, end: bar.setValue(end) if self._at_end else None)

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from ui.widgets import theme
 from ui.widgets.native import make_native
+from ui.words import tr
 
 Offer = tuple[str, Callable[[], object]]
 """What a button beside a message says, and what it does."""
@@ -50,8 +51,8 @@ class MessageBar(QFrame):
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
-        close.setToolTip("Close this message")
-        close.setAccessibleName("Close this message")
+        close.setToolTip(tr("Close this message"))
+        close.setAccessibleName(tr("Close this message"))
         close.clicked.connect(self.clear)
         self._row = row = QHBoxLayout(self)
         row.setContentsMargins(10, 6, 6, 6)

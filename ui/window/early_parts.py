@@ -14,10 +14,11 @@ from ui.run.status import RunStatus
 from ui.widgets.log_view import LogView
 from ui.widgets.message_bar import MessageBar
 from ui.window.workspace import DockWorkspace
+from ui.words import later, tr
 
-_COMPILING = (
-    "The run waits for its tracing kernels: they are compiled once after installing, "
-    "for about half a minute"
+_COMPILING = later(
+    "The run waits for its tracing kernels: they are compiled once after "
+    "installing, for about half a minute"
 )
 
 
@@ -64,7 +65,7 @@ class EarlyParts(QObject):
     def show_waiting(self, waiting: bool) -> None:
         """Say why a run shows nothing yet, until it does."""
         if waiting:
-            self.log.add(_COMPILING)
-            self._bar.showMessage(_COMPILING)
+            self.log.add(tr(_COMPILING))
+            self._bar.showMessage(tr(_COMPILING))
         else:
             self._bar.clearMessage()

@@ -27,6 +27,7 @@ from ui.run.runs import Runs
 from ui.shown.shown_lens import ShownLens
 from ui.views.views import Views
 from ui.window.production_panes import ProductionPanes
+from ui.words import tr
 
 FOLLOW = "run/follow"
 """Setting that keeps whether edits are followed; they are by default."""
@@ -167,7 +168,9 @@ class LoadedParts(QObject):
         follow, early, command = self.follow, self._early, self._early.commands["follow"]
         follow.settled.connect(self.runs.show)
         follow.failed.connect(early.messages.warn)
-        follow.gave_up.connect(lambda why: early.messages.note(why, ("Follow", command.trigger)))
+        follow.gave_up.connect(
+            lambda why: early.messages.note(why, (tr("Follow"), command.trigger))
+        )
         follow.gave_up.connect(lambda _: command.setChecked(False))
         self.check.under_way_changed.connect(follow.hold)
         self.tools.lens_taken.connect(follow.rest)
@@ -209,4 +212,6 @@ class LoadedParts(QObject):
 
     def _reword_check(self, under_way: bool) -> None:
         commands = self._early.commands
-        commands["check"].setText("Cancel &check" if under_way else commands.command("check").text)
+        commands["check"].setText(
+            tr("Cancel &check") if under_way else commands.command("check").text
+        )

@@ -6,6 +6,7 @@ from typing import Any, Protocol
 from ui.commands.actions import Commands
 from ui.commands.menus import LOOK
 from ui.window.layout import Layout
+from ui.words import tr
 
 _LAYOUT, _ON, _CAMERA = "layout", "on", "camera"
 
@@ -81,7 +82,11 @@ class ViewState:
         try:
             restore()
         except ValueError as error:
-            self._tell(f"The {what} kept with this design cannot be shown again: {error}")
+            self._tell(
+                tr("The {what} kept with this design cannot be shown again: {error}").format(
+                    what=what, error=error
+                )
+            )
 
 
 def _of_kind(data: Mapping[str, Any], key: str, kind: type[Any]) -> Any:

@@ -23,6 +23,7 @@ from ui.panels.forms import Forms
 from ui.widgets.log_view import LogView
 from ui.widgets.message_bar import MessageBar
 from ui.widgets.native import Uncovered
+from ui.words import inside, tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -64,7 +65,9 @@ class DockWorkspace:
     ) -> None:
         self._window = window
         self._stage = QStackedWidget()
-        self._placeholder = QLabel("Loading the 3D scene…", alignment=Qt.AlignmentFlag.AlignCenter)
+        self._placeholder = QLabel(
+            tr("Loading the 3D scene…"), alignment=Qt.AlignmentFlag.AlignCenter
+        )
         self._stage.addWidget(self._placeholder)
         self.centre = centre = QFrame()
         centre.setObjectName("centre")  # for the style sheet
@@ -79,18 +82,18 @@ class DockWorkspace:
         window.setCorner(Qt.Corner.TopRightCorner, Qt.DockWidgetArea.TopDockWidgetArea)
         window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         self.docks = {
-            name: self._dock(name, pane.title, pane.area)
+            name: self._dock(name, tr(pane.title), pane.area)
             for name, pane in PANES.items()
             if pane.area is not None
         }
         self.history = QUndoView(steps)
-        self.history.setEmptyLabel("As opened")
+        self.history.setEmptyLabel(tr("As opened"))
         self.history.setItemDelegate(_Capitalised(self.history))
-        self.history.setToolTip("A click goes back or forth to that step")
+        self.history.setToolTip(tr("A click goes back or forth to that step"))
         there: dict[str, QWidget] = {"design": forms, "history": self.history, "log": log}
         self._waiting = self.docks.keys() - there.keys()
         for name, dock in self.docks.items():
-            placeholder = QLabel("Loading…", alignment=Qt.AlignmentFlag.AlignCenter)
+            placeholder = QLabel(tr("Loading…"), alignment=Qt.AlignmentFlag.AlignCenter)
             dock.setWidget(there.get(name, placeholder))
         self._stack()
         # A dock that comes between others gets no more than it cannot do without.
@@ -134,13 +137,13 @@ class DockWorkspace:
             placeholder = self.docks[name].widget()
             self.docks[name].setWidget(view)
             placeholder.deleteLater()
-        self._placeholder.setText("The 3D scene is hidden. View > 3D scene shows it again.")
+        self._placeholder.setText(tr("The 3D scene is hidden. View > 3D scene shows it again."))
 
     def name_light(self, session: "Session") -> None:
         """Title the docks of light as the receiver of a design calls it."""
-        density = session.scene.receiver.density.capitalize()
+        density = tr(session.scene.receiver.density.capitalize())
         self.docks["irradiance"].setWindowTitle(density)
-        self.docks["error"].setWindowTitle(f"{density} − {PANES['target'].title.lower()}")
+        self.docks["error"].setWindowTitle(f"{density} − {inside(tr(PANES['target'].title))}")
 
     def show_dock(self, name: str) -> None:
         """Show a dock in front of those that share its place."""

@@ -134,6 +134,15 @@ FILE = NamesFile()
 Mark = TypeVar("Mark")
 
 
+BOUNDS = {
+    (False, False): "From {} to {}.",
+    (True, False): "Above {} to {}.",
+    (False, True): "From {} to below {}.",
+    (True, True): "Above {} to below {}.",
+}
+"""Between which numbers a field lies, by whether the lower and the upper one are left out."""
+
+
 @dataclass(frozen=True)
 class FieldDescription:
     """A field of a part, as forms, reports and conversions need it.
@@ -226,20 +235,27 @@ class FieldDescription:
     @property
     def limits(self) -> str:
         """Between which numbers it lies, as a sentence; empty where an end is open, or nearly."""
+        sentence, *ends = self.bounds
+        return sentence.format(*ends)
+
+    @property
+    def bounds(self) -> tuple[str, ...]:
+        """The sentence of `limits` with braces for the numbers, one of `BOUNDS`, and these."""
         marks = self.all_marks
+        above = until = False
         low, high = "", ""
         most: Any = 0
         for mark in marks:
             match mark:
                 case annotated_types.Ge(ge=end):
-                    low = f"From {end:.10g}"
+                    low = f"{end:.10g}"
                 case annotated_types.Gt(gt=end):
-                    low = f"Above {end:.10g}"
+                    low, above = f"{end:.10g}", True
                 case annotated_types.Le(le=end):
-                    high, most = f"to {end:.10g}", end
+                    high, most = f"{end:.10g}", end
                 case annotated_types.Lt(lt=end):
-                    high, most = f"to below {end:.10g}", end
-        return f"{low} {high}." if low and 0 < most < _FAR else ""
+                    high, most, until = f"{end:.10g}", end, True
+        return (BOUNDS[above, until], low, high) if low and 0 < most < _FAR else ("",)
 
 
 def describe(name: str, field: FieldInfo) -> FieldDescription:

@@ -1,0 +1,6573 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+    <context>
+        <name>workbench</name>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;File</source>
+            <translation>&amp;Datei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;New from example</source>
+            <translation>Neu aus Beis&amp;piel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>First lenses, twice as fine</source>
+            <translation>Erste Linsen, doppelt so fein</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Top hat: networks and starts</source>
+            <translation>Zylinder: Netzwerke und Startwerte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Real lights</source>
+            <translation>Wirkliche Lichtquellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Flame and ball: magnifications</source>
+            <translation>Flamme und Ball: Vergrößerungen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Flame: point and extended source</source>
+            <translation>Flamme: punktförmige und ausgedehnte Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Walls and streets</source>
+            <translation>Wände und Straßen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Two freeform faces</source>
+            <translation>Zwei Freiformflächen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Derivative maps of a flat lens</source>
+            <translation>Ableitungskarten einer ebenen Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Open &amp;recent</source>
+            <translation>Zuletzt &amp;geöffnet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Edit</source>
+            <translation>&amp;Bearbeiten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Design</source>
+            <translation>&amp;Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Run</source>
+            <translation>&amp;Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;View</source>
+            <translation>&amp;Ansicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Rays</source>
+            <translation>S&amp;trahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>F&amp;aces</source>
+            <translation>&amp;Flächen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Save pict&amp;ure of 3D</source>
+            <translation>3D-Bild speic&amp;hern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Colours of light</source>
+            <translation>Farben &amp;des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Th&amp;eme</source>
+            <translation>E&amp;rscheinungsbild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>La&amp;nguage</source>
+            <translation>&amp;Sprache</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Go to</source>
+            <translation>&amp;Gehe zu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Help</source>
+            <translation>&amp;Hilfe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Top hat</source>
+            <translation>Zylinder (Top Hat)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A uniform disc of light; see how soon its edge is sharp.</source>
+            <translation>Eine gleichmäßige Lichtscheibe; zu sehen ist, wie bald ihr Rand scharf wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A flame-like logo on black; see light leave what shall be dark.</source>
+            <translation>Ein flammenähnliches Logo auf Schwarz; zu sehen ist, wie das Licht verlässt, was dunkel sein soll.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball</source>
+            <translation>Ball</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
+            <translation>Ein Ball aus Facetten; zu sehen ist, ob jedes Grau gleichmäßig hell wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photograph</source>
+            <translation>Fotografie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Every grey from black to white; see texture and shadow come.</source>
+            <translation>Alle Grautöne von Schwarz bis Weiß; zu sehen ist, wie Struktur und Schatten entstehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Letter</source>
+            <translation>Buchstabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A bold letter on black; see its straight edges and corners.</source>
+            <translation>Ein fetter Buchstabe auf Schwarz; zu beachten sind seine geraden Kanten und Ecken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, 512 × 512</source>
+            <translation>Flamme, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The flame with four times the detail; see its thin parts.</source>
+            <translation>Die Flamme mit viermal so vielen Einzelheiten; zu beachten sind ihre dünnen Teile.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, 512 × 512</source>
+            <translation>Ball, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The ball with four times the detail; see the facets' edges.</source>
+            <translation>Der Ball mit viermal so vielen Einzelheiten; zu beachten sind die Kanten der Facetten.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>No network, flat start</source>
+            <translation>Kein Netzwerk, ebener Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
+            <translation>Der Maßstab für die drei Netzwerke: eine glatte Linse mit der Symmetrie des Ziels.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sparse network, faint start</source>
+            <translation>Dünn besetztes Netzwerk, schwacher Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
+            <translation>Gewichte um ein Zehntausendstel neben null; Tempo und Symmetrie mit „kein Netzwerk“ vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sparse network, random start</source>
+            <translation>Dünn besetztes Netzwerk, zufälliger Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A rough first lens; see how much of its roughness is left in the end.</source>
+            <translation>Eine raue erste Linse; zu sehen ist, wie viel davon am Ende bleibt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Dense network, faint start</source>
+            <translation>Vollbesetztes Netzwerk, schwacher Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
+            <translation>Zwei Millionen Gewichte für tausend Höhen; Zielfunktion und Zeit mit dem dünn besetzten vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sun plate</source>
+            <translation>Sonnenplatte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
+            <translation>Acrylglas für die Sonne, deren Scheibe um 4.7 mm unscharf macht: Fehler und Schranke vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Phone torch</source>
+            <translation>Telefonlampe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.</source>
+            <translation>Die LED eines Telefons, nahe der Linse, macht die Kanten unscharf: die Schranke beachten.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>LED to a rectangle</source>
+            <translation>LED auf Rechteck</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
+            <translation>Licht so weit, wie es sich ablenken lässt; zu beachten: die Totalreflexion und wie gleichmäßig der Rest ist.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Beam shaper</source>
+            <translation>Strahlformer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
+            <translation>Ein Gaußscher Laserstrahl wird zur gleichmäßigen Scheibe; kaum Licht geht verloren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Measured LED</source>
+            <translation>Gemessene LED</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
+            <translation>Eine Datei mit 9 000 Strahlen beleuchtet die Linse; ihr Korn zeigt sich in der Prüfung.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 1</source>
+            <translation>Flamme, Vergrößerung 1</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
+            <translation>Ein Schirm so groß wie die Linse, weit entfernt: wenige Hundertstel Höhe genügen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 3</source>
+            <translation>Flamme, Vergrößerung 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
+            <translation>Die konkave Grundform füllt den Schirm gerade; die Ecken beachten, wo Strahlen steil sind.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 5</source>
+            <translation>Flamme, Vergrößerung 5</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
+            <translation>Noch steiler: Zielfunktion und Licht neben dem Schirm mit 1 und 3 vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 1</source>
+            <translation>Ball, Vergrößerung 1</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 3</source>
+            <translation>Ball, Vergrößerung 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 5</source>
+            <translation>Ball, Vergrößerung 5</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Point source</source>
+            <translation>Punktquelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
+            <translation>Licht von einem Punkt; die Lichtbilanz zeigt, wie viel vom Kegel die quadratische Linse verfehlt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Extended source of 25 × 25 points</source>
+            <translation>Ausgedehnte Quelle aus 25 × 25 Punkten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
+            <translation>Die Flamme setzt sich aus Bildern der quadratischen Quelle zusammen: kleinere Einzelheiten bleiben unscharf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Point source, then the extended one</source>
+            <translation>Punktquelle, dann die ausgedehnte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
+            <translation>Die Zielfunktion springt, wenn bei Iteration 200 die ausgedehnte Quelle übernimmt; zu sehen ist, was zurückgewonnen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wall washer</source>
+            <translation>Wandfluter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
+            <translation>Ein Bild auf einer Wand, die sich von der Lampe wegneigt; es erscheint gerade.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Street light</source>
+            <translation>Straßenleuchte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
+            <translation>Die IES-Datei einer LED; die Strahlstärke steigt zu beiden Enden, damit die Straße gleichmäßig hell wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror: letter on a wall</source>
+            <translation>Spiegel: Buchstabe auf einer Wand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
+            <translation>Sonnenlicht von unten, auf eine Wand daneben geworfen; der Spiegel neigt sich zu ihr.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror: photograph beside the lamp</source>
+            <translation>Spiegel: Fotografie neben der Lampe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
+            <translation>Licht von einem Punkt, auf einen Schirm daneben gezeichnet; zu beachten, was den Spiegel verfehlt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photograph from a thin plate</source>
+            <translation>Fotografie aus einer dünnen Platte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
+            <translation>Beide Flächen lenken das Licht ab; ihre Neigungen mit denen einer Fläche vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wide angle: disc from a near point</source>
+            <translation>Weitwinkel: Scheibe aus nahem Punkt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
+            <translation>Licht kommt mit bis zu 60° an; kaum etwas davon verlässt das Glas durch die Seite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>LED close by: square through a dome</source>
+            <translation>Nahe LED: Quadrat durch eine Kuppel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
+            <translation>Die Eintrittsfläche wölbt sich zur LED; mit einer ebenen vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (3, 3), filter 3 × 3</source>
+            <translation>Grade (3, 3), Filter 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
+            <translation>Steigt ein Kontrollpunkt, sammelt er Licht: ein Berg in einem Tal, Summe null.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (3, 3), filter 11 × 11</source>
+            <translation>Grade (3, 3), Filter 11 × 11</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
+            <translation>Derselbe Berg, glatter: das Licht jedes Strahls verteilt sich auf 11 × 11 Pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (5, 3), filter 3 × 3</source>
+            <translation>Grade (5, 3), Filter 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
+            <translation>Breiter entlang x: das Tal erreicht den Rand des Schirms, und die Summe ist nicht mehr null.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;New…</source>
+            <translation>&amp;Neu …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Begin a design: choose a job and answer its questions</source>
+            <translation>Einen Entwurf beginnen: Aufgabe wählen und ihre Fragen beantworten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>New from &amp;gallery…</source>
+            <translation>Neu aus G&amp;alerie …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Choose an example by the picture of its light</source>
+            <translation>Ein Beispiel nach dem Bild seines Lichts wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>New &amp;window</source>
+            <translation>Neues &amp;Fenster</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Open another window, with a design and a run of its own</source>
+            <translation>Ein weiteres Fenster mit eigenem Entwurf und eigenem Lauf öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Open…</source>
+            <translation>&amp;Öffnen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Open a design, or a scene file</source>
+            <translation>Einen Entwurf oder eine Szenendatei öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Save</source>
+            <translation>&amp;Speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save scene, target and lens</source>
+            <translation>Szene, Ziel und Linse speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save scene, target and mirror</source>
+            <translation>Szene, Ziel und Spiegel speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save &amp;as…</source>
+            <translation>Speichern &amp;unter …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save under another name</source>
+            <translation>Unter anderem Namen speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Export…</source>
+            <translation>&amp;Exportieren …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write the lens or its light for other programs</source>
+            <translation>Die Linse oder ihr Licht für andere Programme schreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write the mirror or its light for other programs</source>
+            <translation>Den Spiegel oder sein Licht für andere Programme schreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cu&amp;t with a ball cutter…</source>
+            <translation>Mit &amp;Kugelfräser fräsen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write a finishing pass as G-code; what the cut leaves of the image is found before</source>
+            <translation>Schlichtbahnen als G-Code schreiben; was der Schnitt vom Bild lässt, wird vorher ermittelt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Report…</source>
+            <translation>Be&amp;richt …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write scene, pictures, check and figures on some pages (HTML, PDF)</source>
+            <translation>Szene, Bilder, Prüfung und Zahlen auf einige Seiten schreiben (HTML, PDF)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save pict&amp;ure…</source>
+            <translation>B&amp;ild speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the predicted photo of the screen: what a camera would see, in colour (PNG)</source>
+            <translation>Das vorhergesagte Foto des Schirms speichern: was eine Kamera sähe, in Farbe (PNG)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Close window</source>
+            <translation>Fenster s&amp;chließen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Close this window; others stay open</source>
+            <translation>Dieses Fenster schließen; andere bleiben offen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Quit</source>
+            <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Close all windows of the workbench</source>
+            <translation>Alle Fenster der Workbench schließen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Re&amp;vert</source>
+            <translation>&amp;Zurücksetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go back to the file as it was saved; this can be undone</source>
+            <translation>Zur gespeicherten Datei zurückkehren; lässt sich rückgängig machen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Undo</source>
+            <translation>&amp;Rückgängig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the last change back</source>
+            <translation>Die letzte Änderung zurücknehmen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Redo</source>
+            <translation>&amp;Wiederherstellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the change again</source>
+            <translation>Die Änderung erneut ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Paste picture</source>
+            <translation>Bild &amp;einfügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the picture on the clipboard the target</source>
+            <translation>Das Bild der Zwischenablage zum Ziel machen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy &amp;plot</source>
+            <translation>&amp;Diagramm kopieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy a picture of the plot that was clicked last, to paste it elsewhere</source>
+            <translation>Ein Bild des zuletzt angeklickten Diagramms kopieren, um es anderswo einzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save p&amp;lot…</source>
+            <translation>Diagramm &amp;speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)</source>
+            <translation>Das zuletzt angeklickte Diagramm speichern: als Bild (PNG, SVG) oder seine Zahlen (CSV)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Start</source>
+            <translation>&amp;Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the lens from nothing; one that is there gives way, and Undo brings it back</source>
+            <translation>Die Linse von Grund auf entwerfen; eine vorhandene wird ersetzt, Rückgängig bringt sie zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the mirror from nothing; one that is there gives way, and Undo brings it back</source>
+            <translation>Den Spiegel von Grund auf entwerfen; ein vorhandener wird ersetzt, Rückgängig bringt ihn zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Continue</source>
+            <translation>&amp;Fortsetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go on designing from the lens as it is, with as many more iterations</source>
+            <translation>Von der jetzigen Linse aus weiter entwerfen, mit ebenso vielen weiteren Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go on designing from the mirror as it is, with as many more iterations</source>
+            <translation>Vom jetzigen Spiegel aus weiter entwerfen, mit ebenso vielen weiteren Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Pause</source>
+            <translation>&amp;Pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Hold the design; again to go on</source>
+            <translation>Den Entwurf anhalten; erneut, um fortzufahren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>S&amp;top</source>
+            <translation>S&amp;topp</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>End the design and keep its best lens</source>
+            <translation>Den Entwurf beenden und seine beste Linse behalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>End the design and keep its best mirror</source>
+            <translation>Den Entwurf beenden und seinen besten Spiegel behalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Follow edits</source>
+            <translation>&amp;Änderungen folgen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the lens anew after every edit, while no run goes on</source>
+            <translation>Die Linse nach jeder Änderung neu entwerfen, solange kein Lauf im Gange ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the mirror anew after every edit, while no run goes on</source>
+            <translation>Den Spiegel nach jeder Änderung neu entwerfen, solange kein Lauf im Gange ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Restore run</source>
+            <translation>La&amp;uf wiederherstellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give the design task and lens of the run chosen in the dock Runs</source>
+            <translation>Dem Entwurf Aufgabe und Linse des im Bereich „Läufe“ gewählten Laufs geben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give the design task and mirror of the run chosen in the dock Runs</source>
+            <translation>Dem Entwurf Aufgabe und Spiegel des im Bereich „Läufe“ gewählten Laufs geben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Compare runs</source>
+            <translation>Läufe &amp;vergleichen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the two runs chosen in the dock Runs beside each other: light, figures, fields</source>
+            <translation>Die beiden im Bereich „Läufe“ gewählten Läufe nebeneinander sehen: Licht, Zahlen, Felder</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Delete runs</source>
+            <translation>Läufe &amp;löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Forget the runs chosen in the dock Runs</source>
+            <translation>Die im Bereich „Läufe“ gewählten Läufe verwerfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Check lens</source>
+            <translation>Linse p&amp;rüfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Check mirror</source>
+            <translation>Spiegel p&amp;rüfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Trace the lens on show anew, with rays that its design never saw; again to cancel</source>
+            <translation>Die gezeigte Linse neu durchrechnen, mit Strahlen, die ihr Entwurf nie gesehen hat; erneut zum Abbrechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Trace the mirror on show anew, with rays that its design never saw; again to cancel</source>
+            <translation>Den gezeigten Spiegel neu durchrechnen, mit Strahlen, die sein Entwurf nie gesehen hat; erneut zum Abbrechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Fit 3D view</source>
+            <translation>3D-Ansicht &amp;einpassen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show lens and screen whole</source>
+            <translation>Linse und Schirm ganz zeigen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show mirror and screen whole</source>
+            <translation>Spiegel und Schirm ganz zeigen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at &amp;lens</source>
+            <translation>&amp;Linse ansehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at &amp;mirror</source>
+            <translation>Sp&amp;iegel ansehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the lens as large as it can be</source>
+            <translation>Die Linse so groß wie möglich sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the mirror as large as it can be</source>
+            <translation>Den Spiegel so groß wie möglich sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at s&amp;creen</source>
+            <translation>S&amp;chirm ansehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the screen as large as it can be</source>
+            <translation>Den Schirm so groß wie möglich sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>From the &amp;side</source>
+            <translation>Von der Se&amp;ite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at the 3D scene along x: light goes right</source>
+            <translation>Die 3D-Szene entlang x ansehen: Licht läuft nach rechts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>From a&amp;bove</source>
+            <translation>Von &amp;oben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at the 3D scene along y: light goes right</source>
+            <translation>Die 3D-Szene entlang y ansehen: Licht läuft nach rechts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Along the a&amp;xis</source>
+            <translation>Entlang der &amp;Achse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look back along z from behind the screen</source>
+            <translation>Entlang z von hinter dem Schirm zurückblicken</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Shorten gaps</source>
+            <translation>Abstände &amp;verkürzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw a far source and screen nearer, and a large screen smaller, to see the lens</source>
+            <translation>Ferne Quelle und fernen Schirm näher, großen Schirm kleiner zeichnen, damit die Linse zu sehen ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw a far source and screen nearer, and a large screen smaller, to see the mirror</source>
+            <translation>Ferne Quelle und fernen Schirm näher, großen Schirm kleiner zeichnen, damit der Spiegel zu sehen ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>No rays</source>
+            <translation>Keine Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Rays in the 3D scene</source>
+            <translation>Strahlen in der 3D-Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>25 rays</source>
+            <translation>25 Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>81 rays</source>
+            <translation>81 Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>225 rays</source>
+            <translation>225 Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>2025 rays</source>
+            <translation>2025 Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Inferno</source>
+            <translation>Inferno</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colours of light in the images and on the screen of the 3D scene</source>
+            <translation>Farben des Lichts in den Bildern und auf dem Schirm der 3D-Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Viridis</source>
+            <translation>Viridis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cividis</source>
+            <translation>Cividis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Gray</source>
+            <translation>Grau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As the &amp;system</source>
+            <translation>Wie das &amp;System</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show all windows light, dark, or as the system is</source>
+            <translation>Alle Fenster hell, dunkel oder wie das System zeigen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Light</source>
+            <translation>&amp;Hell</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Dark</source>
+            <translation>&amp;Dunkel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Language of the window; the command line speaks English</source>
+            <translation>Sprache des Fensters; die Befehlszeile spricht Englisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>English</source>
+            <translation>English</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Deutsch</source>
+            <translation>Deutsch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Français</source>
+            <translation>Français</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour by &amp;outcome</source>
+            <translation>Nach &amp;Verbleib färben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Rays that miss the screen are red</source>
+            <translation>Strahlen, die den Schirm verfehlen, sind rot</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour by &amp;weight</source>
+            <translation>Nach &amp;Gewicht färben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By the part of a ray's light that arrives</source>
+            <translation>Nach dem Teil des Lichts eines Strahls, der ankommt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As their &amp;material</source>
+            <translation>Wie ihr &amp;Material</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens as glass or metal</source>
+            <translation>Flächen der Linse als Glas oder Metall</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror as glass or metal</source>
+            <translation>Flächen des Spiegels als Glas oder Metall</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By &amp;height</source>
+            <translation>Nach &amp;Höhe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens from dark, low along z, to bright</source>
+            <translation>Flächen der Linse von dunkel (tief entlang z) bis hell</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror from dark, low along z, to bright</source>
+            <translation>Flächen des Spiegels von dunkel (tief entlang z) bis hell</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By &amp;curvature</source>
+            <translation>Nach &amp;Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens red where they are bowl-shaped towards +z, blue where humped</source>
+            <translation>Flächen der Linse rot, wo sie zu +z hin schalenförmig sind, blau, wo gewölbt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror red where they are bowl-shaped towards +z, blue where humped</source>
+            <translation>Flächen des Spiegels rot, wo sie zu +z hin schalenförmig sind, blau, wo gewölbt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Relief exaggerated</source>
+            <translation>&amp;Relief überhöht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light the fine shape of faces as if it were higher; the lens stays as it is</source>
+            <translation>Die feine Form der Flächen so beleuchten, als wäre sie höher; die Linse bleibt, wie sie ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light the fine shape of faces as if it were higher; the mirror stays as it is</source>
+            <translation>Die feine Form der Flächen so beleuchten, als wäre sie höher; der Spiegel bleibt, wie er ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Perspective</source>
+            <translation>&amp;Perspektive</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw what is farther away smaller, instead of in parallel</source>
+            <translation>Entferntes kleiner zeichnen statt parallel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy picture of 3&amp;D</source>
+            <translation>3D-&amp;Bild kopieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Put the 3D scene on the clipboard</source>
+            <translation>Die 3D-Szene in die Zwischenablage legen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>1 × as large…</source>
+            <translation>1 × so groß …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 1 × as large as it is seen</source>
+            <translation>Die 3D-Szene als PNG speichern, 1 × so groß wie gezeigt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>2 × as large…</source>
+            <translation>2 × so groß …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 2 × as large as it is seen</source>
+            <translation>Die 3D-Szene als PNG speichern, 2 × so groß wie gezeigt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>4 × as large…</source>
+            <translation>4 × so groß …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 4 × as large as it is seen</source>
+            <translation>Die 3D-Szene als PNG speichern, 4 × so groß wie gezeigt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Turn</source>
+            <translation>&amp;Drehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mouse and arrow keys turn the 3D scene; click to pick</source>
+            <translation>Maus und Pfeiltasten drehen die 3D-Szene; Klick wählt aus</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Sculpt</source>
+            <translation>&amp;Modellieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag control points of the lens along z</source>
+            <translation>Kontrollpunkte der Linse entlang z ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag control points of the mirror along z</source>
+            <translation>Kontrollpunkte des Spiegels entlang z ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Lock points</source>
+            <translation>Punkte &amp;sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Paint control points that a run must leave</source>
+            <translation>Kontrollpunkte markieren, die ein Lauf unverändert lässt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Move source</source>
+            <translation>&amp;Quelle verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag the source; Ctrl: along z</source>
+            <translation>Die Quelle ziehen; Strg: entlang z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Image as wide and high as the &amp;picture</source>
+            <translation>Bild so breit und hoch wie die Bild&amp;vorlage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give screen or far field, and their pixels, the aspect of the target's picture</source>
+            <translation>Schirm oder Fernfeld und ihren Pixeln das Seitenverhältnis der Bildvorlage geben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Freeform entrance face</source>
+            <translation>&amp;Freiform-Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let light meet a second freeform face first, or a flat one again; the exit face stays</source>
+            <translation>Das Licht zuerst auf eine zweite Freiformfläche treffen lassen oder wieder auf eine ebene; die Austrittsfläche bleibt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Other face</source>
+            <translation>A&amp;ndere Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Turn the lens over, to sculpt or lock its other freeform face</source>
+            <translation>Die Linse umdrehen, um ihre andere Freiformfläche zu modellieren oder zu sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Turn the mirror over, to sculpt or lock its other freeform face</source>
+            <translation>Den Spiegel umdrehen, um seine andere Freiformfläche zu modellieren oder zu sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lar&amp;ger brush</source>
+            <translation>&amp;Größerer Pinsel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>More control points at once; also Ctrl+wheel</source>
+            <translation>Mehr Kontrollpunkte auf einmal; auch Strg+Mausrad</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Smaller brus&amp;h</source>
+            <translation>&amp;Kleinerer Pinsel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Fewer control points at once; also Ctrl+wheel</source>
+            <translation>Weniger Kontrollpunkte auf einmal; auch Strg+Mausrad</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lock &amp;all points</source>
+            <translation>&amp;Alle Punkte sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Leave the whole lens as it is in runs</source>
+            <translation>Die ganze Linse in Läufen so lassen, wie sie ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Leave the whole mirror as it is in runs</source>
+            <translation>Den ganzen Spiegel in Läufen so lassen, wie er ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Unlock all points</source>
+            <translation>Alle Punkte freige&amp;ben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let runs change the whole lens</source>
+            <translation>Läufe die ganze Linse ändern lassen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let runs change the whole mirror</source>
+            <translation>Läufe den ganzen Spiegel ändern lassen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Invert locks</source>
+            <translation>Sperren &amp;umkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lock what is unlocked, and the reverse</source>
+            <translation>Freies sperren und umgekehrt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;3D scene</source>
+            <translation>&amp;3D-Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show or hide the 3D scene</source>
+            <translation>Die 3D-Szene zeigen oder verbergen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>R&amp;eset layout</source>
+            <translation>Anord&amp;nung zurücksetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Put all docks where they stood at first</source>
+            <translation>Alle Bereiche dorthin stellen, wo sie anfangs standen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Next pane</source>
+            <translation>&amp;Nächster Bereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the keyboard to the next pane</source>
+            <translation>Die Tastatur in den nächsten Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Previous pane</source>
+            <translation>&amp;Voriger Bereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the keyboard to the pane before</source>
+            <translation>Die Tastatur in den vorigen Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design</source>
+            <translation>Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show this pane and take the keyboard there</source>
+            <translation>Diesen Bereich zeigen und die Tastatur dorthin setzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>3D scene</source>
+            <translation>3D-Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Irradiance</source>
+            <translation>Bestrahlungsstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Irradiance − target</source>
+            <translation>Bestrahlungsstärke − Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Derivative</source>
+            <translation>Ableitung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Surface</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Manufacture</source>
+            <translation>Fertigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Tolerances</source>
+            <translation>Toleranzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Through focus</source>
+            <translation>Fokusreihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Predicted photo</source>
+            <translation>Vorhergesagtes Foto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Check</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Loss</source>
+            <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cross-section</source>
+            <translation>Schnitt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light account</source>
+            <translation>Lichtbilanz</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Runs</source>
+            <translation>Läufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>History</source>
+            <translation>Verlauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Log</source>
+            <translation>Protokoll</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Command &amp;palette</source>
+            <translation>&amp;Befehlspalette</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Find any command by its name</source>
+            <translation>Jeden Befehl nach seinem Namen finden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Keyboard shortcuts</source>
+            <translation>&amp;Tastenkürzel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>All keys, to be found by name or by key</source>
+            <translation>Alle Tasten, nach Namen oder Taste zu finden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Tour</source>
+            <translation>&amp;Rundgang</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A short tour of the window</source>
+            <translation>Ein kurzer Rundgang durch das Fenster</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Manual</source>
+            <translation>&amp;Handbuch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>All that can be done, here and in a shell, and what has been measured</source>
+            <translation>Alles, was möglich ist, hier und in einer Shell, und was gemessen wurde</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;About</source>
+            <translation>&amp;Über</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>What this program is</source>
+            <translation>Was dieses Programm ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>checking…</source>
+            <translation>Prüfung läuft …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>Prüfung läuft … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Checked error {verified}</source>
+            <translation>Geprüfter Fehler {verified}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}</source>
+            <translation>Prüfung mit {rays:,} neuen Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit der Streuung der Strahlen {relative_l2:.2f} ± {noise:.2f} %, Zielfunktion {loss:.3e}; {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>check</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>F8 traces what is on show anew, with rays that its design never saw.</source>
+            <translation>F8 rechnet das Gezeigte neu durch, mit Strahlen, die sein Entwurf nie gesehen hat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>verified error</source>
+            <translation>geprüfter Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 error of image and target, by cells and without random rays: what the optic itself is off.</source>
+            <translation>Relativer L2-Fehler von Bild und Ziel, über Zellen und ohne Zufallsstrahlen: die Abweichung der Optik selbst.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>it is surely</source>
+            <translation>er liegt sicher</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where that error lies, by a bound from two sizes of cells.</source>
+            <translation>Wo dieser Fehler liegt, nach einer Schranke aus zwei Zellgrößen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells of the entrance face whose light is spread over what they cover there.</source>
+            <translation>Zellen der Eintrittsfläche, deren Licht auf das verteilt wird, was sie dort bedecken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>error by independent images</source>
+            <translation>Fehler aus unabhängigen Bildern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells would have to be finer than time allows: the error, and where it lies with 95 % confidence, are from pairs of images by random rays: their scatter has no mean.</source>
+            <translation>Die Zellen müssten feiner sein, als die Zeit erlaubt: der Fehler und wo er mit 95 % Vertrauen liegt, stammen aus Paaren von Bildern mit Zufallsstrahlen: ihre Streuung hat keinen Mittelwert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>random rays are off by</source>
+            <translation>Zufallsstrahlen weichen ab um</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 difference of the two images: the second opinion. About once the noise of the rays is what chance alone makes.</source>
+            <translation>Relative L2-Differenz der beiden Bilder: die Zweitmeinung. Etwa das Einfache des Strahlrauschens ist, was der Zufall allein ausmacht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>relative L2 error</source>
+            <translation>relativer L2-Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter of the rays from pixel to pixel is in it; more rays make it smaller.</source>
+            <translation>‖I − T‖ / ‖T‖ von Bild und Ziel, jeweils durch ihre Summe geteilt. Die Streuung der Strahlen von Pixel zu Pixel ist darin; mehr Strahlen verkleinern sie.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>95 % of other rays</source>
+            <translation>95 % anderer Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where the error with scatter lies for as many other rays.</source>
+            <translation>Wo der Fehler mit Streuung für ebenso viele andere Strahlen liegt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>without ray noise</source>
+            <translation>ohne Strahlrauschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The same error without the scatter of the rays: what the optic itself is off. 0 if so few rays cannot tell.</source>
+            <translation>Derselbe Fehler ohne die Streuung der Strahlen: die Abweichung der Optik selbst. 0, wenn so wenige Strahlen es nicht sagen können.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>95 % confidence</source>
+            <translation>95 % Vertrauen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where the error of the optic itself lies.</source>
+            <translation>Wo der Fehler der Optik selbst liegt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>loss of the paper</source>
+            <translation>Zielfunktion der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
+            <translation>Die Norm der Differenz von Bild und Ziel, jeweils durch ihre Summe geteilt, durch die Wurzel der Pixelzahl.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>PSNR</source>
+            <translation>PSNR</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
+            <translation>Spitzen-Signal-Rausch-Verhältnis, bezogen auf die Spitze des Ziels: mehr ist besser.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>SSIM</source>
+            <translation>SSIM</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
+            <translation>Mittlere strukturelle Ähnlichkeit in Fenstern von 11 × 11 Pixeln: 1 bei gleichen Bildern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Pearson's coefficient of image and target over the pixels: 1 for images of one shape.</source>
+            <translation>Korrelationskoeffizient nach Pearson von Bild und Ziel über die Pixel: 1 bei Bildern gleicher Form.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Least over mean of irradiance / target where the target is lit, at half its peak or more: 1 is even, 0 has a dark pixel.</source>
+            <translation>Kleinstes durch Mittel von Bestrahlungsstärke / Ziel, wo das Ziel hell ist, ab der Hälfte seiner Spitze: 1 ist gleichmäßig, 0 hat ein dunkles Pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
+            <translation>(hell − schwarz) / (hell + schwarz) der mittleren Bestrahlungsstärken dort; schwarz ist bis zu einem Hundertstel der Spitze des Ziels. 1 ist vollkommenes Schwarz.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Part of the emitted light that makes the image.</source>
+            <translation>Teil des ausgesandten Lichts, der das Bild macht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>meets the face again</source>
+            <translation>trifft die Fläche erneut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Light that comes back to the face which it leaves, as in a deep bowl. Image and efficiency count it as if nothing were in its way.</source>
+            <translation>Licht, das zu der Fläche zurückkommt, die es verlässt, wie in einer tiefen Schale. Bild und Wirkungsgrad zählen es, als wäre nichts im Weg.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>comes through the screen</source>
+            <translation>kommt durch den Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Light that the screen keeps from the mirror. Image and efficiency count it as if the screen were not in its way; a screen beside the axis is not.</source>
+            <translation>Licht, das der Schirm vom Spiegel fernhält. Bild und Wirkungsgrad zählen es, als wäre der Schirm nicht im Weg; ein Schirm neben der Achse ist es nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>off the optimiser's image</source>
+            <translation>Abweichung vom Bild des Optimierers</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 difference to the image that the optimiser sees. Its filter and the scatter of these rays are in it.</source>
+            <translation>Relative L2-Differenz zum Bild, das der Optimierer sieht. Sein Filter und die Streuung dieser Strahlen sind darin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of the image; a quarter as many more are traced for the error without scatter.</source>
+            <translation>Strahlen des Bildes; für den Fehler ohne Streuung wird ein Viertel mehr gerechnet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>cells</source>
+            <translation>Zellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>correlation</source>
+            <translation>Korrelation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>uniformity</source>
+            <translation>Gleichmäßigkeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>contrast</source>
+            <translation>Kontrast</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>efficiency</source>
+            <translation>Wirkungsgrad</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>rays</source>
+            <translation>Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Part of the emitted light that falls on the region, and its darkest and brightest pixel over the mean: 1 is even.</source>
+            <translation>Teil des ausgesandten Lichts, der auf den Ausschnitt fällt, und sein dunkelstes und hellstes Pixel bezogen auf das Mittel: 1 ist gleichmäßig.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Figures of the check</source>
+            <translation>Zahlen der Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of a check</source>
+            <translation>Strahlen einer Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of a check; four times as many halve their scatter</source>
+            <translation>Strahlen einer Prüfung; viermal so viele halbieren die Streuung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} Mio. Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Put all figures on the clipboard, a tab between name and value</source>
+            <translation>Alle Zahlen in die Zwischenablage legen, ein Tabulator zwischen Name und Wert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>image {number}: {name}</source>
+            <translation>Bild {number}: {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source> Out of date: these figures are of the design before.</source>
+            <translation> Veraltet: diese Zahlen gehören zum vorigen Entwurf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Toolbar</source>
+            <translation>Werkzeugleiste</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is one freeform face: Freeform entrance face gives a lens a second one</source>
+            <translation>Es gibt eine Freiformfläche: „Freiform-Eintrittsfläche“ gibt einer Linse eine zweite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Not while a run goes on: it works on the design as it was when it began. Stop it first</source>
+            <translation>Nicht während eines Laufs: er arbeitet am Entwurf, wie er zu Beginn war. Zuerst stoppen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Flat &amp;entrance face</source>
+            <translation>&amp;Ebene Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Freeform &amp;entrance face</source>
+            <translation>Fr&amp;eiform-Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>&amp;Start over</source>
+            <translation>&amp;Neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>&amp;Resume</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is no lens yet: Start designs one</source>
+            <translation>Es gibt noch keine Linse: Start entwirft eine</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is no mirror yet: Start designs one</source>
+            <translation>Es gibt noch keinen Spiegel: Start entwirft einen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>the best lens so far</source>
+            <translation>die bisher beste Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>the best mirror so far</source>
+            <translation>der bisher beste Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Takes {lens}</source>
+            <translation>Verwendet wird: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>A lens has one freeform face</source>
+            <translation>Eine Linse hat eine Freiformfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>A mirror has one freeform face</source>
+            <translation>Ein Spiegel hat eine Freiformfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/language_choice.py" />
+            <source>The language changes at the next start.</source>
+            <translation>Die Sprache ändert sich beim nächsten Start.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>Command palette</source>
+            <translation>Befehlspalette</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>Type parts of a command's name</source>
+            <translation>Teile eines Befehlsnamens eingeben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Keyboard shortcuts</source>
+            <translation>Tastenkürzel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Find by a part of the name, or by the key</source>
+            <translation>Nach einem Teil des Namens oder nach der Taste suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Find a shortcut</source>
+            <translation>Tastenkürzel suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Command</source>
+            <translation>Befehl</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Key</source>
+            <translation>Taste</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>new reading of the image</source>
+            <translation>Bild neu lesen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>new task: {name}</source>
+            <translation>neue Aufgabe: {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>revert to the file</source>
+            <translation>zur Datei zurückkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Designs and scenes ({endings});;All files (*)</source>
+            <translation>Entwürfe und Szenen ({endings});;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Designs ({endings})</source>
+            <translation>Entwürfe ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Open</source>
+            <translation>Öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{path} is no longer there; it was taken off the list.</source>
+            <translation>{path} gibt es nicht mehr; der Eintrag wurde aus der Liste genommen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name}: the name of a design ends in {ending}</source>
+            <translation>{name}: der Name eines Entwurfs endet auf {ending}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save as</source>
+            <translation>Speichern unter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save the changes to {name}?</source>
+            <translation>Änderungen an {name} speichern?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Unsaved changes</source>
+            <translation>Ungespeicherte Änderungen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name} is open in another window: choose another name.</source>
+            <translation>{name} ist in einem anderen Fenster geöffnet: einen anderen Namen wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>, with {lens}</source>
+            <translation>, mit: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save as…</source>
+            <translation>Speichern unter …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Saved {name}, {size}{words}</source>
+            <translation>{name} gespeichert, {size}{words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>The file has changed</source>
+            <translation>Die Datei hat sich geändert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Another program has changed {name} since it was last read or saved here.</source>
+            <translation>Ein anderes Programm hat {name} geändert, seit die Datei hier zuletzt gelesen oder gespeichert wurde.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Overwrite loses what the file holds now. Reload shows it in place of your design; Undo brings your design back.</source>
+            <translation>Überschreiben verwirft, was die Datei jetzt enthält. Neu laden zeigt sie an Stelle Ihres Entwurfs; Rückgängig bringt Ihren Entwurf zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Overwrite</source>
+            <translation>Ü&amp;berschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Reload</source>
+            <translation>&amp;Neu laden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>The file is gone</source>
+            <translation>Die Datei ist verschwunden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>{name} has been deleted, moved or renamed since it was last saved here.</source>
+            <translation>{name} wurde gelöscht, verschoben oder umbenannt, seit die Datei hier zuletzt gespeichert wurde.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Save there again</source>
+            <translation>&amp;Dort wieder speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Its folder, {parent}, is gone, too.</source>
+            <translation>Auch der Ordner {parent} ist verschwunden.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>There is no picture on the clipboard.</source>
+            <translation>In der Zwischenablage ist kein Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Target image</source>
+            <translation>Zielbild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>File of light</source>
+            <translation>Lichtdatei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Cut {lens}</source>
+            <translation>Fräsen: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>One file is still being written; export the next after it.</source>
+            <translation>Eine Datei wird noch geschrieben; die nächste danach exportieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>{name} is being written…</source>
+            <translation>{name} wird geschrieben …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Export {lens}</source>
+            <translation>Exportieren: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/gallery.py" />
+            <source>New from example</source>
+            <translation>Neu aus Beispiel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/gallery.py" />
+            <source>Examples</source>
+            <translation>Beispiele</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Unsaved work</source>
+            <translation>Ungespeicherte Arbeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>{name} had unsaved changes when the workbench was asked to end.</source>
+            <translation>{name} hatte ungespeicherte Änderungen, als die Workbench beendet wurde.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>The workbench was not closed. Unsaved changes to {name} were kept.</source>
+            <translation>Die Workbench wurde nicht geschlossen. Ungespeicherte Änderungen an {name} wurden aufbewahrt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
+            <translation>Aufbewahrt am {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>&amp;Recover</source>
+            <translation>&amp;Wiederherstellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>&amp;Discard</source>
+            <translation>&amp;Verwerfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Ask &amp;later</source>
+            <translation>&amp;Später fragen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>There is no photo of this lens yet; save it once it is seen.</source>
+            <translation>Von dieser Linse gibt es noch kein Foto; speichern, sobald es zu sehen ist.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>{design} photo</source>
+            <translation>{design} Foto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>Picture ({endings})</source>
+            <translation>Bild ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>Save picture</source>
+            <translation>Bild speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>The lens has changed since; save the photo of the new one.</source>
+            <translation>Die Linse hat sich seitdem geändert; das Foto der neuen speichern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>{path} is written.</source>
+            <translation>{path} ist geschrieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Picture in pixels (*.png)</source>
+            <translation>Pixelbild (*.png)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Picture in lines (*.svg)</source>
+            <translation>Vektorbild (*.svg)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Numbers shown (*.csv)</source>
+            <translation>Gezeigte Zahlen (*.csv)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Figures (*.json)</source>
+            <translation>Zahlen (*.json)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>plot</source>
+            <translation>Diagramm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A picture of the {pane} plot is on the clipboard.</source>
+            <translation>Ein Bild des Diagramms „{pane}“ ist in der Zwischenablage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{name}: a plot is saved as one of {known}</source>
+            <translation>{name}: ein Diagramm wird als eines von {known} gespeichert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save {pane} plot</source>
+            <translation>Diagramm „{pane}“ speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>There is no plot to be seen; View shows the docks of all plots.</source>
+            <translation>Es ist kein Diagramm zu sehen; „Ansicht“ zeigt die Bereiche aller Diagramme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>One plot is still being written; save the next after it.</source>
+            <translation>Ein Diagramm wird noch geschrieben; das nächste danach speichern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>recovery</source>
+            <translation>Sicherung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Unsaved work cannot be kept for a recovery. {reason}</source>
+            <translation>Ungespeicherte Arbeit kann nicht für eine Wiederherstellung aufbewahrt werden. {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Web page (*.html)</source>
+            <translation>Webseite (*.html)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Document (*.pdf)</source>
+            <translation>Dokument (*.pdf)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>report</source>
+            <translation>Bericht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>One report is still being written; ask for the next after it.</source>
+            <translation>Ein Bericht wird noch geschrieben; den nächsten danach anfordern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>{file} is being written, with a check of {lens}…</source>
+            <translation>{file} wird geschrieben, mit einer Prüfung ({lens}) …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Report {lens}</source>
+            <translation>Bericht: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>No report is written.</source>
+            <translation>Es wird kein Bericht geschrieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>A picture of the 3D scene is on the clipboard.</source>
+            <translation>Ein Bild der 3D-Szene ist in der Zwischenablage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>{path} is written, {width} × {height} pixels.</source>
+            <translation>{path} ist geschrieben, {width} × {height} Pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>Save picture of 3D</source>
+            <translation>3D-Bild speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>The 3D scene is hidden; View &gt; 3D scene shows it.</source>
+            <translation>Die 3D-Szene ist verborgen; Ansicht &gt; 3D-Szene zeigt sie.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>New here? A tour of {count} steps shows what is where. Help &gt; Tour begins it at any time.</source>
+            <translation>Neu hier? Ein Rundgang mit {count} Schritten zeigt, was wo ist. Hilfe &gt; Rundgang beginnt ihn jederzeit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>Show me around</source>
+            <translation>Rundgang beginnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>About {title}</source>
+            <translation>Über {title}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Shapes a freeform lens until it throws the wanted image of light.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Formt eine Freiformlinse, bis sie das gewünschte Bild aus Licht wirft.&lt;/p&gt;&lt;p&gt;MIT-Lizenz&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Manual</source>
+            <translation>Handbuch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Search</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Search the manual</source>
+            <translation>Im Handbuch suchen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Words that a page must hold; Return goes to the next place</source>
+            <translation>Wörter, die eine Seite enthalten muss; die Eingabetaste geht zur nächsten Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Pages of the manual</source>
+            <translation>Seiten des Handbuchs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Describe the task</source>
+            <translation>Die Aufgabe beschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Here you say what you have and what you want: the image of light, the lens, the source, the screen. What is not possible is refused beside the field, with what would be allowed. Any picture dropped onto the window becomes the target.</source>
+            <translation>Hier steht, was vorhanden ist und was gewünscht wird: das Bild aus Licht, die Linse, die Quelle, der Schirm. Was nicht möglich ist, wird neben dem Feld abgelehnt, mit dem, was erlaubt wäre. Jedes auf das Fenster gezogene Bild wird zum Ziel.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop (F7) keeps the best lens so far, Continue goes on from there.</source>
+            <translation>Start (F5) formt die Linse, bis ihr Licht zum Ziel passt. Pause (F6) hält an, Stopp (F7) behält die bisher beste Linse, Fortsetzen macht von dort weiter.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Watch the light</source>
+            <translation>Dem Licht zusehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer.</source>
+            <translation>Linse, Strahlen und Schirm. Ziehen dreht, Ziehen mit Umschalttaste verschiebt, das Mausrad zoomt; auch Pfeiltasten, + und −. Strg+1 zeigt die Linse, Strg+2 den Schirm, Strg+0 wieder alles; Strg+D zeichnet einen fernen Schirm näher.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>See what reaches the screen</source>
+            <translation>Sehen, was den Schirm erreicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Flux per area, live. Below it what is still wrong: too much light is red, too little is blue. Both zoom and move together.</source>
+            <translation>Lichtstrom je Fläche, laufend. Daneben, was noch nicht stimmt: zu viel Licht ist rot, zu wenig blau. Beide zoomen und verschieben sich gemeinsam.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Look back</source>
+            <translation>Zurückblicken</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>The curve falls while the lens gets better. The slider below it shows the lens at any kept moment of the run; you can go on from there.</source>
+            <translation>Die Kurve fällt, während die Linse besser wird. Der Schieber darunter zeigt die Linse zu jedem aufbewahrten Zeitpunkt des Laufs; von dort lässt sich fortfahren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Nothing is lost</source>
+            <translation>Nichts geht verloren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step to go there. Unsaved work is kept every minute, even if the program breaks off.</source>
+            <translation>Jede Änderung und jeder Lauf ist ein Schritt. Mit Strg+Z rückgängig machen oder einen Schritt anklicken. Ungespeicherte Arbeit wird jede Minute gesichert, auch wenn das Programm abbricht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Find anything</source>
+            <translation>Alles finden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Ctrl+Shift+P finds any command by parts of its name. File &gt; New from gallery has examples by their pictures, File &gt; Export takes the lens to other programs. Enjoy!</source>
+            <translation>Strg+Umschalt+P findet jeden Befehl nach Teilen seines Namens. Datei &gt; Neu aus Galerie zeigt Beispiele als Bilder, Datei &gt; Exportieren gibt die Linse an andere Programme. Viel Freude!</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Beenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Back</source>
+            <translation>&amp;Zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>End the tour (Esc); Help &gt; Tour begins it again</source>
+            <translation>Den Rundgang beenden (Esc); Hilfe &gt; Rundgang beginnt ihn wieder</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fertig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Weiter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>The job from the side</source>
+            <translation>Die Aufgabe von der Seite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>From the side</source>
+            <translation>Von der Seite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>From above</source>
+            <translation>Von oben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>, {across:.1f} × as high</source>
+            <translation>, {across:.1f}-fach überhöht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>, to scale</source>
+            <translation>, maßstäblich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/form.py" />
+            <source>picture</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/form.py" />
+            <source>file of light</source>
+            <translation>Lichtdatei</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>outlook</source>
+            <translation>Vorschau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Picture at best</source>
+            <translation>Bild im besten Fall</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Blurred by the size of the light, as any lens has to</source>
+            <translation>Unscharf durch die Größe der Lichtquelle, wie bei jeder Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Wanted</source>
+            <translation>Gewünscht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>At best</source>
+            <translation>Bestenfalls</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Computing what can be expected…</source>
+            <translation>Berechnung, was zu erwarten ist …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>New design</source>
+            <translation>Neuer Entwurf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Jobs</source>
+            <translation>Aufgaben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Beginnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>&amp;Open a file…</source>
+            <translation>Datei &amp;öffnen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>E&amp;xamples…</source>
+            <translation>B&amp;eispiele …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Picture</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/brush.py" />
+            <source>a single point</source>
+            <translation>ein einzelner Punkt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/brush.py" />
+            <source>radius {radius:.2g} {unit}</source>
+            <translation>Radius {radius:.2g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/live.py" />
+            <source>trace of the lens</source>
+            <translation>Durchrechnung der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/live.py" />
+            <source>trace of the mirror</source>
+            <translation>Durchrechnung des Spiegels</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/lock.py" />
+            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
+            <translation>{place}Über Kontrollpunkte malen, um sie zu sperren, oder freizugeben, wenn auf einem gesperrten begonnen wird; oder mit Pfeilen und Leertaste. Pinsel, [ und ]: {words}. {count} gesperrt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Collimated light comes from everywhere: choose another source to move it</source>
+            <translation>Kollimiertes Licht kommt von überall: zum Verschieben eine andere Quelle wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; Shift: finely; Esc: back. </source>
+            <translation>Die Quelle quer ziehen, Strg: entlang z; oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Corners: its size. </source>
+            <translation>Ecken: ihre Größe. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
+            <translation>{place}Kontrollpunkte entlang z ziehen, oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. Pinsel, [ und ]: {words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>. Moved by {rise:+.4g} {unit}</source>
+            <translation>. Verschoben um {rise:+.4g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>All control points in the brush are locked; unlock some first.</source>
+            <translation>Alle Kontrollpunkte im Pinsel sind gesperrt; zuerst einige freigeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first; then change the lens by hand.</source>
+            <translation>Zuerst den Lauf stoppen, dann die Linse von Hand ändern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first; then change the mirror by hand.</source>
+            <translation>Zuerst den Lauf stoppen, dann den Spiegel von Hand ändern.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no lens to shape yet.</source>
+            <translation>Es gibt noch keine Linse zum Modellieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no mirror to shape yet.</source>
+            <translation>Es gibt noch keinen Spiegel zum Modellieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is one freeform face. Design &gt; Freeform entrance face gives a lens a second one.</source>
+            <translation>Es gibt eine Freiformfläche. Entwurf &gt; Freiform-Eintrittsfläche gibt einer Linse eine zweite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Show distances to scale first (View &gt; Shorten gaps); then move the source.</source>
+            <translation>Zuerst Abstände maßstäblich zeigen (Ansicht &gt; Abstände verkürzen), dann die Quelle verschieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>lock all points</source>
+            <translation>alle Punkte sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>unlock all points</source>
+            <translation>alle Punkte freigeben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>invert locks</source>
+            <translation>Sperren umkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move the source</source>
+            <translation>Quelle verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move control points</source>
+            <translation>Kontrollpunkte verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>lock points</source>
+            <translation>Punkte sperren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>unlock points</source>
+            <translation>Punkte freigeben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Loading…</source>
+            <translation>Lädt …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Ready</source>
+            <translation>Bereit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Designing…</source>
+            <translation>Entwurf läuft …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Paused</source>
+            <translation>Angehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stopping…</source>
+            <translation>Wird gestoppt …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
+            <translation>Älteste Schritte ({count}) verworfen: zu viel Speicher zum Rückgängigmachen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{file} takes the place of {design}, which is being designed.</source>
+            <translation>{file} tritt an die Stelle von {design}, das gerade entworfen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stop and open</source>
+            <translation>Stoppen und öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{design} is still being designed. Stop, and save its best lens?</source>
+            <translation>{design} wird noch entworfen. Stoppen und die beste Linse speichern?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{design} is still being designed. Stop, and save its best mirror?</source>
+            <translation>{design} wird noch entworfen. Stoppen und den besten Spiegel speichern?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source> Changes of the task that wait for the end of the run are given up.</source>
+            <translation> Änderungen der Aufgabe, die auf das Ende des Laufs warten, werden aufgegeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Saved with the last valid value of each marked field.</source>
+            <translation>Gespeichert mit dem letzten gültigen Wert jedes markierten Feldes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Saved with the task that the run works on.</source>
+            <translation>Gespeichert mit der Aufgabe, an der der Lauf arbeitet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>&amp;Undo {undo}</source>
+            <translation>&amp;Rückgängig: {undo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>&amp;Redo {redo}</source>
+            <translation>&amp;Wiederherstellen: {redo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Tool radius</source>
+            <translation>Werkzeugradius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>a radius that fits</source>
+            <translation>ein passender Radius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
+            <translation>Radius der Kugel. Leer: der der Aufgabe oder einer, der überall passt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Ridges</source>
+            <translation>Rillen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
+            <translation>Wie hoch Grate zwischen benachbarten Bahnen sein dürfen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wo das mehr Bewegungen bräuchte, als ein Programm haben kann.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Clamping rim</source>
+            <translation>Spannrand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Width of stock around the lens, to hold it by.</source>
+            <translation>Breite des Rohteils um die Linse herum, um es zu spannen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Travel height</source>
+            <translation>Verfahrhöhe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the ball's diameter</source>
+            <translation>der Kugeldurchmesser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How far over its highest cut the cutter travels.</source>
+            <translation>Wie weit über seinem höchsten Schnitt der Fräser verfährt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>fine</source>
+            <translation>fein</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that cuts into the face is refused.</source>
+            <translation>Schlichtbahnen eines Kugelfräsers als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird vor dem Schreiben simuliert: ein Fräser, der in die Fläche schneidet, wird abgelehnt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Ball cutter</source>
+            <translation>Kugelfräser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed</source>
+            <translation>Vorschub</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How fast the cutter moves while it cuts.</source>
+            <translation>Wie schnell sich der Fräser beim Schneiden bewegt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Cut a mould of the face</source>
+            <translation>Eine Form der Fläche fräsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>The negative: hollows become humps, turned over about the y axis.</source>
+            <translation>Das Negativ: Mulden werden Erhebungen, um die y-Achse gewendet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>What the cut leaves</source>
+            <translation>Was der Schnitt übrig lässt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>&amp;Write G-code…</source>
+            <translation>G-Code &amp;schreiben …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>&amp;Simulate and trace</source>
+            <translation>Simu&amp;lieren und durchrechnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Simulate the cut and trace light through what it leaves, beside the lens as designed</source>
+            <translation>Den Schnitt simulieren und Licht durch das Ergebnis rechnen, neben der entworfenen Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>simulation of the cut</source>
+            <translation>Simulation des Schnitts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Simulating the cut…</source>
+            <translation>Schnitt wird simuliert …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>{value:g}; a number above 0, or nothing</source>
+            <translation>{value:g}; eine Zahl über 0 oder nichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the cut goes up to {cut_off:.2g} {unit} into the face</source>
+            <translation>der Schnitt geht bis {cut_off:.2g} {unit} in die Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} {unit} high; {deep}.</source>
+            <translation>Radius {radius:.4g} {unit}, {size:,} Bewegungen. Rillen sind bis {left:.2g} {unit} hoch; {deep}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the face is cut into nowhere</source>
+            <translation>die Fläche wird nirgends verletzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Tracing…</source>
+            <translation>Durchrechnung …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Polishing takes ridges away.</source>
+            <translation>Polieren entfernt Rillen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Thickness along z</source>
+            <translation>Dicke entlang z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Angle between the face and a plane across the axis</source>
+            <translation>Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>One over the radius of concave places; zero elsewhere</source>
+            <translation>Kehrwert des Radius konkaver Stellen; sonst null</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>One over the radius of convex places; zero elsewhere</source>
+            <translation>Kehrwert des Radius konvexer Stellen; sonst null</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Computed when no run changes it…</source>
+            <translation>Wird berechnet, wenn kein Lauf sie ändert …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>What the map shows</source>
+            <translation>Was die Karte zeigt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>; what is beyond a limit is hatched</source>
+            <translation>; was über einer Grenze liegt, ist schraffiert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✓ met</source>
+            <translation>✓ erfüllt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>No place is beyond the limit.</source>
+            <translation>Keine Stelle liegt über der Grenze.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>? open</source>
+            <translation>? offen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>No place that was looked at is beyond the limit, but that no other place is, is not proved: {bound} is all that the face surely keeps to.</source>
+            <translation>Keine betrachtete Stelle liegt über der Grenze; dass es keine andere tut, ist nicht bewiesen: {bound} ist alles, was die Fläche sicher einhält.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✗ broken</source>
+            <translation>✗ verletzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Some places are beyond the limit; the map shows where.</source>
+            <translation>Einige Stellen liegen über der Grenze; die Karte zeigt, wo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Slope</source>
+            <translation>Neigung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest angle between the face and a plane across the axis</source>
+            <translation>Größter Winkel zwischen der Fläche und einer Ebene quer zur Achse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Concave radius</source>
+            <translation>Konkaver Radius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Smallest radius of curvature of concave places</source>
+            <translation>Kleinster Krümmungsradius konkaver Stellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Convex radius</source>
+            <translation>Konvexer Radius</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Smallest radius of curvature of convex places</source>
+            <translation>Kleinster Krümmungsradius konvexer Stellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Ball cutter up to</source>
+            <translation>Kugelfräser bis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest radius of a ball cutter that fits everywhere on the face, without cutting into another part of it</source>
+            <translation>Größter Radius eines Kugelfräsers, der überall auf die Fläche passt, ohne in einen anderen Teil zu schneiden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Sag range</source>
+            <translation>Pfeilhöhe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Height of the highest point of the face over the lowest</source>
+            <translation>Höhe des höchsten Punkts der Fläche über dem tiefsten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Draft</source>
+            <translation>Formschräge</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Least angle between the face and the axis, along which a mould opens</source>
+            <translation>Kleinster Winkel zwischen Fläche und Achse, entlang der sich eine Form öffnet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Lens</source>
+            <translation>Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit</source>
+            <translation>Grenze</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Ball cutter…</source>
+            <translation>Kugelfräser …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Say how the face is cut, see what the cut leaves, and write G-code</source>
+            <translation>Festlegen, wie die Fläche gefräst wird, sehen, was der Schnitt übrig lässt, und G-Code schreiben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Verdict: {figure}</source>
+            <translation>Urteil: {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Entrance face</source>
+            <translation>Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Entrance face: {figure}</source>
+            <translation>Eintrittsfläche: {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The face has none.</source>
+            <translation>Die Fläche hat keine.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.</source>
+            <translation>Bei x = {x:.4g}, y = {y:.4g} {unit}. Nirgends jenseits von {bound}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Thinnest</source>
+            <translation>Dünnste Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>The part has to be as thick as this everywhere</source>
+            <translation>So dick muss das Teil überall sein</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Thickest</source>
+            <translation>Dickste Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>The part must not be thicker than this anywhere</source>
+            <translation>Dicker darf das Teil nirgends sein</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Größter Winkel zwischen einer Freiformfläche und einer Ebene quer zur Achse, in Grad</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Smallest radius that a tool can cut, of concave and convex places</source>
+            <translation>Kleinster Radius, den ein Werkzeug fräsen kann, an konkaven und konvexen Stellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Radius of the ball cutter that has to fit everywhere</source>
+            <translation>Radius des Kugelfräsers, der überall passen muss</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Empty: what the design task keeps to, if anything. Kept for the next start.</source>
+            <translation>Leer: was die Aufgabe einhält, falls etwas. Für den nächsten Start aufbewahrt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Limit: {label}</source>
+            <translation>Grenze: {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>look at the face</source>
+            <translation>Untersuchung der Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Out of date: of the lens before; computed anew when it rests.</source>
+            <translation>Veraltet: von der vorigen Linse; wird neu berechnet, sobald sie ruht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens does not fit the new outline: Start designs another one, Undo brings it back.</source>
+            <translation>Die Linse passt nicht zum neuen Umriss: Start entwirft eine andere, Rückgängig bringt sie zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror does not fit the new outline: Start designs another one, Undo brings it back.</source>
+            <translation>Der Spiegel passt nicht zum neuen Umriss: Start entwirft einen anderen, Rückgängig bringt ihn zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo takes the change back.</source>
+            <translation>Die Eintrittsfläche ist jetzt eine Freiformfläche und vorerst eben. Fortsetzen formt beide Flächen, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The entrance face is flat now; the exit face stays as it was, but it was made for the light of both. Continue shapes it alone, and Undo takes the change back.</source>
+            <translation>Die Eintrittsfläche ist jetzt eben; die Austrittsfläche blieb, wie sie war, wurde aber für das Licht beider gemacht. Fortsetzen formt sie allein, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>On {size} control points {name} is the same.</source>
+            <translation>Auf {size} Kontrollpunkten unverändert: {name}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>Take {size}, exact</source>
+            <translation>{size} nehmen, exakt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
+            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off:.2g} {unit} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>change of {name}</source>
+            <translation>{name} ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>control points</source>
+            <translation>Kontrollpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the lens</source>
+            <translation>die Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the mirror</source>
+            <translation>der Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the entrance face</source>
+            <translation>die Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/postponed_edits.py" />
+            <source>Stop and apply</source>
+            <translation>Stoppen und anwenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/postponed_edits.py" />
+            <source>Take back</source>
+            <translation>Zurücknehmen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/refused_fields.py" />
+            <source> ({count} more refused)</source>
+            <translation> ({count} weitere abgelehnt)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/refused_fields.py" />
+            <source>{first}{others}. Correct it, or press Esc in the field, first.</source>
+            <translation>{first}{others}. Zuerst berichtigen oder im Feld Esc drücken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The run goes on within these limits.</source>
+            <translation>Der Lauf geht innerhalb dieser Grenzen weiter.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Stop and widen</source>
+            <translation>Stoppen und erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Widen</source>
+            <translation>Erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Continue</source>
+            <translation>Fortsetzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>automatic height range</source>
+            <translation>automatischer Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>wider entrance range</source>
+            <translation>weiterer Eintrittsbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The height range follows from the task now</source>
+            <translation>Der Höhenbereich folgt jetzt aus der Aufgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>Der Eintrittsbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>{said}, and the lens is as it was. Start over mostly finds a better one than Continue does.</source>
+            <translation>{said}; die Linse ist, wie sie war. Neu starten findet meist eine bessere als Fortsetzen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>{said}, and the mirror is as it was. Start over mostly finds a better one than Continue does.</source>
+            <translation>{said}; der Spiegel ist, wie er war. Neu starten findet meist einen besseren als Fortsetzen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Start over</source>
+            <translation>Neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/target_image.py" />
+            <source>{image} has changed. The design keeps the picture that it has.</source>
+            <translation>{image} hat sich geändert. Der Entwurf behält das Bild, das er hat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/target_image.py" />
+            <source>Read it again</source>
+            <translation>Neu lesen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/total_reflection.py" />
+            <source>{where}, as marked in the 3D scene. {cure}.</source>
+            <translation>{where}, wie in der 3D-Szene markiert. {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/total_reflection.py" />
+            <source>search for total reflection</source>
+            <translation>Suche nach Totalreflexion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>All lengths are converted: 1 {old} is {ratio:.6g} {new} now.</source>
+            <translation>Alle Längen wurden umgerechnet: 1 {old} ist jetzt {ratio:.6g} {new}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>Keep the numbers</source>
+            <translation>Zahlen beibehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>change of unit alone</source>
+            <translation>nur die Einheit ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>{label}, automatic</source>
+            <translation>{label}, automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>auto</source>
+            <translation>auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>{label}, {number} of {count}</source>
+            <translation>{label}, {number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>flat entrance face</source>
+            <translation>ebene Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>freeform entrance face</source>
+            <translation>Freiform-Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The target is no picture: only a picture has an aspect.</source>
+            <translation>Das Ziel ist kein Bild: nur ein Bild hat ein Seitenverhältnis.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The picture has no aspect: {refused}</source>
+            <translation>Das Bild hat kein Seitenverhältnis: {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>screen of the picture's aspect</source>
+            <translation>Schirm im Seitenverhältnis des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>far field of the picture's aspect</source>
+            <translation>Fernfeld im Seitenverhältnis des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The design is paused. Changes wait until it ends.</source>
+            <translation>Der Entwurf ist angehalten. Änderungen warten, bis er endet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The design is running. Changes wait until it ends.</source>
+            <translation>Der Entwurf läuft. Änderungen warten, bis er endet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Refused: {refused}</source>
+            <translation>Abgelehnt: {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The {edit} is refused: {refused}</source>
+            <translation>Abgelehnt ({edit}): {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Stop the run first; then read the image again.</source>
+            <translation>Zuerst den Lauf stoppen, dann das Bild neu lesen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Waits for the end of the run: {edits}.</source>
+            <translation>Wartet auf das Ende des Laufs: {edits}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>change of unit</source>
+            <translation>Einheit ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>further image</source>
+            <translation>weiteres Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Further images</source>
+            <translation>Weitere Bilder</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Add an image farther away, with the target of the last one</source>
+            <translation>Ein weiter entferntes Bild mit dem Ziel des letzten hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Remove the chosen image</source>
+            <translation>Das gewählte Bild entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Move the chosen image up</source>
+            <translation>Das gewählte Bild nach oben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Move the chosen image down</source>
+            <translation>Das gewählte Bild nach unten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>{count} images in all, each by its weight; the first one has 1.</source>
+            <translation>{count} Bilder insgesamt, jedes mit seinem Gewicht; das erste hat 1.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>None: there is one image.</source>
+            <translation>Keine: es gibt ein Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>{place}, {target}, weight {weight:g}</source>
+            <translation>{place}, {target}, Gewicht {weight:g}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Elsewhere</source>
+            <translation>Anderswo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Image {number}</source>
+            <translation>Bild {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>change of target image</source>
+            <translation>Zielbild ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Custom index</source>
+            <translation>Eigene Brechzahl</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Index</source>
+            <translation>Brechzahl</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Refractive index of the lens; the air around it has 1.</source>
+            <translation>Brechzahl der Linse; die Luft ringsum hat 1.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Automatic</source>
+            <translation>Automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Own limits</source>
+            <translation>Eigene Grenzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>From the base</source>
+            <translation>Ab Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>From the entrance</source>
+            <translation>Ab Eintritt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
+            <translation>Wie weit ein Kontrollpunkt nach unten und oben von der Grundform abweichen darf. Ein weiterer Bereich lenkt Licht weiter ab.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
+            <source>{panel} {field}</source>
+            <translation>{panel}, {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Up</source>
+            <translation>Auf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Down</source>
+            <translation>Ab</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>new {part}</source>
+            <translation>Neu: {part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>removal of {part} {number}</source>
+            <translation>{part} {number} entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>move of {part} {number}</source>
+            <translation>{part} {number} verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/receiver.py" />
+            <source>Kind</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>region</source>
+            <translation>Ausschnitt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Regions</source>
+            <translation>Ausschnitte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Add a region in the middle</source>
+            <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Remove the chosen region</source>
+            <translation>Den gewählten Ausschnitt entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Move the chosen region up</source>
+            <translation>Den gewählten Ausschnitt nach oben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Move the chosen region down</source>
+            <translation>Den gewählten Ausschnitt nach unten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>None.</source>
+            <translation>Keine.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Region {count}</source>
+            <translation>Ausschnitt {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Watched</source>
+            <translation>Beobachtet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Region {number}</source>
+            <translation>Ausschnitt {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>In der Form x, y; x, y; …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Parameters</source>
+            <translation>Parameter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
+            <translation>Wie viele Zahlen optimiert werden, und der Speicher, den sie mit ihrem Gradienten und den beiden Momenten des Optimierers brauchen. Ein Netzwerk, das nicht passt, wird beim Start abgelehnt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>Files of light ({endings});;All files (*)</source>
+            <translation>Lichtdateien ({endings});;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>change of file of light</source>
+            <translation>Lichtdatei ändern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>The design keeps files of up to {largest} MB.</source>
+            <translation>Der Entwurf bewahrt Dateien bis {largest} MB auf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>Choose a file of light</source>
+            <translation>Eine Lichtdatei wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>In turn</source>
+            <translation>Nacheinander</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>A run goes through these stages before the scene itself, each going on from the lens of the one before: from a point source to an extended one, say, or from a coarse net to a fine one.</source>
+            <translation>Ein Lauf durchläuft diese Stufen vor der Szene selbst, jede ausgehend von der Linse der vorigen: etwa von einer Punktquelle zu einer ausgedehnten oder von einem groben Netz zu einem feinen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>stage</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Stages of the run</source>
+            <translation>Stufen des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Eine Stufe hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Remove the chosen stage</source>
+            <translation>Die gewählte Stufe entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Run the chosen stage sooner</source>
+            <translation>Die gewählte Stufe früher ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Run the chosen stage later</source>
+            <translation>Die gewählte Stufe später ausführen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Then the scene as it stands, {iterations}.</source>
+            <translation>Danach die Szene, wie sie ist, {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>None: the scene is run as it stands.</source>
+            <translation>Keine: die Szene läuft, wie sie ist.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>Netz aus {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>{kind} filter</source>
+            <translation>Filter: {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>1 iteration</source>
+            <translation>1 Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>{count} iterations</source>
+            <translation>{count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>As the scene</source>
+            <translation>Wie die Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>Stages</source>
+            <translation>Stufen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>Stage {number}</source>
+            <translation>Stufe {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>Images ({endings});;All files (*)</source>
+            <translation>Bilder ({endings});;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>An image file can also be dropped onto the window.</source>
+            <translation>Eine Bilddatei lässt sich auch auf das Fenster ziehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>The design keeps images of up to {largest} MB.</source>
+            <translation>Der Entwurf bewahrt Bilder bis {largest} MB auf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>Choose an image file</source>
+            <translation>Eine Bilddatei wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>The light that is wanted on the screen</source>
+            <translation>Das Licht, das auf dem Schirm gewünscht ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>bound</source>
+            <translation>Schranke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>at best {error}</source>
+            <translation>bestenfalls {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>There can be {bound}; {error} with a source half as wide. This is the least relative L2 error, certified; freeform bound tells more.</source>
+            <translation>Möglich: {bound}; {error} mit einer halb so breiten Quelle. Das ist der kleinste relative L2-Fehler, nachgewiesen; „freeform bound“ sagt mehr.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>The scenes are the same</source>
+            <translation>Die Szenen sind gleich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Fields of the scenes that differ</source>
+            <translation>Felder der Szenen, die sich unterscheiden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Point at an image to read its light</source>
+            <translation>Auf ein Bild zeigen, um sein Licht abzulesen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Comparison of two runs</source>
+            <translation>Vergleich zweier Läufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Light under the pointer</source>
+            <translation>Licht unter dem Zeiger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Figures of both runs</source>
+            <translation>Zahlen beider Läufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>return to iteration {number}</source>
+            <translation>zurück zu Iteration {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>design run</source>
+            <translation>Entwurfslauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Following: the first design is under way</source>
+            <translation>Folgen: der erste Entwurf entsteht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Edits are followed no longer: a first result of this design takes more than {seconds:g} s here, time after time. Start designs it.</source>
+            <translation>Änderungen wird nicht mehr gefolgt: ein erstes Ergebnis dieses Entwurfs dauert hier immer wieder mehr als {seconds:g} s. Start entwirft ihn.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the lens that was missing</source>
+            <translation>Entwurf der fehlenden Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the mirror that was missing</source>
+            <translation>Entwurf des fehlenden Spiegels</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Following: error {error:.1f} %, still getting better</source>
+            <translation>Folgen: Fehler {error:.1f} %, wird noch besser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
+            <translation>Es gibt noch kein Ergebnis, oder sein Licht wird noch durchgerechnet; gleich noch einmal versuchen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the best lens so far, after {count} iterations</source>
+            <translation>die bisher beste Linse, nach {count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the best mirror so far, after {count} iterations</source>
+            <translation>der bisher beste Spiegel, nach {count} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the lens on show, {origin}</source>
+            <translation>die gezeigte Linse, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the mirror on show, {origin}</source>
+            <translation>der gezeigte Spiegel, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run paused</source>
+            <translation>Lauf angehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run resumed</source>
+            <translation>Lauf fortgesetzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Stop asked for</source>
+            <translation>Stopp verlangt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>{name} is kept no longer: kept runs would take too much memory</source>
+            <translation>{name} wird nicht mehr aufbewahrt: aufbewahrte Läufe bräuchten zu viel Speicher</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run begins: {name}, method {method}</source>
+            <translation>Lauf beginnt: {name}, Methode {method}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source> at iteration {iteration}</source>
+            <translation> bei Iteration {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Stage {stage} of {stages}, iteration {iteration}</source>
+            <translation>Stufe {stage} von {stages}, Iteration {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Trace: {notes}</source>
+            <translation>Durchrechnung: {notes}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended before its first lens</source>
+            <translation>Lauf endete vor seiner ersten Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended before its first mirror</source>
+            <translation>Lauf endete vor seinem ersten Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss:.3e}, {efficiency:.1f} % {place}</source>
+            <translation>Lauf beendet{why} nach Iteration {iteration} von {iterations}, {clock}: letzte Zielfunktion {loss:.3e}, {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>check of the run</source>
+            <translation>Prüfung des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>Checked error {error} at {iteration}</source>
+            <translation>Geprüfter Fehler {error} bei {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runner.py" />
+            <source>run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose one run in View &gt; Runs first.</source>
+            <translation>Zuerst in Ansicht &gt; Läufe einen Lauf wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose runs in View &gt; Runs first.</source>
+            <translation>Zuerst in Ansicht &gt; Läufe Läufe wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose two runs in View &gt; Runs first: Ctrl and a click.</source>
+            <translation>Zuerst in Ansicht &gt; Läufe zwei Läufe wählen: Strg und Klick.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>rename run</source>
+            <translation>Lauf umbenennen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>The run is still called {name}: {reason}</source>
+            <translation>Der Lauf heißt weiterhin {name}: {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>return to {name}</source>
+            <translation>zurück zu {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>delete {name}</source>
+            <translation>{name} löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>delete {count} runs</source>
+            <translation>{count} Läufe löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>iteration {done} of {count}{rate}</source>
+            <translation>Iteration {done} von {count}{rate}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Error {error} · light {place} {shares}</source>
+            <translation>Fehler {error} · Licht {place} {shares}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>loss {loss:.3e}</source>
+            <translation>Zielfunktion {loss:.3e}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>{time} elapsed</source>
+            <translation>Zeit {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>at most {time} left</source>
+            <translation>höchstens noch {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Progress of the design</source>
+            <translation>Fortschritt des Entwurfs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Iterations done, and how many a second lately</source>
+            <translation>Ausgeführte Iterationen, und wie viele je Sekunde zuletzt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Relative L2 error of the image after so many iterations of the run, by an independent trace with rays that the design never saw; the scatter of these rays is left out</source>
+            <translation>Relativer L2-Fehler des Bildes nach so vielen Iterationen des Laufs, nach einer unabhängigen Durchrechnung mit Strahlen, die der Entwurf nie gesehen hat; ohne die Streuung dieser Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Relative L2 error of the design on show, by an independent trace with rays that the design never saw; the scatter of these rays is left out. The log tells more</source>
+            <translation>Relativer L2-Fehler des gezeigten Entwurfs, nach einer unabhängigen Durchrechnung mit Strahlen, die der Entwurf nie gesehen hat; ohne die Streuung dieser Strahlen. Das Protokoll sagt mehr</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are told of each</source>
+            <translation>Wie weit das Bild vom Ziel entfernt ist, wie der Entwurf es sieht (relatives L2), und wie viel Licht ankommt, wo es gewünscht ist: auf dem Schirm oder im Fernfeld. Bei mehreren Bildern beides für jedes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>in the far field</source>
+            <translation>im Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>What the design makes as small as it can</source>
+            <translation>Was der Entwurf so klein wie möglich macht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Run time</source>
+            <translation>Laufzeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Time left at the pace of the last seconds. Automatic ends sooner when nothing improves any more</source>
+            <translation>Verbleibende Zeit beim Tempo der letzten Sekunden. Automatisch endet früher, wenn nichts mehr besser wird</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>{time} left</source>
+            <translation>noch {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Each run that ends is kept here, to be compared with others and gone back to.</source>
+            <translation>Jeder beendete Lauf wird hier aufbewahrt, um ihn zu vergleichen und zu ihm zurückzukehren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>What the run is called, with its light; a check mark draws its loss beside that of this run</source>
+            <translation>Wie der Lauf heißt, mit seinem Licht; ein Häkchen zeichnet seine Zielfunktion neben der dieses Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>The image that the light should draw: its file, or what it is</source>
+            <translation>Das Bild, das das Licht zeichnen soll: seine Datei, oder was es ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Relative L2 error of its best result, as the run saw it</source>
+            <translation>Relativer L2-Fehler seines besten Ergebnisses, wie der Lauf ihn sah</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Verified</source>
+            <translation>Geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Relative L2 error of its result, by an independent trace with other rays</source>
+            <translation>Relativer L2-Fehler des Ergebnisses, nach einer unabhängigen Durchrechnung mit anderen Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>On screen</source>
+            <translation>Auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Part of the light that lands on the screen, or in the far field</source>
+            <translation>Teil des Lichts, der auf dem Schirm oder im Fernfeld ankommt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Iterations</source>
+            <translation>Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Iterations taken, those of runs that it continued included</source>
+            <translation>Ausgeführte Iterationen, auch die der Läufe, die er fortsetzte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Net</source>
+            <translation>Netz</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Numbers of control points along x and y</source>
+            <translation>Anzahl der Kontrollpunkte entlang x und y</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Method</source>
+            <translation>Methode</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>How the result was searched for</source>
+            <translation>Wie das Ergebnis gesucht wurde</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Loss of its best result, as the run saw it</source>
+            <translation>Zielfunktion des besten Ergebnisses, wie der Lauf sie sah</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Ended</source>
+            <translation>Ende</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Why the run ended</source>
+            <translation>Warum der Lauf endete</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Kept runs</source>
+            <translation>Aufbewahrte Läufe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Delete</source>
+            <translation>Löschen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Restore</source>
+            <translation>Wiederherstellen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Give the design this run's task and result</source>
+            <translation>Dem Entwurf Aufgabe und Ergebnis dieses Laufs geben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Forget the chosen runs</source>
+            <translation>Die gewählten Läufe verwerfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Compare</source>
+            <translation>Vergleichen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>See two chosen runs beside each other: light, figures, fields</source>
+            <translation>Zwei gewählte Läufe nebeneinander sehen: Licht, Zahlen, Felder</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>The one of the design</source>
+            <translation>Der des Entwurfs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>A name has at most {count} characters</source>
+            <translation>Ein Name hat höchstens {count} Zeichen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/startup/unexpected_errors.py" />
+            <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
+            <translation>Etwas ist schiefgegangen, das nicht schiefgehen sollte: {error}. Ihre Arbeit ist noch da: speichern Sie sie.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/startup/warm_up.py" />
+            <source>start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/threads/failure.py" />
+            <source>The {work} ended with an {error}</source>
+            <translation>{work}: beendet mit „{error}“</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Save…</source>
+            <translation>Speichern …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Das Diagramm (PNG, SVG) oder die Zahlen jeder Linse (CSV, JSON) speichern</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a whole number from 1 to {most} is needed</source>
+            <translation>eine ganze Zahl von 1 bis {most} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a whole number from 0 is needed</source>
+            <translation>eine ganze Zahl ab 0 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a finite number from 0 is needed</source>
+            <translation>eine endliche Zahl ab 0 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>over</source>
+            <translation>über</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Lenses</source>
+            <translation>Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>How many are traced; more make the tail surer</source>
+            <translation>Wie viele durchgerechnet werden; mehr machen die Ränder der Verteilung sicherer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Seed</source>
+            <translation>Startwert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>Derselbe Startwert ergibt dieselben Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Nothing is off: give a tilt, a decentre or another tolerance.</source>
+            <translation>Nichts weicht ab: eine Verkippung, Dezentrierung oder andere Toleranz angeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>sample of tolerances</source>
+            <translation>Toleranzstichprobe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Trace no more; those that are traced count</source>
+            <translation>Nicht weiter durchrechnen; was durchgerechnet ist, zählt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Perturb what is on show at random, and trace each with fresh rays</source>
+            <translation>Das Gezeigte zufällig stören und jedes mit neuen Strahlen durchrechnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>{count} of {wanted} lenses</source>
+            <translation>{count} von {wanted} Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
+            <translation>{done}: Fehler wie entworfen {nominal:.2f} %, Median {median:.2f} %, 95 % der Linsen unter {most:.2f} %, schlechteste {worst:.2f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Out of date: the lens has changed since.</source>
+            <translation>Veraltet: die Linse hat sich seitdem geändert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/spread_view.py" />
+            <source>How does the image change when lenses are a little off? Start traces some of them.</source>
+            <translation>Wie ändert sich das Bild, wenn Linsen etwas abweichen? Start rechnet einige davon durch.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Control point</source>
+            <translation>Kontrollpunkt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Choose it here, or click it in the 3D scene.</source>
+            <translation>Hier wählen oder in der 3D-Szene anklicken.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Wird berechnet, sobald der Entwurf ruht …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Computing…</source>
+            <translation>Berechnung …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>derivative map</source>
+            <translation>Ableitungskarte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>There is no map of this point yet.</source>
+            <translation>Von diesem Punkt gibt es noch keine Karte.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Number of the control point along {axis}, counted from 0</source>
+            <translation>Nummer des Kontrollpunkts entlang {axis}, ab 0 gezählt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Control point along {axis}</source>
+            <translation>Kontrollpunkt entlang {axis}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>, {part:.1e} of the total flux there</source>
+            <translation>, {part:.1e} des gesamten Lichtstroms dort</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Sum: flux on the screen changes by {sum:.1e} per {unit}{part}</source>
+            <translation>Summe: der Lichtstrom auf dem Schirm ändert sich um {sum:.1e} je {unit}{part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/face_choice.py" />
+            <source>Face</source>
+            <translation>Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/face_choice.py" />
+            <source>Which of the freeform faces of the lens is meant</source>
+            <translation>Welche der Freiformflächen der Linse gemeint ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_curve.py" />
+            <source>Relative L2 error against the distance; the dotted line is the screen</source>
+            <translation>Relativer L2-Fehler über dem Abstand; die gepunktete Linie ist der Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>trace through focus</source>
+            <translation>Fokusreihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>A far field is at no distance: there is nothing to focus.</source>
+            <translation>Ein Fernfeld liegt in keinem Abstand: es gibt nichts zu fokussieren.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Distance of the screen</source>
+            <translation>Abstand des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Look at the light before or behind the screen: half to one and a half times its distance. The scene stays as it is</source>
+            <translation>Das Licht vor oder hinter dem Schirm ansehen: beim halben bis anderthalbfachen Abstand. Die Szene bleibt, wie sie ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>At screen</source>
+            <translation>Am Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Go back to the distance of the scene's screen</source>
+            <translation>Zum Abstand des Schirms der Szene zurückkehren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Curve</source>
+            <translation>Kurve</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Trace the light to many distances and draw the error against them</source>
+            <translation>Das Licht in vielen Abständen durchrechnen und den Fehler darüber zeichnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>traced when the design rests…</source>
+            <translation>wird durchgerechnet, sobald der Entwurf ruht …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>tracing…</source>
+            <translation>Durchrechnung …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>no light arrives there</source>
+            <translation>dort kommt kein Licht an</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>{part:.1f} % of the light</source>
+            <translation>{part:.1f} % des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>error {error}, {light}</source>
+            <translation>Fehler {error}, {light}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>screen</source>
+            <translation>Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>The light there is traced when the design rests.</source>
+            <translation>Das Licht dort wird durchgerechnet, sobald der Entwurf ruht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Moment of the run</source>
+            <translation>Zeitpunkt des Laufs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Look back at the design and its light at any moment of the run</source>
+            <translation>Auf den Entwurf und sein Licht zu jedem Zeitpunkt des Laufs zurückblicken</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>iteration {number}</source>
+            <translation>Iteration {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Go on from here</source>
+            <translation>Von hier fortfahren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Take the design as it was at this moment, and continue from it; Undo brings the later one back</source>
+            <translation>Den Entwurf nehmen, wie er zu diesem Zeitpunkt war, und von dort fortfahren; Rückgängig bringt den späteren zurück</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Image that is shown</source>
+            <translation>Gezeigtes Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Which of the scene's images is shown</source>
+            <translation>Welches der Bilder der Szene gezeigt wird</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Bild {number}, {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>Value under the pointer</source>
+            <translation>Wert unter dem Zeiger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>beside the lens</source>
+            <translation>neben der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>beside the mirror</source>
+            <translation>neben dem Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>{value} at {x}, {y}</source>
+            <translation>{value} bei {x}, {y}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_image_view.py" />
+            <source>Logarithmic colours</source>
+            <translation>Logarithmische Farben</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_image_view.py" />
+            <source>Logarithmic colours, over three decades: stray light is seen</source>
+            <translation>Logarithmische Farben über drei Dekaden: Streulicht wird sichtbar</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_view.py" />
+            <source>All parts</source>
+            <translation>Alle Teile</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_view.py" />
+            <source>The parts together; the account is complete when this is 100 %.</source>
+            <translation>Die Teile zusammen; die Bilanz ist vollständig, wenn das 100 % ist.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Axes</source>
+            <translation>Achsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>What the loss is drawn against, and how</source>
+            <translation>Worüber die Zielfunktion gezeichnet wird, und wie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Against iterations</source>
+            <translation>Über Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Against seconds</source>
+            <translation>Über Sekunden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Logarithmic x</source>
+            <translation>x logarithmisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Logarithmic y</source>
+            <translation>y logarithmisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>The loss is drawn here while a design runs. Run &gt; Start begins one.</source>
+            <translation>Hier wird die Zielfunktion gezeichnet, während ein Entwurf läuft. Lauf &gt; Start beginnt einen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>predict the photo</source>
+            <translation>Fotovorhersage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>There is no lens yet: Start designs one.</source>
+            <translation>Es gibt noch keine Linse: Start entwirft eine.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>The photo is predicted when the design rests.</source>
+            <translation>Das Foto wird vorhergesagt, sobald der Entwurf ruht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>predicting… {part:.0f} %</source>
+            <translation>Vorhersage … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Light of the photo</source>
+            <translation>Licht des Fotos</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>What the lens is lit by: as its source suggests (daylight from infinitely far, a laser as a Gaussian beam, else an LED), or another light</source>
+            <translation>Womit die Linse beleuchtet wird: wie ihre Quelle es nahelegt (Tageslicht aus dem Unendlichen, ein Laser als Gaußstrahl, sonst eine LED), oder ein anderes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Light of the source</source>
+            <translation>Licht der Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure</source>
+            <translation>Belichtung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure in stops: one more makes all twice as bright</source>
+            <translation>Belichtung in Blendenstufen: eine mehr macht alles doppelt so hell</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>{number} stops</source>
+            <translation>{number} Blenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>The usual exposure: the target's brightest pixel is white</source>
+            <translation>Die übliche Belichtung: das hellste Pixel des Ziels ist weiß</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Usual exposure</source>
+            <translation>Übliche Belichtung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Out of date: of the lens before. </source>
+            <translation>Veraltet: von der vorigen Linse. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>The first picture of this design comes in a moment.</source>
+            <translation>Das erste Bild dieses Entwurfs kommt gleich.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>There is too little room here for a picture.</source>
+            <translation>Hier ist zu wenig Platz für ein Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>There is no picture of this design: its light cannot be traced.</source>
+            <translation>Von diesem Entwurf gibt es kein Bild: sein Licht lässt sich nicht durchrechnen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_marks.py" />
+            <source>least / mean {number:.2f}</source>
+            <translation>kleinste / mittlere {number:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>Draw a line</source>
+            <translation>Eine Linie ziehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>Drag across an image to draw the line of a cross-section; Shift and drag does so too</source>
+            <translation>Über ein Bild ziehen, um die Linie eines Schnitts zu zeichnen; Umschalt und Ziehen tut es auch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Where the screen is cut: along x or y through the place that is clicked in an image,
+or along a line that is drawn across one with Shift and drag.
+Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line</source>
+            <translation>Wo der Schirm geschnitten wird: entlang x oder y durch die Stelle, die in einem Bild angeklickt wird,
+oder entlang einer Linie, die mit Umschalt und Ziehen gezeichnet wird.
+Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mit Strg das Ende der Linie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along</source>
+            <translation>Entlang</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along x</source>
+            <translation>Entlang x</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along y</source>
+            <translation>Entlang y</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along a line</source>
+            <translation>Entlang einer Linie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>From {start} to {end} {unit}.
+{tip}</source>
+            <translation>Von {start} bis {end} {unit}.
+{tip}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/target_view.py" />
+            <source>The target with as much light as arrives: where the irradiance is right, both have the same colour, however much light is lost on the way. The light account tells where that goes.</source>
+            <translation>Das Ziel mit so viel Licht, wie ankommt: wo die Bestrahlungsstärke stimmt, haben beide dieselbe Farbe, wie viel Licht auch unterwegs verloren geht. Die Lichtbilanz sagt, wohin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/log_view.py" />
+            <source>What runs, checks and exports tell is written here.</source>
+            <translation>Hier steht, was Läufe, Prüfungen und Exporte melden.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/message_bar.py" />
+            <source>Close this message</source>
+            <translation>Diese Meldung schließen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/early_parts.py" />
+            <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
+            <translation>Der Lauf wartet auf seine Rechenkerne: sie werden einmal nach der Installation übersetzt, etwa eine halbe Minute lang</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Follow</source>
+            <translation>Folgen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Cancel &amp;check</source>
+            <translation>Prüfung abb&amp;rechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/view_state.py" />
+            <source>The {what} kept with this design cannot be shown again: {error}</source>
+            <translation>Mit diesem Entwurf Gespeichertes kann nicht wieder gezeigt werden ({what}): {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>Loading the 3D scene…</source>
+            <translation>3D-Szene wird geladen …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>As opened</source>
+            <translation>Wie geöffnet</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>A click goes back or forth to that step</source>
+            <translation>Ein Klick geht zu diesem Schritt zurück oder vor</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
+            <translation>Die 3D-Szene ist verborgen. Ansicht &gt; 3D-Szene zeigt sie wieder.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>{name} is open with the unsaved changes that were recovered.</source>
+            <translation>{name} ist mit den wiederhergestellten, ungespeicherten Änderungen geöffnet.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>Copy details</source>
+            <translation>Einzelheiten kopieren</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>First lenses</source>
+            <translation>Erste Linsen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>lens</source>
+            <translation>Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>exit face</source>
+            <translation>Austrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>entrance face</source>
+            <translation>Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>mirror</source>
+            <translation>Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>on the screen</source>
+            <translation>auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>On the screen</source>
+            <translation>Auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that makes the image.</source>
+            <translation>Licht, das das Bild macht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the screen</source>
+            <translation>Am Schirm vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the optic and the screen by. One that sends much light here wastes it, or has more than its surface can bend.</source>
+            <translation>Licht, das an der Optik und am Schirm vorbeigeht. Eine, die viel Licht hierher schickt, verschwendet es oder hat mehr, als ihre Fläche ablenken kann.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the lens</source>
+            <translation>An der Linse vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the entrance face by. The cone of a point source is round and just covers the rectangle around the face; of that, an elliptic lens leaves the corners open.</source>
+            <translation>Licht, das an der Eintrittsfläche vorbeigeht. Der Kegel einer Punktquelle ist rund und deckt gerade das Rechteck um die Fläche; eine elliptische Linse lässt davon die Ecken frei.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Out of the side</source>
+            <translation>Aus der Seite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that entered the lens so slanted that it meets a side wall before the exit face.</source>
+            <translation>Licht, das so schräg in die Linse trat, dass es vor der Austrittsfläche eine Seitenwand trifft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Totally reflected</source>
+            <translation>Totalreflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that meets the exit face too steeply to leave the lens there.</source>
+            <translation>Licht, das die Austrittsfläche zu steil trifft, um die Linse dort zu verlassen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflected on entry</source>
+            <translation>Beim Eintritt reflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the entrance face reflects of the light that it refracts.</source>
+            <translation>Der Teil, den die Eintrittsfläche von dem Licht reflektiert, das sie bricht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflected on exit</source>
+            <translation>Beim Austritt reflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the exit face reflects of the light that it refracts.</source>
+            <translation>Der Teil, den die Austrittsfläche von dem Licht reflektiert, das sie bricht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed</source>
+            <translation>Absorbiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the glass absorbs of the light that comes to the exit face.</source>
+            <translation>Der Teil, den das Glas von dem Licht absorbiert, das zur Austrittsfläche kommt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the mirror</source>
+            <translation>Am Spiegel vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the mirror by: between it and the rim of the light's cone, and through the corners of the rectangle around an elliptic mirror.</source>
+            <translation>Licht, das am Spiegel vorbeigeht: zwischen ihm und dem Rand des Lichtkegels und durch die Ecken des Rechtecks um einen elliptischen Spiegel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed by the mirror</source>
+            <translation>Vom Spiegel absorbiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part of the light on the mirror that it does not reflect.</source>
+            <translation>Der Teil des Lichts auf dem Spiegel, den er nicht reflektiert.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>far field</source>
+            <translation>Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity</source>
+            <translation>Strahlstärke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In the far field</source>
+            <translation>Im Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the far field</source>
+            <translation>Am Fernfeld vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the optic and the far field by. One that sends much light here wastes it, or has more than its surface can bend.</source>
+            <translation>Licht, das an der Optik und am Fernfeld vorbeigeht. Eine, die viel Licht hierher schickt, verschwendet es oder hat mehr, als ihre Fläche ablenken kann.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit</source>
+            <translation>Einheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of every length in the scene. Another one converts them all: a lens of 1 cm becomes one of 10 mm.</source>
+            <translation>Einheit aller Längen der Szene. Eine andere rechnet sie alle um: aus einer Linse von 1 cm wird eine von 10 mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What shapes the light.</source>
+            <translation>Was das Licht formt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance face and B-spline exit face over a rectangle.</source>
+            <translation>Eintrittsfläche und B-Spline-Austrittsfläche über einem Rechteck.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half width</source>
+            <translation>Halbbreite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the lens's extent along x and y. All of it is lit.</source>
+            <translation>Die halbe Ausdehnung der Linse entlang x und y. Sie ist ganz beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Outline</source>
+            <translation>Umriss</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the lens as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the lens.</source>
+            <translation>Die Form der Linse, entlang der Achse gesehen; die Halbbreiten einer Ellipse sind ihre Halbachsen. Licht daneben verfehlt die Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle</source>
+            <translation>Rechteck</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ellipse</source>
+            <translation>Ellipse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance at z</source>
+            <translation>Eintritt bei z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the entrance face stands on the optical axis.</source>
+            <translation>Wo die Eintrittsfläche auf der optischen Achse steht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The face that light meets first.</source>
+            <translation>Die Fläche, auf die das Licht zuerst trifft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Flat</source>
+            <translation>Eben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A plane across the axis.</source>
+            <translation>Eine Ebene quer zur Achse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Freeform</source>
+            <translation>Freiform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A second B-spline face, which is designed together with the exit face.</source>
+            <translation>Eine zweite B-Spline-Fläche, die gemeinsam mit der Austrittsfläche entworfen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance degree</source>
+            <translation>Grad des Eintritts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the entrance face along x and y.</source>
+            <translation>Polynomgrad der Eintrittsfläche entlang x und y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance control points</source>
+            <translation>Kontrollpunkte des Eintritts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points of the entrance face along x and y. Automatic takes as many as the exit face has.</source>
+            <translation>Anzahl der Kontrollpunkte der Eintrittsfläche entlang x und y. Automatisch nimmt so viele, wie die Austrittsfläche hat.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance range</source>
+            <translation>Eintrittsbereich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the entrance face may be from its place on the axis, towards the source and away from it. Automatic leaves it room behind that place, as glass and source allow.</source>
+            <translation>Wie weit die Eintrittsfläche von ihrem Ort auf der Achse abweichen darf, zur Quelle hin und von ihr weg. Automatisch lässt ihr hinter diesem Ort so viel Raum, wie Glas und Quelle erlauben.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>to</source>
+            <translation>bis</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of: a catalogue material, or a custom index.</source>
+            <translation>Woraus die Linse besteht: ein Material des Katalogs oder eine eigene Brechzahl.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wavelength</source>
+            <translation>Wellenlänge</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Vacuum wavelength at which the material's index is taken.</source>
+            <translation>Vakuumwellenlänge, bei der die Brechzahl des Materials gilt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorption</source>
+            <translation>Absorption</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
+            <translation>Wie viel das Glas je Länge absorbiert: Licht fällt wie exp(−Absorption · Weg). Klares Glas und Acryl absorbieren etwa 0.0002 je mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflection</source>
+            <translation>Reflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
+            <translation>Was unbeschichtete Flächen reflektieren: nach den Fresnelschen Formeln für unpolarisiertes Licht, nach Schlicks Näherung wie in der Veröffentlichung oder nichts. Bei Totalreflexion alles.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresnel, exact</source>
+            <translation>Fresnel, exakt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Schlick, approximate</source>
+            <translation>Schlick, genähert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>None</source>
+            <translation>Keine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coating</source>
+            <translation>Beschichtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
+            <translation>Teil des Lichts, den eine Entspiegelung an Eintritts- und Austrittsfläche unter allen Winkeln reflektiert: 0.005 ist eine gute. Leer: unbeschichtete Flächen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Degree</source>
+            <translation>Grad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation>Polynomgrad des B-Splines der Austrittsfläche entlang x und y. 3 ergibt eine glatte Krümmung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control points</source>
+            <translation>Kontrollpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth; the paper's method then has nets like those of the paper.</source>
+            <translation>Anzahl der Kontrollpunkte entlang x und y. Mehr zeichnen feinere Einzelheiten und brauchen länger. Automatisch nimmt, was die Einzelheiten des Ziels, die Pixel des Schirms und die Größe der Quelle wert sind; die Methode der Veröffentlichung hat dann Netze wie dort.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base</source>
+            <translation>Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the exit face before the design; heights are counted from it.</source>
+            <translation>Die Form der Austrittsfläche vor dem Entwurf; Höhen zählen von ihr aus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base at z</source>
+            <translation>Grundform bei z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the base crosses the optical axis.</source>
+            <translation>Wo die Grundform die optische Achse schneidet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sphere</source>
+            <translation>Kugel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A spherical cap that rises or falls towards the rim.</source>
+            <translation>Eine Kugelkappe, die zum Rand hin steigt oder fällt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base radius</source>
+            <translation>Radius der Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
+            <translation>Krümmungsradius der Grundform; größer als die halbe Diagonale von Linse oder Spiegel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base form</source>
+            <translation>Wölbung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave rises towards the rim, convex falls.</source>
+            <translation>Konkav steigt zum Rand hin, konvex fällt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave</source>
+            <translation>Konkav</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex</source>
+            <translation>Konvex</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height range</source>
+            <translation>Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the exit face may be from the base. Automatic takes what the task needs, between the thinnest and the thickest lens that is allowed.</source>
+            <translation>Wie weit die Austrittsfläche von der Grundform abweichen darf. Automatisch nimmt, was die Aufgabe braucht, zwischen der dünnsten und der dicksten erlaubten Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Max. thickness</source>
+            <translation>Max. Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The exit face is at most this far from the entrance face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
+            <translation>Die Austrittsfläche ist höchstens so weit von der Eintrittsfläche entfernt: die Dicke des Rohteils. Leer: beliebig.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Min. thickness</source>
+            <translation>Min. Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The exit face stays at least this far above the entrance face, so that the part can be made.</source>
+            <translation>Die Austrittsfläche bleibt mindestens so weit über der Eintrittsfläche, damit sich das Teil herstellen lässt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror</source>
+            <translation>Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What shapes the light by reflecting it, in place of a lens.</source>
+            <translation>Was das Licht durch Reflexion formt, an Stelle einer Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One face that reflects, lit from below.</source>
+            <translation>Eine reflektierende Fläche, von unten beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the mirror's extent along x and y. All of it is lit.</source>
+            <translation>Die halbe Ausdehnung des Spiegels entlang x und y. Er ist ganz beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the mirror as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the mirror.</source>
+            <translation>Die Form des Spiegels, entlang der Achse gesehen; die Halbbreiten einer Ellipse sind ihre Halbachsen. Licht daneben verfehlt den Spiegel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflectance</source>
+            <translation>Reflexionsgrad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
+            <translation>Teil des Lichts, den der Spiegel unter allen Winkeln reflektiert: etwa 0.9 bei Aluminium, 0.97 bei Silber. Den Rest absorbiert er.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation>Polynomgrad des B-Splines des Spiegels entlang x und y. 3 ergibt eine glatte Krümmung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the mirror before the design; heights are counted from it.</source>
+            <translation>Die Form des Spiegels vor dem Entwurf; Höhen zählen von ihr aus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the mirror may be from the base. Automatic takes what the task needs, at most the larger half width: steeper mirrors send no light back.</source>
+            <translation>Wie weit der Spiegel von der Grundform abweichen darf. Automatisch nimmt, was die Aufgabe braucht, höchstens die größere Halbbreite: steilere Spiegel werfen kein Licht zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness</source>
+            <translation>Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
+            <translation>Wie weit die ebene Rückseite der Platte hinter dem höchsten Punkt des Spiegels liegt, beim Export der Platte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source</source>
+            <translation>Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light comes from.</source>
+            <translation>Woher das Licht kommt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Collimated light</source>
+            <translation>Kollimiertes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light from infinitely far that fills the entrance face: the sun, a laser beam.</source>
+            <translation>Licht aus dem Unendlichen, das die Eintrittsfläche füllt: die Sonne, ein Laserstrahl.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays</source>
+            <translation>Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays along x and y in each iteration of the paper's method, and for derivative maps. More give a smoother image and take longer; at least two per pixel and axis are good. Automatic chooses its own.</source>
+            <translation>Strahlen entlang x und y in jeder Iteration der Methode der Veröffentlichung und für Ableitungskarten. Mehr ergeben ein glatteres Bild und brauchen länger; mindestens zwei je Pixel und Achse sind gut. Automatisch wählt eigene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Direction</source>
+            <translation>Richtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the light is tilted against the optical axis: about x, which makes it go downwards, and about y, which makes it go to +x.</source>
+            <translation>Wie weit das Licht gegen die optische Achse geneigt ist: um x, was es nach unten lenkt, und um y, was es nach +x lenkt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Angular diameter</source>
+            <translation>Winkeldurchmesser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of the disc that the light comes from: 0.533 for the sun, 0 for a laser or a star. It blurs the image by as much as the disc's light spreads on the way.</source>
+            <translation>Voller Winkel der Scheibe, von der das Licht kommt: 0.533 bei der Sonne, 0 bei einem Laser oder Stern. Er macht das Bild so unscharf, wie sich das Licht der Scheibe unterwegs ausbreitet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Profile</source>
+            <translation>Profil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How bright the light is across the beam.</source>
+            <translation>Wie hell das Licht über den Strahlquerschnitt ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniform</source>
+            <translation>Gleichmäßig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As bright everywhere.</source>
+            <translation>Überall gleich hell.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian beam</source>
+            <translation>Gaußstrahl</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A laser beam about the optical axis of the lens; what passes its rim misses the lens.</source>
+            <translation>Ein Laserstrahl um die optische Achse der Linse; was an ihrem Rand vorbeigeht, verfehlt die Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam radius</source>
+            <translation>Strahlradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, measured across the beam.</source>
+            <translation>Wo die Bestrahlungsstärke auf 1/e² (13.5 %) der in der Mitte gefallen ist, quer zum Strahl gemessen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light from one point into the cone that just covers the entrance face.</source>
+            <translation>Licht von einem Punkt in den Kegel, der die Eintrittsfläche gerade deckt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Position</source>
+            <translation>Ort</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the point is: x, y and z. It has to stand before the entrance face; off the axis it lights the lens askew.</source>
+            <translation>Wo der Punkt liegt: x, y und z. Er muss vor der Eintrittsfläche stehen; neben der Achse beleuchtet er die Linse schräg.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in each iteration of the paper's method, and for derivative maps, those that miss the lens included. More give a smoother image and take longer; at least four per pixel are good. Automatic chooses its own.</source>
+            <translation>Strahlen in jeder Iteration der Methode der Veröffentlichung und für Ableitungskarten, auch die, die die Linse verfehlen. Mehr ergeben ein glatteres Bild und brauchen länger; mindestens vier je Pixel sind gut. Automatisch wählt eigene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Emission</source>
+            <translation>Abstrahlung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniform: equally bright in all directions, as a small bulb. Lambertian: dimmer away from the optical axis, as the surface of an LED.</source>
+            <translation>Gleichmäßig: in alle Richtungen gleich hell, wie eine kleine Glühlampe. Lambertsch: abseits der optischen Achse dunkler, wie die Oberfläche einer LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lambertian</source>
+            <translation>Lambertsch</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sampling</source>
+            <translation>Abtastung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How directions of the paper's method are drawn. Low discrepancy (Sobol) spreads them evenly and needs far fewer rays; random is noisier, as in the paper.</source>
+            <translation>Wie Richtungen der Methode der Veröffentlichung gezogen werden. Niedrige Diskrepanz (Sobol) verteilt sie gleichmäßig und braucht weit weniger Strahlen; zufällig rauscht mehr, wie in der Veröffentlichung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Low discrepancy</source>
+            <translation>Niedrige Diskrepanz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Random</source>
+            <translation>Zufällig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresh rays</source>
+            <translation>Neue Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Draw new rays for each iteration of the paper's method, so that the lens cannot fit itself to one set of them. Automatic does not have this.</source>
+            <translation>Für jede Iteration der Methode der Veröffentlichung neue Strahlen ziehen, damit sich die Linse nicht an einen Satz anpasst. Automatisch hat das nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intersection</source>
+            <translation>Schnittpunkt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How it is found where a ray of the paper's method meets the exit face.</source>
+            <translation>Wie ermittelt wird, wo ein Strahl der Methode der Veröffentlichung die Austrittsfläche trifft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exact</source>
+            <translation>Exakt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>On the B-spline itself, fast and without an error of its own.</source>
+            <translation>Auf dem B-Spline selbst, schnell und ohne eigenen Fehler.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Triangle mesh</source>
+            <translation>Dreiecksnetz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As in the paper, for comparison.</source>
+            <translation>Wie in der Veröffentlichung, zum Vergleich.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Subdivisions</source>
+            <translation>Unterteilungen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parts along x and y that each knot span is cut into, two triangles each. Twice as many make a quarter of the error, and four times the triangles.</source>
+            <translation>Teile entlang x und y, in die jedes Knotenintervall geteilt wird, je zwei Dreiecke. Doppelt so viele ergeben ein Viertel des Fehlers und viermal so viele Dreiecke.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Grid of points</source>
+            <translation>Punktraster</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Many points of equal intensity, standing for a source of some size.</source>
+            <translation>Viele Punkte gleicher Stärke, die für eine Quelle gewisser Größe stehen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Centre</source>
+            <translation>Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
+            <translation>Die Mitte des Rasters: x, y und z. Alle Punkte haben dasselbe z, vor der Eintrittsfläche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the grid's extent along x and y. No detail of the image can be sharper than the image that the lens makes of this.</source>
+            <translation>Die halbe Ausdehnung des Rasters entlang x und y. Keine Einzelheit des Bildes kann schärfer sein als das Bild, das die Linse hiervon macht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points along x and y, the outer ones on the rim. More of them come closer to an evenly bright source.</source>
+            <translation>Punkte entlang x und y, die äußeren auf dem Rand. Mehr kommen einer gleichmäßig hellen Quelle näher.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays per point</source>
+            <translation>Strahlen je Punkt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays from each point of the grid, for the paper's method and derivative maps. What they add up to makes the image smooth; few from each of many points are enough. Automatic chooses its own.</source>
+            <translation>Strahlen von jedem Punkt des Rasters, für die Methode der Veröffentlichung und Ableitungskarten. Ihre Gesamtzahl macht das Bild glatt; wenige von jedem von vielen Punkten genügen. Automatisch wählt eigene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Photometric file</source>
+            <translation>Photometrische Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A small lamp whose intensity by direction stands in a photometric file.</source>
+            <translation>Eine kleine Lampe, deren richtungsabhängige Stärke in einer photometrischen Datei steht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>File</source>
+            <translation>Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene file's folder.</source>
+            <translation>Stärke je Richtung, in einer Datei nach IES LM-63 (.ies) oder EULUMDAT (.ldt). Ihr Nadir zeigt nach +z, C0 nach +x und C90 nach −y. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the lamp is: x, y and z. It has to stand before the lens.</source>
+            <translation>Wo die Lampe steht: x, y und z. Sie muss vor der Linse stehen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rotation</source>
+            <translation>Drehung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lamp is turned about its own origin: about the axis x, then about y, then about z.</source>
+            <translation>Wie die Lampe um ihren eigenen Ursprung gedreht ist: um die Achse x, dann um y, dann um z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in each iteration of the paper's method, and for derivative maps. Automatic chooses its own.</source>
+            <translation>Strahlen in jeder Iteration der Methode der Veröffentlichung und für Ableitungskarten. Automatisch wählt eigene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ray file</source>
+            <translation>Strahldatei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp whose rays stand in a ray file, as they were measured or simulated.</source>
+            <translation>Eine Lampe, deren Strahlen in einer Strahldatei stehen, wie sie gemessen oder simuliert wurden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
+            <translation>Strahlen in einer Datei nach IES TM-25 (.tm25ray), von OpticStudio (.dat) oder als Text (.csv) mit den Spalten x, y, z, l, m, n und flux. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the origin of the file is: x, y and z.</source>
+            <translation>Wo der Ursprung der Datei liegt: x, y und z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the file</source>
+            <translation>Einheit der Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the lengths in the file. Left empty, it is the one that the file names.</source>
+            <translation>Einheit der Längen in der Datei. Leer: die, die die Datei nennt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Area emitter</source>
+            <translation>Flächenstrahler</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A flat emitter that faces the lens; it shines into the whole half-space before it.</source>
+            <translation>Ein ebener Strahler, der zur Linse zeigt; er strahlt in den ganzen Halbraum davor.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The middle of the emitter: x, y and z, before the entrance face.</source>
+            <translation>Die Mitte des Strahlers: x, y und z, vor der Eintrittsfläche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the emitter's extent along x and y.</source>
+            <translation>Die halbe Ausdehnung des Strahlers entlang x und y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
+            <translation>Die Form seiner Fläche; bei einer Ellipse sind die Halbbreiten Halbachsen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Screen</source>
+            <translation>Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light is wanted.</source>
+            <translation>Wo das Licht gewünscht ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
+            <translation>Rechteck einer Ebene. Seine Koordinaten laufen von seiner Mitte aus entlang seiner Seiten.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>At z</source>
+            <translation>Bei z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the middle of the screen stands along the optical axis.</source>
+            <translation>Wo die Mitte des Schirms entlang der optischen Achse steht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the screen's extent along x and y. The target fills it.</source>
+            <translation>Die halbe Ausdehnung des Schirms entlang x und y. Das Ziel füllt ihn.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where its middle is beside the optical axis, along x and y.</source>
+            <translation>Wo seine Mitte neben der optischen Achse liegt, entlang x und y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tilt</source>
+            <translation>Verkippung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The screen is turned about its middle: about x, which takes its upper edge away from or towards the lens, and about y. Rows and columns turn with it.</source>
+            <translation>Der Schirm ist um seine Mitte gedreht: um x, was seine Oberkante von der Linse weg oder zu ihr hin bewegt, und um y. Zeilen und Spalten drehen sich mit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels</source>
+            <translation>Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y in which the light is counted and compared with the target.</source>
+            <translation>Pixel entlang x und y, in denen das Licht gezählt und mit dem Ziel verglichen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Far field</source>
+            <translation>Fernfeld</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions in which the light is wanted, in place of a screen.</source>
+            <translation>Richtungen, in denen das Licht gewünscht ist, an Stelle eines Schirms.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions of the light that leaves the lens, as if a screen were infinitely far.</source>
+            <translation>Richtungen des Lichts, das die Linse verlässt, als wäre ein Schirm unendlich fern.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half angle</source>
+            <translation>Halbwinkel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the angles that it covers to the right and upwards. The target fills it.</source>
+            <translation>Die Hälfte der Winkel, die es nach rechts und nach oben umfasst. Das Ziel füllt es.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its middle: angle to the right and angle upwards from the optical axis.</source>
+            <translation>Seine Mitte: Winkel nach rechts und nach oben von der optischen Achse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image filter</source>
+            <translation>Bildfilter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
+            <translation>Wie das Licht eines Strahls auf Pixel verteilt wird, bei der Methode der Veröffentlichung und in Ableitungskarten. Automatisch hat keinen Filter.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gauß</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
+            <translation>Das Licht fällt über einige Pixel ab, sodass ein Entwurf spürt, wo im Pixel ein Strahl landet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
+            <translation>Pixel entlang x und y, die ein Strahl erreicht; ungerade Zahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Alpha</source>
+            <translation>Alpha</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
+            <translation>Wie schnell die Gaußkurve fällt: exp(−alpha · Abstand²). Klein ist breit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Box</source>
+            <translation>Kasten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Every ray counts fully in the pixel that it hits.</source>
+            <translation>Jeder Strahl zählt ganz in dem Pixel, das er trifft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The image that the light shall draw on the screen.</source>
+            <translation>Das Bild, das das Licht auf den Schirm zeichnen soll.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image file</source>
+            <translation>Bilddatei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Bright pixels get much light, black ones and transparent ones none.</source>
+            <translation>Helle Pixel bekommen viel Licht, schwarze und durchsichtige keines.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen with its aspect kept. A relative path starts at the scene file's folder.</source>
+            <translation>Bilddatei; helle Pixel bekommen viel Licht, schwarze und durchsichtige keines. Wo alles Gezeichnete schwarz ist, wie bei vielen Logos auf durchsichtigem Grund, bekommt die Zeichnung selbst das Licht. Das Bild wird mit seinem Seitenverhältnis in den Schirm eingepasst. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Brightness</source>
+            <translation>Helligkeit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light.</source>
+            <translation>Was ein Pixelwert bedeutet. Ein Monitor zeigt die Hälfte des größten Werts als ein Fünftel des Lichts: ein Foto sieht nur so aus wie dort, wenn das rückgängig gemacht wird (sRGB). Wie gespeichert ist der Wert selbst das Licht: die Hälfte ist halb so viel Licht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As stored</source>
+            <translation>Wie gespeichert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As shown by a monitor</source>
+            <translation>Wie auf einem Monitor</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fit</source>
+            <translation>Einpassen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Whether all of the picture is seen, with a black border where the screen has another aspect, or all of the screen is filled, and what is beyond it is cut away.</source>
+            <translation>Ob das ganze Bild zu sehen ist, mit schwarzem Rand, wo der Schirm ein anderes Seitenverhältnis hat, oder der ganze Schirm gefüllt und abgeschnitten wird, was darüber hinausgeht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All of the picture</source>
+            <translation>Das ganze Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All of the screen</source>
+            <translation>Der ganze Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Turns the picture on the screen.</source>
+            <translation>Dreht das Bild auf dem Schirm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As it is</source>
+            <translation>Wie es ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A quarter to the left</source>
+            <translation>Eine Vierteldrehung nach links</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A quarter to the right</source>
+            <translation>Eine Vierteldrehung nach rechts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upside down</source>
+            <translation>Auf den Kopf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut away</source>
+            <translation>Beschneiden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What is cut away at the left, top, right and bottom of the picture, as fractions of its width and height, before it is turned.</source>
+            <translation>Was links, oben, rechts und unten vom Bild abgeschnitten wird, als Bruchteile seiner Breite und Höhe, bevor es gedreht wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the picture</source>
+            <translation>des Bildes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Padding</source>
+            <translation>Rand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black border on each side as a fraction of the screen; it keeps light away from the edge.</source>
+            <translation>Schwarzer Rand auf jeder Seite als Bruchteil des Schirms; er hält Licht von der Kante fern.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of width</source>
+            <translation>der Breite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Blur</source>
+            <translation>Weichzeichnen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviation of a Gaussian over the target. Soft edges are easier for a smooth lens.</source>
+            <translation>Standardabweichung einer Gaußkurve über dem Ziel. Weiche Kanten sind für eine glatte Linse einfacher.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Invert</source>
+            <translation>Umkehren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Swap bright and dark.</source>
+            <translation>Hell und dunkel vertauschen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform disc.</source>
+            <translation>Eine gleichmäßige Scheibe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius</source>
+            <translation>Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the shape as a fraction of the screen's smaller half-width.</source>
+            <translation>Radius der Form als Bruchteil der kleineren Halbbreite des Schirms.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of half width</source>
+            <translation>der Halbbreite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A flame-like logo on black.</source>
+            <translation>Ein flammenähnliches Logo auf Schwarz.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of the shape as a fraction of the screen's smaller width.</source>
+            <translation>Höhe der Form als Bruchteil der kleineren Breite des Schirms.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A faceted ball in several greys.</source>
+            <translation>Ein Ball aus Facetten in mehreren Grautönen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform rectangle; as large as the screen, all of it evenly lit.</source>
+            <translation>Ein gleichmäßiges Rechteck; so groß wie der Schirm beleuchtet es ihn ganz und gleichmäßig.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the rectangle as a fraction of the screen's.</source>
+            <translation>Breite des Rechtecks als Bruchteil der des Schirms.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the screen</source>
+            <translation>des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of the rectangle as a fraction of the screen's; a small one makes a line.</source>
+            <translation>Höhe des Rechtecks als Bruchteil der des Schirms; eine kleine macht eine Linie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ring</source>
+            <translation>Ring</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform ring.</source>
+            <translation>Ein gleichmäßiger Ring.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Inner radius</source>
+            <translation>Innenradius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As a fraction of the radius.</source>
+            <translation>Als Bruchteil des Radius.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of radius</source>
+            <translation>des Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Text</source>
+            <translation>Text</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Words, as large as the screen lets them be.</source>
+            <translation>Wörter, so groß, wie der Schirm es zulässt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The words; \n begins a new line.</source>
+            <translation>Die Wörter; \n beginnt eine neue Zeile.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Images that the same light shall make elsewhere, on its way to the screen or beyond. Two freeform faces can place light and direct it; one face finds what lies between.</source>
+            <translation>Bilder, die dasselbe Licht anderswo machen soll, auf dem Weg zum Schirm oder dahinter. Zwei Freiformflächen können Licht verteilen und richten; eine Fläche findet, was dazwischen liegt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Further image</source>
+            <translation>Weiteres Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A receiver of its own with a target of its own. It takes no light from the other images.</source>
+            <translation>Ein eigener Empfänger mit eigenem Ziel. Er nimmt den anderen Bildern kein Licht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where light is wanted as well, at another place.</source>
+            <translation>Wo Licht ebenfalls gewünscht ist, an einem anderen Ort.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions in which light is wanted as well, in place of a screen.</source>
+            <translation>Richtungen, in denen Licht ebenfalls gewünscht ist, an Stelle eines Schirms.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The image that the light shall draw there.</source>
+            <translation>Das Bild, das das Licht dort zeichnen soll.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Weight</source>
+            <translation>Gewicht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the square of this image's relative error counts for in a design, beside 1 for the first image.</source>
+            <translation>Was das Quadrat des relativen Fehlers dieses Bildes in einem Entwurf zählt, neben 1 für das erste Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is. They do not change the lens.</source>
+            <translation>Teile des Schirms, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig. Sie ändern die Linse nicht.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A rectangle.</source>
+            <translation>Ein Rechteck.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle</source>
+            <translation>Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where its middle is, from that of the receiver.</source>
+            <translation>Wo seine Mitte liegt, von der des Empfängers aus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its whole width and height.</source>
+            <translation>Seine ganze Breite und Höhe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What figures of the region are called.</source>
+            <translation>Wie Zahlen des Ausschnitts heißen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An ellipse; a circle where the receiver's aspect and its own make one.</source>
+            <translation>Eine Ellipse; ein Kreis, wo das Seitenverhältnis des Empfängers und ihr eigenes einen ergeben.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polygon</source>
+            <translation>Vieleck</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A polygon, whose corners are drawn on an image.</source>
+            <translation>Ein Vieleck, dessen Ecken auf ein Bild gezeichnet werden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Corners</source>
+            <translation>Ecken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In their order around it, from the receiver's middle.</source>
+            <translation>In ihrer Reihenfolge ringsum, von der Mitte des Empfängers aus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Run</source>
+            <translation>Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the design is found.</source>
+            <translation>Wie der Entwurf gefunden wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The best that this program knows; it may stop before all iterations are done.</source>
+            <translation>Das Beste, was dieses Programm kennt; es kann vor der letzten Iteration enden.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upper limit of iterations. Automatic may stop sooner, when nothing improves.</source>
+            <translation>Obergrenze der Iterationen. Automatisch kann früher enden, wenn nichts besser wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the run goes through before the scene as it stands.</source>
+            <translation>Was der Lauf vor der Szene, wie sie ist, durchläuft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stage</source>
+            <translation>Stufe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A part of the run, before the scene itself is run, with some things different.</source>
+            <translation>Ein Teil des Laufs, bevor die Szene selbst läuft, mit einigen anderen Einstellungen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upper limit of iterations of this stage. They count within those of the run; what all stages leave is for the scene itself.</source>
+            <translation>Obergrenze der Iterationen dieser Stufe. Sie zählen zu denen des Laufs; was alle Stufen übrig lassen, ist für die Szene selbst.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lens is searched for in this stage.</source>
+            <translation>Wie die Linse in dieser Stufe gesucht wird.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As in the paper</source>
+            <translation>Wie in der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Learning rate</source>
+            <translation>Lernrate</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step of the optimiser. Too large and the loss jumps, too small and it creeps. Left empty, it is that of the scene.</source>
+            <translation>Schrittweite des Optimierers. Zu groß, und die Zielfunktion springt, zu klein, und sie kriecht. Leer: die der Szene.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Numbers of control points along x and y in this stage. A coarse net moves light over long distances soon; the next stage goes on with the same surface on a finer one. Left empty, they are the lens's.</source>
+            <translation>Anzahl der Kontrollpunkte entlang x und y in dieser Stufe. Ein grobes Netz bewegt Licht bald über weite Strecken; die nächste Stufe macht mit derselben Fläche auf einem feineren weiter. Leer: die der Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smoothness</source>
+            <translation>Glätte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Weight of the exit face's bending energy beside the square of the image's error; it has no unit. 0.001 calms ripples, 0.01 costs sharpness. Left empty, the face may bend as it likes.</source>
+            <translation>Gewicht der Biegeenergie der Austrittsfläche neben dem Quadrat des Bildfehlers; es hat keine Einheit. 0.001 beruhigt Wellen, 0.01 kostet Schärfe. Leer: die Fläche darf sich beliebig biegen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smallest radius</source>
+            <translation>Kleinster Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smallest radius of curvature that the exit face may have, concave and convex: that of the tool. A run that has settled keeps to it; dark edges get softer. Left empty, any will do.</source>
+            <translation>Kleinster Krümmungsradius, den die Austrittsfläche haben darf, konkav und konvex: der des Werkzeugs. Ein Lauf, der sich gesetzt hat, hält ihn ein; dunkle Kanten werden weicher. Leer: beliebig.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ball cutter radius</source>
+            <translation>Radius des Kugelfräsers</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any will do.</source>
+            <translation>Radius des Kugelfräsers, der überall auf die Freiformflächen passen muss. Mulden halten ihn ein; Erhebungen dürfen schärfer sein. „Fertigung“ sagt, ob er passt. Leer: beliebig.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Start of the random numbers; the same seed repeats the same run.</source>
+            <translation>Anfang der Zufallszahlen; derselbe Startwert wiederholt denselben Lauf.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Computes on</source>
+            <translation>Rechnet auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The graphics card needs a CUDA device and a PyTorch built for it.</source>
+            <translation>Die Grafikkarte braucht ein CUDA-Gerät und ein dafür gebautes PyTorch.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Processor</source>
+            <translation>Prozessor</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Graphics card (CUDA)</source>
+            <translation>Grafikkarte (CUDA)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The published method, for comparison: Adam on control heights, or through a network.</source>
+            <translation>Die veröffentlichte Methode, zum Vergleich: Adam auf Kontrollhöhen oder durch ein Netzwerk.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Optimises</source>
+            <translation>Optimiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the optimiser moves: one number per control height, or the weights of a network that puts the heights out. In a sparse network the neurons of control points that share a piece of the face are linked, in a dense one all are.</source>
+            <translation>Was der Optimierer bewegt: eine Zahl je Kontrollhöhe oder die Gewichte eines Netzwerks, das die Höhen ausgibt. In einem dünn besetzten Netzwerk sind die Neuronen von Kontrollpunkten verbunden, die ein Stück der Fläche teilen, in einem vollbesetzten alle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control heights</source>
+            <translation>Kontrollhöhen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sparse network</source>
+            <translation>Dünn besetztes Netzwerk</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dense network</source>
+            <translation>Vollbesetztes Netzwerk</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parameters before the first iteration: all zero, in ±0.0001, or drawn from the seed so that the lens is crooked. A network that starts with zeros behaves as if there were none.</source>
+            <translation>Parameter vor der ersten Iteration: alle null, in ±0.0001 oder aus dem Startwert gezogen, sodass die Linse krumm ist. Ein Netzwerk, das mit Nullen beginnt, verhält sich, als gäbe es keines.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Faint noise</source>
+            <translation>Schwaches Rauschen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step of the optimiser. Too large and the loss jumps, too small and it creeps. Left empty, it is the one that suits what is optimised.</source>
+            <translation>Schrittweite des Optimierers. Zu groß, und die Zielfunktion springt, zu klein, und sie kriecht. Leer: die, die zum Optimierten passt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sunlit plate</source>
+            <translation>Platte in der Sonne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A clear plate in the sun throws a picture onto a wall or table nearby.</source>
+            <translation>Eine klare Platte in der Sonne wirft ein Bild auf eine nahe Wand oder einen Tisch.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the light shall draw: a picture file, a shape or a word.</source>
+            <translation>Was das Licht zeichnen soll: eine Bilddatei, eine Form oder ein Wort.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lens size</source>
+            <translation>Linsengröße</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the lens; all of it is lit.</source>
+            <translation>Ganze Breite und Höhe der Linse; sie ist ganz beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of. Any index can be given later.</source>
+            <translation>Woraus die Linse besteht. Eine beliebige Brechzahl lässt sich später angeben.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Acrylic (PMMA)</source>
+            <translation>Acryl (PMMA)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polycarbonate</source>
+            <translation>Polycarbonat</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polystyrene</source>
+            <translation>Polystyrol</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Glass (N-BK7)</source>
+            <translation>Glas (N-BK7)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fused silica</source>
+            <translation>Quarzglas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stock thickness</source>
+            <translation>Rohteildicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of the plate that the lens is cut from. Left empty, any will do, and one is proposed.</source>
+            <translation>Dicke der Platte, aus der die Linse geschnitten wird. Leer: beliebig, und eine wird vorgeschlagen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance to the image</source>
+            <translation>Abstand zum Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the entrance face of the lens to the image.</source>
+            <translation>Von der Eintrittsfläche der Linse bis zum Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image size</source>
+            <translation>Bildgröße</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the image; the picture is fitted into it.</source>
+            <translation>Ganze Breite und Höhe des Bildes; die Vorlage wird darin eingepasst.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Torch or phone</source>
+            <translation>Taschenlampe oder Telefon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The light of a telephone or a torch throws a picture onto a wall.</source>
+            <translation>Das Licht eines Telefons oder einer Taschenlampe wirft ein Bild auf eine Wand.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp size</source>
+            <translation>Lampengröße</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of what shines: 1 to 2 mm in a telephone.</source>
+            <translation>Ganze Breite und Höhe dessen, was leuchtet: 1 bis 2 mm bei einem Telefon.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp to lens</source>
+            <translation>Lampe bis Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the lamp to the entrance face of the lens.</source>
+            <translation>Von der Lampe bis zur Eintrittsfläche der Linse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED close by</source>
+            <translation>Nahe LED</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
+            <translation>Eine LED nahe ihrer Linse beleuchtet ein Rechteck oder eine andere Form gleichmäßig.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED size</source>
+            <translation>LED-Größe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the LED's bright face.</source>
+            <translation>Ganze Breite und Höhe der leuchtenden Fläche der LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Laser beam shaper</source>
+            <translation>Laserstrahlformer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A Gaussian laser beam becomes an even disc, a rectangle or any other shape.</source>
+            <translation>Ein Gaußscher Laserstrahl wird zur gleichmäßigen Scheibe, zum Rechteck oder zu einer anderen Form.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam diameter</source>
+            <translation>Strahldurchmesser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, across the beam.</source>
+            <translation>Wo die Bestrahlungsstärke auf 1/e² (13.5 %) der in der Mitte gefallen ist, quer zum Strahl.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the laser. It decides the index, and how far light spreads.</source>
+            <translation>Des Lasers. Sie bestimmt die Brechzahl und wie weit sich das Licht ausbreitet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp at the ceiling, or on the floor, lights a wall evenly from the side.</source>
+            <translation>Eine Lampe an der Decke oder auf dem Boden beleuchtet eine Wand gleichmäßig von der Seite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lit wall</source>
+            <translation>Beleuchtete Wand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of what shall be lit of the wall.</source>
+            <translation>Ganze Breite und Höhe des Teils der Wand, der beleuchtet werden soll.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp to wall</source>
+            <translation>Lampe bis Wand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the lamp straight to the wall.</source>
+            <translation>Von der Lampe gerade zur Wand.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp above the middle</source>
+            <translation>Lampe über der Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much higher than the middle of the lit wall the lamp is; below it, less than 0.</source>
+            <translation>Wie viel höher als die Mitte der beleuchteten Wand die Lampe ist; darunter kleiner als 0.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Far field of a lamp</source>
+            <translation>Fernfeld einer Lampe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp of a photometric file sends its light into wanted directions, far away.</source>
+            <translation>Eine Lampe aus einer photometrischen Datei sendet ihr Licht in gewünschte Richtungen, weit entfernt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp file</source>
+            <translation>Lampendatei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt).</source>
+            <translation>Stärke je Richtung, in einer Datei nach IES LM-63 (.ies) oder EULUMDAT (.ldt).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angles of the image across and upwards.</source>
+            <translation>Volle Winkel des Bildes quer und nach oben.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A mirror in straight light, or in the sun, throws a picture to the side.</source>
+            <translation>Ein Spiegel in geradem Licht oder in der Sonne wirft ein Bild zur Seite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror size</source>
+            <translation>Spiegelgröße</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the mirror; all of it is lit.</source>
+            <translation>Ganze Breite und Höhe des Spiegels; er ist ganz beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of the light: 0.533 for the sun, 0 for a laser.</source>
+            <translation>Voller Winkel des Lichts: 0.533 bei der Sonne, 0 bei einem Laser.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the mirror to the middle of the image.</source>
+            <translation>Vom Spiegel bis zur Mitte des Bildes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>To the side</source>
+            <translation>Zur Seite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Angle between the light that comes and the light that goes, which has to pass the image on its way.</source>
+            <translation>Winkel zwischen dem ankommenden und dem abgehenden Licht, das am Bild vorbei muss.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Experiments of the paper</source>
+            <translation>Experimente der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Designs of de Koning, Heemels, Adam and Möller (2023), to repeat or to improve on.</source>
+            <translation>Entwürfe von de Koning, Heemels, Adam und Möller (2023), zum Wiederholen oder Verbessern.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Experiment</source>
+            <translation>Experiment</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A design of the paper.</source>
+            <translation>Ein Entwurf der Veröffentlichung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lens is found: by the best that this program knows, or as then.</source>
+            <translation>Wie die Linse gefunden wird: mit dem Besten, was dieses Programm kennt, oder wie damals.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Empty</source>
+            <translation>Leer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A square lens in straight light and a screen behind it; all fields are yours to change.</source>
+            <translation>Eine quadratische Linse in geradem Licht und ein Schirm dahinter; alle Felder lassen sich ändern.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From {} to {}.</source>
+            <translation>Von {} bis {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above {} to {}.</source>
+            <translation>Über {} bis {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From {} to below {}.</source>
+            <translation>Von {} bis unter {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above {} to below {}.</source>
+            <translation>Über {} bis unter {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between lens and optical axis</source>
+            <translation>Größter Winkel zwischen Linse und optischer Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between mirror and optical axis</source>
+            <translation>Größter Winkel zwischen Spiegel und optischer Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Decentre</source>
+            <translation>Dezentrierung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest distance of the lens from the axis</source>
+            <translation>Größter Abstand der Linse von der Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest distance of the mirror from the axis</source>
+            <translation>Größter Abstand des Spiegels von der Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exit tilt</source>
+            <translation>Austrittskippung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest tilt of the exit face against the entrance</source>
+            <translation>Größte Verkippung der Austrittsfläche gegen den Eintritt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exit decentre</source>
+            <translation>Austrittsversatz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest shift of the exit face over the entrance</source>
+            <translation>Größter Versatz der Austrittsfläche über dem Eintritt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Index ±</source>
+            <translation>Brechzahl ±</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest error of the refractive index</source>
+            <translation>Größter Fehler der Brechzahl</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Screen ±</source>
+            <translation>Schirm ±</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest error of the screen's distance</source>
+            <translation>Größter Fehler des Schirmabstands</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source tilt</source>
+            <translation>Quellenkippung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest tilt of the source about its middle</source>
+            <translation>Größte Verkippung der Quelle um ihre Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source shift</source>
+            <translation>Quellenversatz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest shift of the source, in any direction</source>
+            <translation>Größter Versatz der Quelle, in jede Richtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Root mean square of the error of the exit face, or of the mirror, and the length over which it is alike: some micrometres over some millimetres when milled</source>
+            <translation>Quadratisches Mittel des Fehlers der Austrittsfläche oder des Spiegels und die Länge, über die er gleich ist: einige Mikrometer über einige Millimeter, wenn gefräst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance surface</source>
+            <translation>Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The same two of the entrance face</source>
+            <translation>Dieselben beiden für die Eintrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>daylight (D65)</source>
+            <translation>Tageslicht (D65)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>white LED</source>
+            <translation>weiße LED</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>equal energy</source>
+            <translation>gleiche Energie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Deviation along z from the base, or of the entrance face from its place</source>
+            <translation>Abweichung entlang z von der Grundform oder der Eintrittsfläche von ihrem Ort</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>slope</source>
+            <translation>Neigung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>mean curvature</source>
+            <translation>mittlere Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mean of the principal curvatures, positive where the face is concave, negative where it is convex</source>
+            <translation>Mittel der Hauptkrümmungen, positiv, wo die Fläche konkav ist, negativ, wo konvex</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian curvature</source>
+            <translation>Gaußsche Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Product of the principal curvatures: positive in a bowl and on a hump, negative on a saddle, zero where the face is bent in one direction only</source>
+            <translation>Produkt der Hauptkrümmungen: positiv in einer Mulde und auf einer Kuppe, negativ auf einem Sattel, null, wo die Fläche nur in einer Richtung gebogen ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>largest curvature</source>
+            <translation>größte Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Larger principal curvature, positive where the face is concave, negative where it is convex; one over the smallest concave radius</source>
+            <translation>Größere Hauptkrümmung, positiv, wo die Fläche konkav ist, negativ, wo konvex; Kehrwert des kleinsten konkaven Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>smallest curvature</source>
+            <translation>kleinste Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smaller principal curvature, positive where the face is concave, negative where it is convex; one over the smallest convex radius</source>
+            <translation>Kleinere Hauptkrümmung, positiv, wo die Fläche konkav ist, negativ, wo konvex; Kehrwert des kleinsten konvexen Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave curvature</source>
+            <translation>Konkave Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex curvature</source>
+            <translation>Konvexe Krümmung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>all control points are locked</source>
+            <translation>alle Kontrollpunkte sind gesperrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>all iterations are done</source>
+            <translation>alle Iterationen sind ausgeführt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>designed for this task</source>
+            <translation>für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>not designed for this task</source>
+            <translation>nicht für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>not designed yet</source>
+            <translation>noch nicht entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>stopped</source>
+            <translation>gestoppt</translation>
+        </message>
+    </context>
+</TS>

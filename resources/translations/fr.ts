@@ -1,0 +1,6573 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+    <context>
+        <name>workbench</name>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;File</source>
+            <translation>&amp;Fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;New from example</source>
+            <translation>Nouveau &amp;d'après un exemple</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>First lenses, twice as fine</source>
+            <translation>Premières lentilles, deux fois plus fines</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Top hat: networks and starts</source>
+            <translation>Disque uniforme : réseaux et points de départ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Real lights</source>
+            <translation>Sources réelles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Flame and ball: magnifications</source>
+            <translation>Flamme et ballon : grandissements</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Flame: point and extended source</source>
+            <translation>Flamme : source ponctuelle et étendue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Walls and streets</source>
+            <translation>Murs et rues</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Two freeform faces</source>
+            <translation>Deux faces de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Derivative maps of a flat lens</source>
+            <translation>Cartes de dérivées d'une lentille plane</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Open &amp;recent</source>
+            <translation>Fichiers &amp;récents</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Edit</source>
+            <translation>É&amp;dition</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Design</source>
+            <translation>&amp;Conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Run</source>
+            <translation>&amp;Exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;View</source>
+            <translation>&amp;Affichage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Rays</source>
+            <translation>Ra&amp;yons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>F&amp;aces</source>
+            <translation>F&amp;aces</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Save pict&amp;ure of 3D</source>
+            <translation>&amp;Enregistrer l'image 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Colours of light</source>
+            <translation>Couleurs de la l&amp;umière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>Th&amp;eme</source>
+            <translation>&amp;Thème</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>La&amp;nguage</source>
+            <translation>Lan&amp;gue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Go to</source>
+            <translation>Aller &amp;à</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/menus.py" />
+            <source>&amp;Help</source>
+            <translation>A&amp;ide</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Top hat</source>
+            <translation>Disque uniforme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A uniform disc of light; see how soon its edge is sharp.</source>
+            <translation>Un disque de lumière uniforme ; on voit son bord devenir vite net.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A flame-like logo on black; see light leave what shall be dark.</source>
+            <translation>Un logo en forme de flamme sur fond noir ; on voit la lumière quitter ce qui doit rester sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball</source>
+            <translation>Ballon</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A faceted ball; see whether each grey comes out evenly bright.</source>
+            <translation>Un ballon à facettes ; on voit si chaque gris devient uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photograph</source>
+            <translation>Photographie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Every grey from black to white; see texture and shadow come.</source>
+            <translation>Tous les gris du noir au blanc ; on voit venir la texture et les ombres.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Letter</source>
+            <translation>Lettre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A bold letter on black; see its straight edges and corners.</source>
+            <translation>Une lettre grasse sur fond noir ; à observer : ses bords droits et ses coins.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, 512 × 512</source>
+            <translation>Flamme, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The flame with four times the detail; see its thin parts.</source>
+            <translation>La flamme avec quatre fois plus de détails ; à observer : ses parties fines.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, 512 × 512</source>
+            <translation>Ballon, 512 × 512</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The ball with four times the detail; see the facets' edges.</source>
+            <translation>Le ballon avec quatre fois plus de détails ; à observer : les arêtes des facettes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>No network, flat start</source>
+            <translation>Sans réseau, départ plan</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The yardstick for the three networks: a smooth lens that keeps the target's symmetry.</source>
+            <translation>La référence des trois réseaux : une lentille lisse qui garde la symétrie de la cible.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sparse network, faint start</source>
+            <translation>Réseau creux, départ faible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Weights a ten-thousandth off zero; compare speed and symmetry with no network.</source>
+            <translation>Poids à un dix-millième de zéro ; comparer vitesse et symétrie au cas sans réseau.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sparse network, random start</source>
+            <translation>Réseau creux, départ aléatoire</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A rough first lens; see how much of its roughness is left in the end.</source>
+            <translation>Une première lentille rugueuse ; on voit ce qu'il en reste à la fin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Dense network, faint start</source>
+            <translation>Réseau dense, départ faible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Two million weights for a thousand heights; compare loss and time with the sparse one.</source>
+            <translation>Deux millions de poids pour mille hauteurs ; comparer coût et durée au réseau creux.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sun plate</source>
+            <translation>Plaque solaire</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Acrylic to hold into the sun, whose disc blurs by 4.7 mm: compare error and bound.</source>
+            <translation>De l'acrylique à tenir au soleil, dont le disque rend flou de 4.7 mm : comparer erreur et borne.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Phone torch</source>
+            <translation>Lampe de téléphone</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The LED of a telephone, close to the lens, blurs the letter's edges: see the bound.</source>
+            <translation>La LED d'un téléphone, près de la lentille, rend les bords flous : voir la borne.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>LED to a rectangle</source>
+            <translation>LED vers rectangle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light as wide as can be bent; see what is totally reflected, and how even the rest is.</source>
+            <translation>La lumière aussi large que possible ; à observer : la réflexion totale et l'uniformité du reste.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Beam shaper</source>
+            <translation>Mise en forme de faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A Gaussian laser beam becomes an even disc; see that hardly any light is lost.</source>
+            <translation>Un faisceau laser gaussien devient un disque uniforme ; presque rien n'est perdu.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Measured LED</source>
+            <translation>LED mesurée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A file of 9,000 rays lights the lens; see how their grain shows in the check.</source>
+            <translation>Un fichier de 9 000 rayons éclaire la lentille ; leur grain se voit à la vérification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 1</source>
+            <translation>Flamme, grandissement 1</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A screen as large as the lens, far away: a few hundredths of height do it all.</source>
+            <translation>Un écran de la taille de la lentille, au loin : quelques centièmes de hauteur suffisent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 3</source>
+            <translation>Flamme, grandissement 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The concave base just fills the screen; see the corners, where rays are steep.</source>
+            <translation>La base concave remplit juste l'écran ; à observer : les coins, où les rayons sont inclinés.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Flame, magnification 5</source>
+            <translation>Flamme, grandissement 5</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Steeper still: compare the loss, and the light beside the screen, with 1 and 3.</source>
+            <translation>Plus incliné encore : comparer le coût et la lumière hors de l'écran à 1 et 3.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 1</source>
+            <translation>Ballon, grandissement 1</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 3</source>
+            <translation>Ballon, grandissement 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Ball, magnification 5</source>
+            <translation>Ballon, grandissement 5</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Point source</source>
+            <translation>Source ponctuelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light from one point; see in the light account how much of the cone passes the square lens by.</source>
+            <translation>La lumière d'un point ; le bilan montre la part du cône qui manque la lentille carrée.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Extended source of 25 × 25 points</source>
+            <translation>Source étendue de 25 × 25 points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The flame is put together from images of the square source: details smaller than these stay blurred.</source>
+            <translation>La flamme se compose d'images de la source carrée : les détails plus petits restent flous.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Point source, then the extended one</source>
+            <translation>Source ponctuelle, puis étendue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The loss jumps when the extended source takes over at iteration 200; see what is won back.</source>
+            <translation>Le coût saute quand la source étendue prend le relais à l'itération 200 ; on voit ce qui est regagné.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wall washer</source>
+            <translation>Lèche-mur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A picture on a wall that leans away from the lamp; see that it comes out straight.</source>
+            <translation>Une image sur un mur incliné par rapport à la lampe ; elle apparaît droite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Street light</source>
+            <translation>Éclairage de rue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>An LED's IES file; see intensity rise to both ends, so that the road below is even.</source>
+            <translation>Le fichier IES d'une LED ; l'intensité croît vers les deux bouts pour une route uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror: letter on a wall</source>
+            <translation>Miroir : lettre sur un mur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Sunlight from below, thrown back to a wall beside it; see the mirror lean towards it.</source>
+            <translation>Le soleil d'en bas, renvoyé vers un mur voisin ; le miroir s'incline vers lui.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mirror: photograph beside the lamp</source>
+            <translation>Miroir : photographie à côté de la lampe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light from one point, drawn on a screen beside that point; see what misses the mirror.</source>
+            <translation>La lumière d'un point, dessinée sur un écran voisin ; à observer : ce qui manque le miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Photograph from a thin plate</source>
+            <translation>Photographie par une plaque mince</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Both faces bend the light; compare their slopes with those of one face alone.</source>
+            <translation>Les deux faces dévient la lumière ; comparer leurs pentes à celles d'une seule face.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wide angle: disc from a near point</source>
+            <translation>Grand angle : disque d'un point proche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light comes in at up to 60°; see how little of what is in the glass leaves by the side.</source>
+            <translation>La lumière arrive jusqu'à 60° ; très peu quitte le verre par le côté.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>LED close by: square through a dome</source>
+            <translation>LED proche : carré par un dôme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The entrance face comes towards the LED in its middle; compare with a flat one.</source>
+            <translation>La face d'entrée s'avance vers la LED ; comparer à une face plane.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (3, 3), filter 3 × 3</source>
+            <translation>Degrés (3, 3), filtre 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As a control point rises it gathers light: a mountain in a valley, sum zero.</source>
+            <translation>Un point de contrôle qui monte rassemble la lumière : un mont dans une vallée, somme nulle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (3, 3), filter 11 × 11</source>
+            <translation>Degrés (3, 3), filtre 11 × 11</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>The same mountain, smoother: each ray's light is spread over 11 × 11 pixels.</source>
+            <translation>Le même mont, plus lisse : la lumière de chaque rayon s'étale sur 11 × 11 pixels.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Degrees (5, 3), filter 3 × 3</source>
+            <translation>Degrés (5, 3), filtre 3 × 3</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Wider along x: the valley meets the screen's border, and the sum leaves zero.</source>
+            <translation>Plus large selon x : la vallée atteint le bord de l'écran, et la somme n'est plus nulle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;New…</source>
+            <translation>&amp;Nouveau…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Begin a design: choose a job and answer its questions</source>
+            <translation>Commencer une conception : choisir une tâche et répondre à ses questions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>New from &amp;gallery…</source>
+            <translation>Nouveau depuis la &amp;galerie…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Choose an example by the picture of its light</source>
+            <translation>Choisir un exemple d'après l'image de sa lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>New &amp;window</source>
+            <translation>Nouvelle &amp;fenêtre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Open another window, with a design and a run of its own</source>
+            <translation>Ouvrir une autre fenêtre, avec sa propre conception et sa propre exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Open…</source>
+            <translation>&amp;Ouvrir…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Open a design, or a scene file</source>
+            <translation>Ouvrir une conception ou un fichier de scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Save</source>
+            <translation>&amp;Enregistrer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save scene, target and lens</source>
+            <translation>Enregistrer scène, cible et lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save scene, target and mirror</source>
+            <translation>Enregistrer scène, cible et miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save &amp;as…</source>
+            <translation>Enregistrer &amp;sous…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save under another name</source>
+            <translation>Enregistrer sous un autre nom</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Export…</source>
+            <translation>E&amp;xporter…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write the lens or its light for other programs</source>
+            <translation>Écrire la lentille ou sa lumière pour d'autres programmes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write the mirror or its light for other programs</source>
+            <translation>Écrire le miroir ou sa lumière pour d'autres programmes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cu&amp;t with a ball cutter…</source>
+            <translation>Usiner à la fraise &amp;hémisphérique…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write a finishing pass as G-code; what the cut leaves of the image is found before</source>
+            <translation>Écrire une passe de finition en G-code ; ce que l'usinage laisse de l'image est calculé avant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Report…</source>
+            <translation>Ra&amp;pport…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Write scene, pictures, check and figures on some pages (HTML, PDF)</source>
+            <translation>Écrire scène, images, vérification et chiffres sur quelques pages (HTML, PDF)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save pict&amp;ure…</source>
+            <translation>Enregistrer l'&amp;image…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the predicted photo of the screen: what a camera would see, in colour (PNG)</source>
+            <translation>Enregistrer la photo prédite de l'écran : ce que verrait un appareil, en couleur (PNG)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Close window</source>
+            <translation>Fer&amp;mer la fenêtre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Close this window; others stay open</source>
+            <translation>Fermer cette fenêtre ; les autres restent ouvertes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Quit</source>
+            <translation>&amp;Quitter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Close all windows of the workbench</source>
+            <translation>Fermer toutes les fenêtres du programme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Re&amp;vert</source>
+            <translation>Ré&amp;tablir le fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go back to the file as it was saved; this can be undone</source>
+            <translation>Revenir au fichier enregistré ; peut être annulé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Undo</source>
+            <translation>A&amp;nnuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the last change back</source>
+            <translation>Annuler la dernière modification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Redo</source>
+            <translation>&amp;Rétablir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the change again</source>
+            <translation>Refaire la modification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Paste picture</source>
+            <translation>&amp;Coller une image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Make the picture on the clipboard the target</source>
+            <translation>Prendre l'image du presse-papiers pour cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy &amp;plot</source>
+            <translation>Co&amp;pier le graphique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy a picture of the plot that was clicked last, to paste it elsewhere</source>
+            <translation>Copier une image du dernier graphique cliqué, pour la coller ailleurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save p&amp;lot…</source>
+            <translation>&amp;Enregistrer le graphique…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the plot that was clicked last: as a picture (PNG, SVG) or its numbers (CSV)</source>
+            <translation>Enregistrer le dernier graphique cliqué : en image (PNG, SVG) ou ses valeurs (CSV)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Start</source>
+            <translation>&amp;Démarrer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the lens from nothing; one that is there gives way, and Undo brings it back</source>
+            <translation>Concevoir la lentille à partir de rien ; celle qui existe cède la place, Annuler la ramène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the mirror from nothing; one that is there gives way, and Undo brings it back</source>
+            <translation>Concevoir le miroir à partir de rien ; celui qui existe cède la place, Annuler le ramène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Continue</source>
+            <translation>&amp;Continuer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go on designing from the lens as it is, with as many more iterations</source>
+            <translation>Poursuivre à partir de la lentille actuelle, avec autant d'itérations de plus</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Go on designing from the mirror as it is, with as many more iterations</source>
+            <translation>Poursuivre à partir du miroir actuel, avec autant d'itérations de plus</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Pause</source>
+            <translation>&amp;Pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Hold the design; again to go on</source>
+            <translation>Suspendre la conception ; de nouveau pour reprendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>S&amp;top</source>
+            <translation>Arrê&amp;ter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>End the design and keep its best lens</source>
+            <translation>Terminer la conception et garder sa meilleure lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>End the design and keep its best mirror</source>
+            <translation>Terminer la conception et garder son meilleur miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Follow edits</source>
+            <translation>&amp;Suivre les modifications</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the lens anew after every edit, while no run goes on</source>
+            <translation>Concevoir la lentille à nouveau après chaque modification, hors exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design the mirror anew after every edit, while no run goes on</source>
+            <translation>Concevoir le miroir à nouveau après chaque modification, hors exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Restore run</source>
+            <translation>&amp;Restaurer l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give the design task and lens of the run chosen in the dock Runs</source>
+            <translation>Donner à la conception la tâche et la lentille de l'exécution choisie dans le volet Exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give the design task and mirror of the run chosen in the dock Runs</source>
+            <translation>Donner à la conception la tâche et le miroir de l'exécution choisie dans le volet Exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Compare runs</source>
+            <translation>Co&amp;mparer des exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the two runs chosen in the dock Runs beside each other: light, figures, fields</source>
+            <translation>Voir côte à côte les deux exécutions choisies dans le volet Exécutions : lumière, chiffres, champs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Delete runs</source>
+            <translation>S&amp;upprimer des exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Forget the runs chosen in the dock Runs</source>
+            <translation>Oublier les exécutions choisies dans le volet Exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Check lens</source>
+            <translation>Vérifier la &amp;lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Check mirror</source>
+            <translation>Vérifier le &amp;miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Trace the lens on show anew, with rays that its design never saw; again to cancel</source>
+            <translation>Tracer à nouveau la lentille affichée, avec des rayons que la conception n'a jamais vus ; de nouveau pour annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Trace the mirror on show anew, with rays that its design never saw; again to cancel</source>
+            <translation>Tracer à nouveau le miroir affiché, avec des rayons que la conception n'a jamais vus ; de nouveau pour annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Fit 3D view</source>
+            <translation>A&amp;juster la vue 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show lens and screen whole</source>
+            <translation>Montrer toute la lentille et tout l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show mirror and screen whole</source>
+            <translation>Montrer tout le miroir et tout l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at &amp;lens</source>
+            <translation>Regarder la &amp;lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at &amp;mirror</source>
+            <translation>Regarder le &amp;miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the lens as large as it can be</source>
+            <translation>Voir la lentille aussi grande que possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the mirror as large as it can be</source>
+            <translation>Voir le miroir aussi grand que possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at s&amp;creen</source>
+            <translation>Regarder l'é&amp;cran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>See the screen as large as it can be</source>
+            <translation>Voir l'écran aussi grand que possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>From the &amp;side</source>
+            <translation>De côt&amp;é</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at the 3D scene along x: light goes right</source>
+            <translation>Regarder la scène 3D selon x : la lumière va à droite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>From a&amp;bove</source>
+            <translation>D'en &amp;haut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look at the 3D scene along y: light goes right</source>
+            <translation>Regarder la scène 3D selon y : la lumière va à droite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Along the a&amp;xis</source>
+            <translation>Selon l'a&amp;xe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Look back along z from behind the screen</source>
+            <translation>Regarder en arrière selon z, depuis l'arrière de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Shorten gaps</source>
+            <translation>&amp;Raccourcir les distances</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw a far source and screen nearer, and a large screen smaller, to see the lens</source>
+            <translation>Dessiner plus près source et écran lointains, et plus petit un grand écran, pour voir la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw a far source and screen nearer, and a large screen smaller, to see the mirror</source>
+            <translation>Dessiner plus près source et écran lointains, et plus petit un grand écran, pour voir le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>No rays</source>
+            <translation>Aucun rayon</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Rays in the 3D scene</source>
+            <translation>Rayons de la scène 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>25 rays</source>
+            <translation>25 rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>81 rays</source>
+            <translation>81 rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>225 rays</source>
+            <translation>225 rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>2025 rays</source>
+            <translation>2025 rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Inferno</source>
+            <translation>Inferno</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colours of light in the images and on the screen of the 3D scene</source>
+            <translation>Couleurs de la lumière dans les images et sur l'écran de la scène 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Viridis</source>
+            <translation>Viridis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cividis</source>
+            <translation>Cividis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Gray</source>
+            <translation>Gris</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As the &amp;system</source>
+            <translation>Comme le &amp;système</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show all windows light, dark, or as the system is</source>
+            <translation>Afficher toutes les fenêtres claires, sombres ou comme le système</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Light</source>
+            <translation>&amp;Clair</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Dark</source>
+            <translation>S&amp;ombre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Language of the window; the command line speaks English</source>
+            <translation>Langue de la fenêtre ; la ligne de commande parle anglais</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>English</source>
+            <translation>English</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Deutsch</source>
+            <translation>Deutsch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Français</source>
+            <translation>Français</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour by &amp;outcome</source>
+            <translation>Colorer selon l'&amp;issue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Rays that miss the screen are red</source>
+            <translation>Les rayons qui manquent l'écran sont rouges</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Colour by &amp;weight</source>
+            <translation>Colorer selon le &amp;poids</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By the part of a ray's light that arrives</source>
+            <translation>Selon la part de lumière du rayon qui arrive</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>As their &amp;material</source>
+            <translation>Selon leur &amp;matériau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens as glass or metal</source>
+            <translation>Faces de la lentille en verre ou en métal</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror as glass or metal</source>
+            <translation>Faces du miroir en verre ou en métal</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By &amp;height</source>
+            <translation>Selon la &amp;hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens from dark, low along z, to bright</source>
+            <translation>Faces de la lentille du sombre (bas selon z) au clair</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror from dark, low along z, to bright</source>
+            <translation>Faces du miroir du sombre (bas selon z) au clair</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>By &amp;curvature</source>
+            <translation>Selon la &amp;courbure</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the lens red where they are bowl-shaped towards +z, blue where humped</source>
+            <translation>Faces de la lentille rouges où elles sont creuses vers +z, bleues où elles sont bombées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Faces of the mirror red where they are bowl-shaped towards +z, blue where humped</source>
+            <translation>Faces du miroir rouges où elles sont creuses vers +z, bleues où elles sont bombées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Relief exaggerated</source>
+            <translation>&amp;Relief exagéré</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light the fine shape of faces as if it were higher; the lens stays as it is</source>
+            <translation>Éclairer la forme fine des faces comme si elle était plus haute ; la lentille reste telle quelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light the fine shape of faces as if it were higher; the mirror stays as it is</source>
+            <translation>Éclairer la forme fine des faces comme si elle était plus haute ; le miroir reste tel quel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Perspective</source>
+            <translation>&amp;Perspective</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw what is farther away smaller, instead of in parallel</source>
+            <translation>Dessiner plus petit ce qui est plus loin, au lieu d'une vue parallèle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Copy picture of 3&amp;D</source>
+            <translation>Copier l'image 3&amp;D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Put the 3D scene on the clipboard</source>
+            <translation>Mettre la scène 3D dans le presse-papiers</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>1 × as large…</source>
+            <translation>1 × la taille…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 1 × as large as it is seen</source>
+            <translation>Enregistrer la scène 3D en PNG, à 1 × la taille affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>2 × as large…</source>
+            <translation>2 × la taille…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 2 × as large as it is seen</source>
+            <translation>Enregistrer la scène 3D en PNG, à 2 × la taille affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>4 × as large…</source>
+            <translation>4 × la taille…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Save the 3D scene as PNG, 4 × as large as it is seen</source>
+            <translation>Enregistrer la scène 3D en PNG, à 4 × la taille affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Turn</source>
+            <translation>&amp;Tourner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Mouse and arrow keys turn the 3D scene; click to pick</source>
+            <translation>Souris et flèches tournent la scène 3D ; un clic sélectionne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Sculpt</source>
+            <translation>&amp;Sculpter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag control points of the lens along z</source>
+            <translation>Tirer des points de contrôle de la lentille selon z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag control points of the mirror along z</source>
+            <translation>Tirer des points de contrôle du miroir selon z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Lock points</source>
+            <translation>&amp;Verrouiller des points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Paint control points that a run must leave</source>
+            <translation>Peindre les points de contrôle qu'une exécution doit laisser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Move source</source>
+            <translation>&amp;Déplacer la source</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Drag the source; Ctrl: along z</source>
+            <translation>Tirer la source ; Ctrl : selon z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Image as wide and high as the &amp;picture</source>
+            <translation>Image au format de la &amp;photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Give screen or far field, and their pixels, the aspect of the target's picture</source>
+            <translation>Donner à l'écran ou au champ lointain, et à leurs pixels, le format de la photo cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Freeform entrance face</source>
+            <translation>Face d'entrée de &amp;forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let light meet a second freeform face first, or a flat one again; the exit face stays</source>
+            <translation>Faire rencontrer à la lumière d'abord une seconde face de forme libre, ou de nouveau une plane ; la face de sortie reste</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Other face</source>
+            <translation>&amp;Autre face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Turn the lens over, to sculpt or lock its other freeform face</source>
+            <translation>Retourner la lentille, pour sculpter ou verrouiller son autre face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Turn the mirror over, to sculpt or lock its other freeform face</source>
+            <translation>Retourner le miroir, pour sculpter ou verrouiller son autre face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lar&amp;ger brush</source>
+            <translation>Pinceau plus &amp;grand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>More control points at once; also Ctrl+wheel</source>
+            <translation>Plus de points de contrôle à la fois ; aussi Ctrl+molette</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Smaller brus&amp;h</source>
+            <translation>Pinceau plus p&amp;etit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Fewer control points at once; also Ctrl+wheel</source>
+            <translation>Moins de points de contrôle à la fois ; aussi Ctrl+molette</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lock &amp;all points</source>
+            <translation>Verr&amp;ouiller tous les points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Leave the whole lens as it is in runs</source>
+            <translation>Laisser toute la lentille telle quelle dans les exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Leave the whole mirror as it is in runs</source>
+            <translation>Laisser tout le miroir tel quel dans les exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Unlock all points</source>
+            <translation>Déverro&amp;uiller tous les points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let runs change the whole lens</source>
+            <translation>Laisser les exécutions changer toute la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Let runs change the whole mirror</source>
+            <translation>Laisser les exécutions changer tout le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Invert locks</source>
+            <translation>&amp;Inverser les verrous</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Lock what is unlocked, and the reverse</source>
+            <translation>Verrouiller ce qui ne l'est pas, et inversement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;3D scene</source>
+            <translation>Scène &amp;3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show or hide the 3D scene</source>
+            <translation>Montrer ou cacher la scène 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>R&amp;eset layout</source>
+            <translation>Réi&amp;nitialiser la disposition</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Put all docks where they stood at first</source>
+            <translation>Remettre tous les volets à leur place initiale</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Next pane</source>
+            <translation>Volet &amp;suivant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the keyboard to the next pane</source>
+            <translation>Mener le clavier au volet suivant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Previous pane</source>
+            <translation>Volet &amp;précédent</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Take the keyboard to the pane before</source>
+            <translation>Mener le clavier au volet précédent</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design</source>
+            <translation>Conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Show this pane and take the keyboard there</source>
+            <translation>Montrer ce volet et y mener le clavier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>3D scene</source>
+            <translation>Scène 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Irradiance</source>
+            <translation>Éclairement énergétique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Target</source>
+            <translation>Cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Irradiance − target</source>
+            <translation>Éclairement énergétique − cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Derivative</source>
+            <translation>Dérivée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Surface</source>
+            <translation>Surface</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Manufacture</source>
+            <translation>Fabrication</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Tolerances</source>
+            <translation>Tolérances</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Through focus</source>
+            <translation>Série focale</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Predicted photo</source>
+            <translation>Photo prédite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Check</source>
+            <translation>Vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Loss</source>
+            <translation>Coût</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Cross-section</source>
+            <translation>Coupe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Light account</source>
+            <translation>Bilan de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Runs</source>
+            <translation>Exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>History</source>
+            <translation>Historique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Log</source>
+            <translation>Journal</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Command &amp;palette</source>
+            <translation>&amp;Palette de commandes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Find any command by its name</source>
+            <translation>Trouver une commande par son nom</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Keyboard shortcuts</source>
+            <translation>&amp;Raccourcis clavier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>All keys, to be found by name or by key</source>
+            <translation>Toutes les touches, à trouver par nom ou par touche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Tour</source>
+            <translation>&amp;Visite guidée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>A short tour of the window</source>
+            <translation>Une courte visite de la fenêtre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;Manual</source>
+            <translation>&amp;Manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>All that can be done, here and in a shell, and what has been measured</source>
+            <translation>Tout ce qui est possible, ici et dans un terminal, et ce qui a été mesuré</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>&amp;About</source>
+            <translation>À pr&amp;opos</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>What this program is</source>
+            <translation>Ce qu'est ce programme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>checking…</source>
+            <translation>vérification en cours…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>checking… {part:.0f} %</source>
+            <translation>vérification… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Checked error {verified}</source>
+            <translation>Erreur vérifiée {verified}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}</source>
+            <translation>Vérification avec {rays:,} rayons nouveaux : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec la dispersion des rayons {relative_l2:.2f} ± {noise:.2f} %, coût {loss:.3e} ; {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>check</source>
+            <translation>vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>F8 traces what is on show anew, with rays that its design never saw.</source>
+            <translation>F8 trace à nouveau ce qui est affiché, avec des rayons que la conception n'a jamais vus.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>verified error</source>
+            <translation>erreur vérifiée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 error of image and target, by cells and without random rays: what the optic itself is off.</source>
+            <translation>Erreur L2 relative entre image et cible, par cellules et sans rayons aléatoires : l'écart de l'optique elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>it is surely</source>
+            <translation>elle est sûrement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where that error lies, by a bound from two sizes of cells.</source>
+            <translation>Où se situe cette erreur, par une borne tirée de deux tailles de cellules.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells of the entrance face whose light is spread over what they cover there.</source>
+            <translation>Cellules de la face d'entrée dont la lumière est répartie sur ce qu'elles y couvrent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>error by independent images</source>
+            <translation>erreur par images indépendantes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells would have to be finer than time allows: the error, and where it lies with 95 % confidence, are from pairs of images by random rays: their scatter has no mean.</source>
+            <translation>Les cellules devraient être plus fines que le temps ne le permet : l'erreur, et où elle se situe avec 95 % de confiance, viennent de paires d'images par rayons aléatoires : leur dispersion est de moyenne nulle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>random rays are off by</source>
+            <translation>les rayons aléatoires s'écartent de</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 difference of the two images: the second opinion. About once the noise of the rays is what chance alone makes.</source>
+            <translation>Différence L2 relative des deux images : le second avis. Environ une fois le bruit des rayons : le seul hasard.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>relative L2 error</source>
+            <translation>erreur L2 relative</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>‖I − T‖ / ‖T‖ of image and target, each divided by its sum. The scatter of the rays from pixel to pixel is in it; more rays make it smaller.</source>
+            <translation>‖I − T‖ / ‖T‖ de l'image et de la cible, chacune divisée par sa somme. La dispersion des rayons d'un pixel à l'autre y est ; plus de rayons la réduisent.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>95 % of other rays</source>
+            <translation>95 % d'autres rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where the error with scatter lies for as many other rays.</source>
+            <translation>Où se situe l'erreur avec dispersion pour autant d'autres rayons.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>without ray noise</source>
+            <translation>sans bruit des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The same error without the scatter of the rays: what the optic itself is off. 0 if so few rays cannot tell.</source>
+            <translation>La même erreur sans la dispersion des rayons : l'écart de l'optique elle-même. 0 si si peu de rayons ne peuvent le dire.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>95 % confidence</source>
+            <translation>confiance à 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Where the error of the optic itself lies.</source>
+            <translation>Où se situe l'erreur de l'optique elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>loss of the paper</source>
+            <translation>coût de l'article</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The norm of the difference between image and target, each divided by its sum, over the root of the number of pixels.</source>
+            <translation>La norme de la différence entre image et cible, chacune divisée par sa somme, sur la racine du nombre de pixels.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>PSNR</source>
+            <translation>PSNR</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Peak signal-to-noise ratio, against the target's peak: more is better.</source>
+            <translation>Rapport signal sur bruit de crête, par rapport à la crête de la cible : plus grand est mieux.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>SSIM</source>
+            <translation>SSIM</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Mean structural similarity in windows of 11 × 11 pixels: 1 for equal images.</source>
+            <translation>Similarité structurelle moyenne dans des fenêtres de 11 × 11 pixels : 1 pour des images égales.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Pearson's coefficient of image and target over the pixels: 1 for images of one shape.</source>
+            <translation>Coefficient de Pearson de l'image et de la cible sur les pixels : 1 pour des images de même forme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Least over mean of irradiance / target where the target is lit, at half its peak or more: 1 is even, 0 has a dark pixel.</source>
+            <translation>Minimum sur moyenne de éclairement / cible là où la cible est éclairée, à la moitié de sa crête ou plus : 1 est uniforme, 0 a un pixel sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>(lit − black) / (lit + black) of the mean irradiances there; black is up to a hundredth of the target's peak. 1 is a perfect black.</source>
+            <translation>(éclairé − noir) / (éclairé + noir) des éclairements moyens ; noir va jusqu'à un centième de la crête de la cible. 1 est un noir parfait.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Part of the emitted light that makes the image.</source>
+            <translation>Part de la lumière émise qui forme l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>meets the face again</source>
+            <translation>rencontre à nouveau la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Light that comes back to the face which it leaves, as in a deep bowl. Image and efficiency count it as if nothing were in its way.</source>
+            <translation>Lumière qui revient à la face qu'elle quitte, comme dans un bol profond. Image et rendement la comptent comme si rien ne la gênait.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>comes through the screen</source>
+            <translation>traverse l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Light that the screen keeps from the mirror. Image and efficiency count it as if the screen were not in its way; a screen beside the axis is not.</source>
+            <translation>Lumière que l'écran cache au miroir. Image et rendement la comptent comme si l'écran ne gênait pas ; un écran à côté de l'axe ne gêne pas.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>off the optimiser's image</source>
+            <translation>écart à l'image de l'optimiseur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Relative L2 difference to the image that the optimiser sees. Its filter and the scatter of these rays are in it.</source>
+            <translation>Différence L2 relative à l'image que voit l'optimiseur. Son filtre et la dispersion de ces rayons y sont.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of the image; a quarter as many more are traced for the error without scatter.</source>
+            <translation>Rayons de l'image ; un quart de plus est tracé pour l'erreur sans dispersion.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>cells</source>
+            <translation>cellules</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>correlation</source>
+            <translation>corrélation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>uniformity</source>
+            <translation>uniformité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>contrast</source>
+            <translation>contraste</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>efficiency</source>
+            <translation>rendement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>rays</source>
+            <translation>rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Part of the emitted light that falls on the region, and its darkest and brightest pixel over the mean: 1 is even.</source>
+            <translation>Part de la lumière émise qui tombe sur la région, et ses pixels le plus sombre et le plus clair sur la moyenne : 1 est uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Figures of the check</source>
+            <translation>Chiffres de la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Copy</source>
+            <translation>Copier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of a check</source>
+            <translation>Rayons d'une vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Rays of a check; four times as many halve their scatter</source>
+            <translation>Rayons d'une vérification ; quatre fois plus divisent leur dispersion par deux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>{rays} million rays</source>
+            <translation>{rays} millions de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Put all figures on the clipboard, a tab between name and value</source>
+            <translation>Mettre tous les chiffres dans le presse-papiers, une tabulation entre nom et valeur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>image {number}: {name}</source>
+            <translation>image {number} : {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source> Out of date: these figures are of the design before.</source>
+            <translation> Périmé : ces chiffres sont ceux de la conception précédente.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/actions.py" />
+            <source>Toolbar</source>
+            <translation>Barre d'outils</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is one freeform face: Freeform entrance face gives a lens a second one</source>
+            <translation>Il y a une face de forme libre : « Face d'entrée de forme libre » en donne une seconde à une lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Not while a run goes on: it works on the design as it was when it began. Stop it first</source>
+            <translation>Pas pendant une exécution : elle travaille sur la conception telle qu'au début. L'arrêter d'abord</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Flat &amp;entrance face</source>
+            <translation>Face d'entrée &amp;plane</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Freeform &amp;entrance face</source>
+            <translation>Face d'entrée d&amp;e forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>&amp;Start over</source>
+            <translation>Reco&amp;mmencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>&amp;Resume</source>
+            <translation>R&amp;eprendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is no lens yet: Start designs one</source>
+            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>There is no mirror yet: Start designs one</source>
+            <translation>Il n'y a pas encore de miroir : Démarrer en conçoit un</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>the best lens so far</source>
+            <translation>la meilleure lentille jusqu'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>the best mirror so far</source>
+            <translation>le meilleur miroir jusqu'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>Takes {lens}</source>
+            <translation>Utilise : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>A lens has one freeform face</source>
+            <translation>Une lentille a une face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/availability.py" />
+            <source>A mirror has one freeform face</source>
+            <translation>Un miroir a une face de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/language_choice.py" />
+            <source>The language changes at the next start.</source>
+            <translation>La langue change au prochain démarrage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>Command palette</source>
+            <translation>Palette de commandes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>Type parts of a command's name</source>
+            <translation>Saisir des parties du nom d'une commande</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Keyboard shortcuts</source>
+            <translation>Raccourcis clavier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Find by a part of the name, or by the key</source>
+            <translation>Chercher par une partie du nom, ou par la touche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Find a shortcut</source>
+            <translation>Chercher un raccourci</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Command</source>
+            <translation>Commande</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/shortcuts.py" />
+            <source>Key</source>
+            <translation>Touche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>new reading of the image</source>
+            <translation>nouvelle lecture de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>new task: {name}</source>
+            <translation>nouvelle tâche : {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/document/document.py" />
+            <source>revert to the file</source>
+            <translation>retour au fichier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Designs and scenes ({endings});;All files (*)</source>
+            <translation>Conceptions et scènes ({endings});;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Designs ({endings})</source>
+            <translation>Conceptions ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Open</source>
+            <translation>Ouvrir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{path} is no longer there; it was taken off the list.</source>
+            <translation>{path} n'existe plus ; il a été retiré de la liste.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name}: the name of a design ends in {ending}</source>
+            <translation>{name} : le nom d'une conception se termine par {ending}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save as</source>
+            <translation>Enregistrer sous</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save the changes to {name}?</source>
+            <translation>Enregistrer les modifications de {name} ?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Unsaved changes</source>
+            <translation>Modifications non enregistrées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>{name} is open in another window: choose another name.</source>
+            <translation>{name} est ouvert dans une autre fenêtre : choisir un autre nom.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>, with {lens}</source>
+            <translation>, avec : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Save as…</source>
+            <translation>Enregistrer sous…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/actions.py" />
+            <source>Saved {name}, {size}{words}</source>
+            <translation>{name} enregistré, {size}{words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>The file has changed</source>
+            <translation>Le fichier a changé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Another program has changed {name} since it was last read or saved here.</source>
+            <translation>Un autre programme a modifié {name} depuis sa dernière lecture ou son dernier enregistrement ici.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Overwrite loses what the file holds now. Reload shows it in place of your design; Undo brings your design back.</source>
+            <translation>Écraser perd ce que le fichier contient à présent. Recharger le montre à la place de votre conception ; Annuler la ramène.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Overwrite</source>
+            <translation>&amp;Écraser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Reload</source>
+            <translation>&amp;Recharger</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>The file is gone</source>
+            <translation>Le fichier a disparu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>{name} has been deleted, moved or renamed since it was last saved here.</source>
+            <translation>{name} a été supprimé, déplacé ou renommé depuis son dernier enregistrement ici.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>&amp;Save there again</source>
+            <translation>&amp;Enregistrer à nouveau là</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/changed.py" />
+            <source>Its folder, {parent}, is gone, too.</source>
+            <translation>Son dossier, {parent}, a disparu aussi.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>There is no picture on the clipboard.</source>
+            <translation>Il n'y a pas d'image dans le presse-papiers.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Target image</source>
+            <translation>Image cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>File of light</source>
+            <translation>Fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>export</source>
+            <translation>export</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Cut {lens}</source>
+            <translation>Usiner : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>One file is still being written; export the next after it.</source>
+            <translation>Un fichier est encore en cours d'écriture ; exporter le suivant après.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>{name} is being written…</source>
+            <translation>Écriture de {name}…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>Export {lens}</source>
+            <translation>Exporter : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/gallery.py" />
+            <source>New from example</source>
+            <translation>Nouveau d'après un exemple</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/gallery.py" />
+            <source>Examples</source>
+            <translation>Exemples</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Unsaved work</source>
+            <translation>Travail non enregistré</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>{name} had unsaved changes when the workbench was asked to end.</source>
+            <translation>{name} avait des modifications non enregistrées quand le programme a été terminé.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>The workbench was not closed. Unsaved changes to {name} were kept.</source>
+            <translation>Le programme n'a pas été fermé. Les modifications non enregistrées de {name} ont été gardées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Kept on {kept_at:%Y-%m-%d, %H:%M:%S}.</source>
+            <translation>Gardées le {kept_at:%Y-%m-%d, %H:%M:%S}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>&amp;Recover</source>
+            <translation>&amp;Récupérer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>&amp;Discard</source>
+            <translation>&amp;Abandonner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/left_behind.py" />
+            <source>Ask &amp;later</source>
+            <translation>Demander p&amp;lus tard</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>There is no photo of this lens yet; save it once it is seen.</source>
+            <translation>Il n'y a pas encore de photo de cette lentille ; l'enregistrer dès qu'on la voit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>{design} photo</source>
+            <translation>{design} photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>Picture ({endings})</source>
+            <translation>Image ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>Save picture</source>
+            <translation>Enregistrer l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>The lens has changed since; save the photo of the new one.</source>
+            <translation>La lentille a changé depuis ; enregistrer la photo de la nouvelle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/photo_picture.py" />
+            <source>{path} is written.</source>
+            <translation>{path} est écrit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Picture in pixels (*.png)</source>
+            <translation>Image en pixels (*.png)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Picture in lines (*.svg)</source>
+            <translation>Image vectorielle (*.svg)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Numbers shown (*.csv)</source>
+            <translation>Valeurs affichées (*.csv)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Figures (*.json)</source>
+            <translation>Chiffres (*.json)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>plot</source>
+            <translation>graphique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>A picture of the {pane} plot is on the clipboard.</source>
+            <translation>Une image du graphique « {pane} » est dans le presse-papiers.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>{name}: a plot is saved as one of {known}</source>
+            <translation>{name} : un graphique s'enregistre comme l'un de {known}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>Save {pane} plot</source>
+            <translation>Enregistrer le graphique « {pane} »</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>There is no plot to be seen; View shows the docks of all plots.</source>
+            <translation>Aucun graphique n'est visible ; Affichage montre les volets de tous les graphiques.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/plots.py" />
+            <source>One plot is still being written; save the next after it.</source>
+            <translation>Un graphique est encore en cours d'écriture ; enregistrer le suivant après.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>recovery</source>
+            <translation>récupération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/recovery.py" />
+            <source>Unsaved work cannot be kept for a recovery. {reason}</source>
+            <translation>Le travail non enregistré ne peut être gardé pour une récupération. {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Web page (*.html)</source>
+            <translation>Page web (*.html)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Document (*.pdf)</source>
+            <translation>Document (*.pdf)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>report</source>
+            <translation>rapport</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>One report is still being written; ask for the next after it.</source>
+            <translation>Un rapport est encore en cours d'écriture ; demander le suivant après.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>{file} is being written, with a check of {lens}…</source>
+            <translation>Écriture de {file}, avec une vérification ({lens})…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>Report {lens}</source>
+            <translation>Rapport : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/reporter.py" />
+            <source>No report is written.</source>
+            <translation>Aucun rapport n'est écrit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>A picture of the 3D scene is on the clipboard.</source>
+            <translation>Une image de la scène 3D est dans le presse-papiers.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>{path} is written, {width} × {height} pixels.</source>
+            <translation>{path} est écrit, {width} × {height} pixels.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>Save picture of 3D</source>
+            <translation>Enregistrer l'image 3D</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/scene_pictures.py" />
+            <source>The 3D scene is hidden; View &gt; 3D scene shows it.</source>
+            <translation>La scène 3D est cachée ; Affichage &gt; Scène 3D la montre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>New here? A tour of {count} steps shows what is where. Help &gt; Tour begins it at any time.</source>
+            <translation>Première visite ? Un tour en {count} étapes montre où tout se trouve. Aide &gt; Visite guidée le lance à tout moment.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>Show me around</source>
+            <translation>Faire la visite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>About {title}</source>
+            <translation>À propos de {title}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/help.py" />
+            <source>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Shapes a freeform lens until it throws the wanted image of light.&lt;/p&gt;&lt;p&gt;MIT licence&lt;/p&gt;</source>
+            <translation>&lt;h3&gt;{title} {version}&lt;/h3&gt;&lt;p&gt;Façonne une lentille de forme libre jusqu'à ce qu'elle projette l'image de lumière voulue.&lt;/p&gt;&lt;p&gt;Licence MIT&lt;/p&gt;</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Manual</source>
+            <translation>Manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Search</source>
+            <translation>Rechercher</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Search the manual</source>
+            <translation>Rechercher dans le manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Words that a page must hold; Return goes to the next place</source>
+            <translation>Mots qu'une page doit contenir ; Entrée va à l'endroit suivant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>Pages of the manual</source>
+            <translation>Pages du manuel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Describe the task</source>
+            <translation>Décrire la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Here you say what you have and what you want: the image of light, the lens, the source, the screen. What is not possible is refused beside the field, with what would be allowed. Any picture dropped onto the window becomes the target.</source>
+            <translation>Ici se dit ce qu'on a et ce qu'on veut : l'image de lumière, la lentille, la source, l'écran. L'impossible est refusé à côté du champ, avec ce qui serait permis. Toute image déposée sur la fenêtre devient la cible.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Start (F5) shapes the lens until its light fits the target. Pause (F6) holds it, Stop (F7) keeps the best lens so far, Continue goes on from there.</source>
+            <translation>Démarrer (F5) façonne la lentille jusqu'à ce que sa lumière suive la cible. Pause (F6) suspend, Arrêter (F7) garde la meilleure lentille, Continuer repart de là.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Watch the light</source>
+            <translation>Regarder la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Lens, rays and screen. Drag to turn, Shift-drag to move, scroll to zoom, or use arrow keys, + and −. Ctrl+1 looks at the lens, Ctrl+2 at the screen, Ctrl+0 shows all again; Ctrl+D draws a far screen nearer.</source>
+            <translation>Lentille, rayons et écran. Tirer tourne, Maj et tirer déplace, la molette zoome ; ou les flèches, + et −. Ctrl+1 montre la lentille, Ctrl+2 l'écran, Ctrl+0 à nouveau tout ; Ctrl+D dessine plus près un écran lointain.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>See what reaches the screen</source>
+            <translation>Voir ce qui atteint l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Flux per area, live. Below it what is still wrong: too much light is red, too little is blue. Both zoom and move together.</source>
+            <translation>Le flux par surface, en direct. À côté, ce qui ne va pas encore : trop de lumière en rouge, trop peu en bleu. Les deux zooment et se déplacent ensemble.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Look back</source>
+            <translation>Regarder en arrière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>The curve falls while the lens gets better. The slider below it shows the lens at any kept moment of the run; you can go on from there.</source>
+            <translation>La courbe descend quand la lentille s'améliore. Le curseur dessous montre la lentille à tout moment gardé de l'exécution ; on peut repartir de là.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Nothing is lost</source>
+            <translation>Rien n'est perdu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Every edit and every run is a step. Undo with Ctrl+Z, or click a step to go there. Unsaved work is kept every minute, even if the program breaks off.</source>
+            <translation>Chaque modification et chaque exécution est une étape. Annuler par Ctrl+Z, ou cliquer sur une étape. Le travail non enregistré est gardé chaque minute, même si le programme s'interrompt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Find anything</source>
+            <translation>Tout trouver</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>Ctrl+Shift+P finds any command by parts of its name. File &gt; New from gallery has examples by their pictures, File &gt; Export takes the lens to other programs. Enjoy!</source>
+            <translation>Ctrl+Maj+P trouve toute commande par des parties de son nom. Fichier &gt; Nouveau depuis la galerie montre des exemples en images, Fichier &gt; Exporter mène la lentille vers d'autres programmes. Bonne visite !</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;End</source>
+            <translation>&amp;Terminer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Back</source>
+            <translation>&amp;Retour</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>End the tour (Esc); Help &gt; Tour begins it again</source>
+            <translation>Terminer la visite (Échap) ; Aide &gt; Visite guidée la relance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>{number} of {count}</source>
+            <translation>{number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Done</source>
+            <translation>&amp;Fini</translation>
+        </message>
+        <message>
+            <location filename="../../ui/help/tour.py" />
+            <source>&amp;Next</source>
+            <translation>&amp;Suivant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>The job from the side</source>
+            <translation>La tâche vue de côté</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>From the side</source>
+            <translation>De côté</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>From above</source>
+            <translation>D'en haut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>, {across:.1f} × as high</source>
+            <translation>, {across:.1f} × plus haut</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/drawing.py" />
+            <source>, to scale</source>
+            <translation>, à l'échelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/form.py" />
+            <source>picture</source>
+            <translation>image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/form.py" />
+            <source>file of light</source>
+            <translation>fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>outlook</source>
+            <translation>aperçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Picture at best</source>
+            <translation>Image au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Blurred by the size of the light, as any lens has to</source>
+            <translation>Rendue floue par la taille de la source, comme avec toute lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Wanted</source>
+            <translation>Voulu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>At best</source>
+            <translation>Au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Computing what can be expected…</source>
+            <translation>Calcul de ce qu'on peut attendre…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>New design</source>
+            <translation>Nouvelle conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Jobs</source>
+            <translation>Tâches</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>&amp;Begin</source>
+            <translation>&amp;Commencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>&amp;Open a file…</source>
+            <translation>&amp;Ouvrir un fichier…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>E&amp;xamples…</source>
+            <translation>E&amp;xemples…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Picture</source>
+            <translation>Image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/brush.py" />
+            <source>a single point</source>
+            <translation>un seul point</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/brush.py" />
+            <source>radius {radius:.2g} {unit}</source>
+            <translation>rayon {radius:.2g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/live.py" />
+            <source>trace of the lens</source>
+            <translation>tracé de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/live.py" />
+            <source>trace of the mirror</source>
+            <translation>tracé du miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/lock.py" />
+            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
+            <translation>{place}Peindre les points de contrôle pour les verrouiller, ou les libérer en partant d'un verrou ; ou par flèches et Espace. Pinceau, [ et ] : {words}. {count} verrouillés</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Collimated light comes from everywhere: choose another source to move it</source>
+            <translation>La lumière collimatée vient de partout : choisir une autre source pour la déplacer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Drag the source across, Ctrl: along z; or use arrows, Page Up and Page Down; Shift: finely; Esc: back. </source>
+            <translation>Tirer la source en travers, Ctrl : selon z ; ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/move_source.py" />
+            <source>Corners: its size. </source>
+            <translation>Coins : sa taille. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
+            <translation>{place}Tirer des points de contrôle selon z, ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. Pinceau, [ et ] : {words}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>. Moved by {rise:+.4g} {unit}</source>
+            <translation>. Déplacé de {rise:+.4g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/sculpt.py" />
+            <source>All control points in the brush are locked; unlock some first.</source>
+            <translation>Tous les points de contrôle du pinceau sont verrouillés ; en libérer d'abord.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first; then change the lens by hand.</source>
+            <translation>Arrêter d'abord l'exécution ; puis modifier la lentille à la main.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Stop the run first; then change the mirror by hand.</source>
+            <translation>Arrêter d'abord l'exécution ; puis modifier le miroir à la main.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no lens to shape yet.</source>
+            <translation>Il n'y a pas encore de lentille à façonner.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is no mirror to shape yet.</source>
+            <translation>Il n'y a pas encore de miroir à façonner.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>There is one freeform face. Design &gt; Freeform entrance face gives a lens a second one.</source>
+            <translation>Il y a une face de forme libre. Conception &gt; Face d'entrée de forme libre en donne une seconde à une lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>Show distances to scale first (View &gt; Shorten gaps); then move the source.</source>
+            <translation>Afficher d'abord les distances à l'échelle (Affichage &gt; Raccourcir les distances) ; puis déplacer la source.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>lock all points</source>
+            <translation>verrouiller tous les points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>unlock all points</source>
+            <translation>déverrouiller tous les points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>invert locks</source>
+            <translation>inverser les verrous</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move the source</source>
+            <translation>déplacer la source</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>move control points</source>
+            <translation>déplacer des points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>lock points</source>
+            <translation>verrouiller des points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/lens/tools.py" />
+            <source>unlock points</source>
+            <translation>déverrouiller des points</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Loading…</source>
+            <translation>Chargement…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Ready</source>
+            <translation>Prêt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Designing…</source>
+            <translation>Conception en cours…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Paused</source>
+            <translation>En pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stopping…</source>
+            <translation>Arrêt…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
+            <translation>Étapes les plus anciennes ({count}) oubliées : trop de mémoire pour annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{file} takes the place of {design}, which is being designed.</source>
+            <translation>{file} prend la place de {design}, en cours de conception.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stop and open</source>
+            <translation>Arrêter et ouvrir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{design} is still being designed. Stop, and save its best lens?</source>
+            <translation>{design} est encore en cours de conception. Arrêter et enregistrer sa meilleure lentille ?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{design} is still being designed. Stop, and save its best mirror?</source>
+            <translation>{design} est encore en cours de conception. Arrêter et enregistrer son meilleur miroir ?</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source> Changes of the task that wait for the end of the run are given up.</source>
+            <translation> Les modifications de la tâche qui attendent la fin de l'exécution sont abandonnées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Saved with the last valid value of each marked field.</source>
+            <translation>Enregistré avec la dernière valeur valable de chaque champ marqué.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Saved with the task that the run works on.</source>
+            <translation>Enregistré avec la tâche sur laquelle travaille l'exécution.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>&amp;Undo {undo}</source>
+            <translation>A&amp;nnuler : {undo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>&amp;Redo {redo}</source>
+            <translation>&amp;Rétablir : {redo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Tool radius</source>
+            <translation>Rayon de l'outil</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>a radius that fits</source>
+            <translation>un rayon qui convient</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
+            <translation>Rayon de la bille. Vide : celui de la tâche, ou un qui convient partout.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Ridges</source>
+            <translation>Crêtes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
+            <translation>Hauteur permise des crêtes entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande plus de mouvements qu'un programme n'en peut avoir.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Clamping rim</source>
+            <translation>Bord de serrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Width of stock around the lens, to hold it by.</source>
+            <translation>Largeur de brut autour de la lentille, pour la tenir.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Travel height</source>
+            <translation>Hauteur de dégagement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the ball's diameter</source>
+            <translation>le diamètre de la bille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How far over its highest cut the cutter travels.</source>
+            <translation>À quelle hauteur au-dessus de sa plus haute coupe la fraise se déplace.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>fine</source>
+            <translation>fin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that cuts into the face is refused.</source>
+            <translation>Une passe de finition à la fraise hémisphérique en G-code en millimètres (GRBL, LinuxCNC). L'usinage est simulé avant l'écriture : une fraise qui entame la face est refusée.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Ball cutter</source>
+            <translation>Fraise hémisphérique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Feed</source>
+            <translation>Avance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>How fast the cutter moves while it cuts.</source>
+            <translation>Vitesse de la fraise pendant la coupe.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Cut a mould of the face</source>
+            <translation>Usiner un moule de la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>The negative: hollows become humps, turned over about the y axis.</source>
+            <translation>Le négatif : les creux deviennent des bosses, retourné autour de l'axe y.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>What the cut leaves</source>
+            <translation>Ce que laisse l'usinage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>&amp;Write G-code…</source>
+            <translation>É&amp;crire le G-code…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>&amp;Simulate and trace</source>
+            <translation>&amp;Simuler et tracer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Simulate the cut and trace light through what it leaves, beside the lens as designed</source>
+            <translation>Simuler l'usinage et tracer la lumière à travers le résultat, à côté de la lentille conçue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>simulation of the cut</source>
+            <translation>simulation de l'usinage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Simulating the cut…</source>
+            <translation>Simulation de l'usinage…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>{value:g}; a number above 0, or nothing</source>
+            <translation>{value:g} ; un nombre au-dessus de 0, ou rien</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the cut goes up to {cut_off:.2g} {unit} into the face</source>
+            <translation>la coupe entame la face jusqu'à {cut_off:.2g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} {unit} high; {deep}.</source>
+            <translation>Rayon {radius:.4g} {unit}, {size:,} mouvements. Les crêtes ont jusqu'à {left:.2g} {unit} de haut ; {deep}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>the face is cut into nowhere</source>
+            <translation>la face n'est entamée nulle part</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Tracing…</source>
+            <translation>Tracé…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Polishing takes ridges away.</source>
+            <translation>Le polissage enlève les crêtes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Thickness along z</source>
+            <translation>Épaisseur selon z</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Angle between the face and a plane across the axis</source>
+            <translation>Angle entre la face et un plan perpendiculaire à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>One over the radius of concave places; zero elsewhere</source>
+            <translation>Inverse du rayon des endroits concaves ; zéro ailleurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>One over the radius of convex places; zero elsewhere</source>
+            <translation>Inverse du rayon des endroits convexes ; zéro ailleurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>Computed when no run changes it…</source>
+            <translation>Calculé quand aucune exécution ne le change…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>What the map shows</source>
+            <translation>Ce que montre la carte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/face_map.py" />
+            <source>; what is beyond a limit is hatched</source>
+            <translation> ; ce qui dépasse une limite est hachuré</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✓ met</source>
+            <translation>✓ tenue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>No place is beyond the limit.</source>
+            <translation>Aucun endroit ne dépasse la limite.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>? open</source>
+            <translation>? ouverte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>No place that was looked at is beyond the limit, but that no other place is, is not proved: {bound} is all that the face surely keeps to.</source>
+            <translation>Aucun endroit examiné ne dépasse la limite, mais qu'aucun autre ne le fait n'est pas prouvé : {bound} est tout ce que la face tient sûrement.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>✗ broken</source>
+            <translation>✗ dépassée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Some places are beyond the limit; the map shows where.</source>
+            <translation>Certains endroits dépassent la limite ; la carte montre où.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Slope</source>
+            <translation>Pente</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest angle between the face and a plane across the axis</source>
+            <translation>Plus grand angle entre la face et un plan perpendiculaire à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Concave radius</source>
+            <translation>Rayon concave</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Smallest radius of curvature of concave places</source>
+            <translation>Plus petit rayon de courbure des endroits concaves</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Convex radius</source>
+            <translation>Rayon convexe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Smallest radius of curvature of convex places</source>
+            <translation>Plus petit rayon de courbure des endroits convexes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Ball cutter up to</source>
+            <translation>Fraise jusqu'à</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Largest radius of a ball cutter that fits everywhere on the face, without cutting into another part of it</source>
+            <translation>Plus grand rayon d'une fraise hémisphérique qui convient partout sur la face, sans entamer une autre partie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Sag range</source>
+            <translation>Flèche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Height of the highest point of the face over the lowest</source>
+            <translation>Hauteur du point le plus haut de la face au-dessus du plus bas</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Draft</source>
+            <translation>Dépouille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Least angle between the face and the axis, along which a mould opens</source>
+            <translation>Plus petit angle entre la face et l'axe selon lequel s'ouvre un moule</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Lens</source>
+            <translation>Lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Limit</source>
+            <translation>Limite</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Ball cutter…</source>
+            <translation>Fraise hémisphérique…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Say how the face is cut, see what the cut leaves, and write G-code</source>
+            <translation>Dire comment la face est usinée, voir ce que laisse l'usinage, et écrire le G-code</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Verdict: {figure}</source>
+            <translation>Verdict : {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Entrance face</source>
+            <translation>Face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>Entrance face: {figure}</source>
+            <translation>Face d'entrée : {figure}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>none</source>
+            <translation>aucun</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>The face has none.</source>
+            <translation>La face n'en a pas.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/figures.py" />
+            <source>At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.</source>
+            <translation>À x = {x:.4g}, y = {y:.4g} {unit}. Nulle part au-delà de {bound}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Thinnest</source>
+            <translation>Plus mince</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>The part has to be as thick as this everywhere</source>
+            <translation>La pièce doit avoir partout cette épaisseur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Thickest</source>
+            <translation>Plus épais</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>The part must not be thicker than this anywhere</source>
+            <translation>La pièce ne doit nulle part être plus épaisse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Largest angle between a freeform face and a plane across the axis, in degrees</source>
+            <translation>Plus grand angle entre une face de forme libre et un plan perpendiculaire à l'axe, en degrés</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Smallest radius that a tool can cut, of concave and convex places</source>
+            <translation>Plus petit rayon qu'un outil peut usiner, des endroits concaves et convexes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Radius of the ball cutter that has to fit everywhere</source>
+            <translation>Rayon de la fraise hémisphérique qui doit convenir partout</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Empty: what the design task keeps to, if anything. Kept for the next start.</source>
+            <translation>Vide : ce que la tâche respecte, s'il y a lieu. Gardé pour le prochain démarrage.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>Limit: {label}</source>
+            <translation>Limite : {label}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>look at the face</source>
+            <translation>examen de la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/pane.py" />
+            <source>Out of date: of the lens before; computed anew when it rests.</source>
+            <translation>Périmé : de la lentille précédente ; recalculé quand elle est au repos.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens does not fit the new outline: Start designs another one, Undo brings it back.</source>
+            <translation>La lentille ne convient pas au nouveau contour : Démarrer en conçoit une autre, Annuler la ramène.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror does not fit the new outline: Start designs another one, Undo brings it back.</source>
+            <translation>Le miroir ne convient pas au nouveau contour : Démarrer en conçoit un autre, Annuler le ramène.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The entrance face is freeform now, and flat so far. Continue shapes both faces, and Undo takes the change back.</source>
+            <translation>La face d'entrée est désormais de forme libre, et encore plane. Continuer façonne les deux faces, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The entrance face is flat now; the exit face stays as it was, but it was made for the light of both. Continue shapes it alone, and Undo takes the change back.</source>
+            <translation>La face d'entrée est désormais plane ; la face de sortie reste telle quelle, mais elle était faite pour la lumière des deux. Continuer la façonne seule, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>On {size} control points {name} is the same.</source>
+            <translation>Sur {size} points de contrôle, inchangé : {name}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>Take {size}, exact</source>
+            <translation>Prendre {size}, exact</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
+            <translation>Sur {size} points de contrôle, {name} s'écarte de {off:.2g} {unit} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>change of {name}</source>
+            <translation>modification : {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>control points</source>
+            <translation>points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the lens</source>
+            <translation>la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the mirror</source>
+            <translation>le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>the entrance face</source>
+            <translation>la face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/postponed_edits.py" />
+            <source>Stop and apply</source>
+            <translation>Arrêter et appliquer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/postponed_edits.py" />
+            <source>Take back</source>
+            <translation>Reprendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/refused_fields.py" />
+            <source> ({count} more refused)</source>
+            <translation> ({count} autres refusés)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/refused_fields.py" />
+            <source>{first}{others}. Correct it, or press Esc in the field, first.</source>
+            <translation>{first}{others}. Corriger d'abord, ou appuyer sur Échap dans le champ.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The run goes on within these limits.</source>
+            <translation>L'exécution se poursuit dans ces limites.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Stop and widen</source>
+            <translation>Arrêter et élargir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Widen</source>
+            <translation>Élargir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Continue</source>
+            <translation>Continuer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>automatic height range</source>
+            <translation>plage de hauteur automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>wider entrance range</source>
+            <translation>plage d'entrée plus large</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The height range follows from the task now</source>
+            <translation>La plage de hauteur suit désormais de la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The entrance range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>La plage d'entrée est désormais de {low:.3g} à {high:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>{said}, and the lens is as it was. Start over mostly finds a better one than Continue does.</source>
+            <translation>{said} ; la lentille est inchangée. Recommencer en trouve le plus souvent une meilleure que Continuer.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>{said}, and the mirror is as it was. Start over mostly finds a better one than Continue does.</source>
+            <translation>{said} ; le miroir est inchangé. Recommencer en trouve le plus souvent un meilleur que Continuer.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>Start over</source>
+            <translation>Recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/target_image.py" />
+            <source>{image} has changed. The design keeps the picture that it has.</source>
+            <translation>{image} a changé. La conception garde l'image qu'elle a.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/target_image.py" />
+            <source>Read it again</source>
+            <translation>Lire à nouveau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/total_reflection.py" />
+            <source>{where}, as marked in the 3D scene. {cure}.</source>
+            <translation>{where}, comme marqué dans la scène 3D. {cure}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/total_reflection.py" />
+            <source>search for total reflection</source>
+            <translation>recherche de réflexion totale</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>All lengths are converted: 1 {old} is {ratio:.6g} {new} now.</source>
+            <translation>Toutes les longueurs sont converties : 1 {old} vaut maintenant {ratio:.6g} {new}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>Keep the numbers</source>
+            <translation>Garder les nombres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/unit_change.py" />
+            <source>change of unit alone</source>
+            <translation>changement d'unité seul</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>Auto</source>
+            <translation>Auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>{label}, automatic</source>
+            <translation>{label}, automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/auto_row.py" />
+            <source>auto</source>
+            <translation>auto</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/fields.py" />
+            <source>{label}, {number} of {count}</source>
+            <translation>{label}, {number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>flat entrance face</source>
+            <translation>face d'entrée plane</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>freeform entrance face</source>
+            <translation>face d'entrée de forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The target is no picture: only a picture has an aspect.</source>
+            <translation>La cible n'est pas une image : seule une image a un format.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The picture has no aspect: {refused}</source>
+            <translation>L'image n'a pas de format : {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>screen of the picture's aspect</source>
+            <translation>écran au format de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>far field of the picture's aspect</source>
+            <translation>champ lointain au format de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The design is paused. Changes wait until it ends.</source>
+            <translation>La conception est en pause. Les modifications attendent sa fin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The design is running. Changes wait until it ends.</source>
+            <translation>La conception est en cours. Les modifications attendent sa fin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Refused: {refused}</source>
+            <translation>Refusé : {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>The {edit} is refused: {refused}</source>
+            <translation>Refusé ({edit}) : {refused}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Stop the run first; then read the image again.</source>
+            <translation>Arrêter d'abord l'exécution ; puis relire l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Waits for the end of the run: {edits}.</source>
+            <translation>Attend la fin de l'exécution : {edits}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>Scene</source>
+            <translation>Scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>change of unit</source>
+            <translation>changement d'unité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>further image</source>
+            <translation>autre image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Further images</source>
+            <translation>Autres images</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Add an image farther away, with the target of the last one</source>
+            <translation>Ajouter une image plus loin, avec la cible de la dernière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Remove the chosen image</source>
+            <translation>Retirer l'image choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Move the chosen image up</source>
+            <translation>Monter l'image choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Move the chosen image down</source>
+            <translation>Descendre l'image choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>{count} images in all, each by its weight; the first one has 1.</source>
+            <translation>{count} images en tout, chacune selon son poids ; la première a 1.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>None: there is one image.</source>
+            <translation>Aucune : il y a une image.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>{place}, {target}, weight {weight:g}</source>
+            <translation>{place}, {target}, poids {weight:g}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Elsewhere</source>
+            <translation>Ailleurs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>Image {number}</source>
+            <translation>Image {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/images.py" />
+            <source>change of target image</source>
+            <translation>changement d'image cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Custom index</source>
+            <translation>Indice propre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Index</source>
+            <translation>Indice</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Refractive index of the lens; the air around it has 1.</source>
+            <translation>Indice de réfraction de la lentille ; l'air autour a 1.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Automatic</source>
+            <translation>Automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>Own limits</source>
+            <translation>Limites propres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>From the base</source>
+            <translation>Depuis la base</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>From the entrance</source>
+            <translation>Depuis l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/lens.py" />
+            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
+            <translation>De combien un point de contrôle peut s'écarter de la base, vers le bas et le haut. Une plage plus large dévie davantage la lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/panel.py" />
+            <source>{panel} {field}</source>
+            <translation>{panel}, {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Remove</source>
+            <translation>Retirer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Up</source>
+            <translation>Monter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Down</source>
+            <translation>Descendre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>new {part}</source>
+            <translation>nouveau : {part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>removal of {part} {number}</source>
+            <translation>retrait : {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>move of {part} {number}</source>
+            <translation>déplacement : {part} {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/receiver.py" />
+            <source>Kind</source>
+            <translation>Genre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>region</source>
+            <translation>région</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Regions</source>
+            <translation>Régions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Add a region in the middle</source>
+            <translation>Ajouter une région au milieu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Remove the chosen region</source>
+            <translation>Retirer la région choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Move the chosen region up</source>
+            <translation>Monter la région choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Move the chosen region down</source>
+            <translation>Descendre la région choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>None.</source>
+            <translation>Aucune.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Region {count}</source>
+            <translation>Région {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Watched</source>
+            <translation>Observées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Region {number}</source>
+            <translation>Région {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>Shape</source>
+            <translation>Forme</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/regions.py" />
+            <source>As x, y; x, y; …</source>
+            <translation>Sous la forme x, y; x, y; …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>Parameters</source>
+            <translation>Paramètres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/run.py" />
+            <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
+            <translation>Combien de nombres sont optimisés, et la mémoire qu'ils prennent avec leur gradient et les deux moments de l'optimiseur. Un réseau trop grand est refusé au départ.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>Files of light ({endings});;All files (*)</source>
+            <translation>Fichiers de lumière ({endings});;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>change of file of light</source>
+            <translation>changement de fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>The design keeps files of up to {largest} MB.</source>
+            <translation>La conception garde les fichiers jusqu'à {largest} Mo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/source.py" />
+            <source>Choose a file of light</source>
+            <translation>Choisir un fichier de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>In turn</source>
+            <translation>Tour à tour</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>A run goes through these stages before the scene itself, each going on from the lens of the one before: from a point source to an extended one, say, or from a coarse net to a fine one.</source>
+            <translation>Une exécution passe par ces étapes avant la scène elle-même, chacune à partir de la lentille de la précédente : d'une source ponctuelle à une étendue, par exemple, ou d'un réseau grossier à un fin.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>stage</source>
+            <translation>étape</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Stages of the run</source>
+            <translation>Étapes de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Add a stage behind the others</source>
+            <translation>Ajouter une étape après les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Remove the chosen stage</source>
+            <translation>Retirer l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Run the chosen stage sooner</source>
+            <translation>Exécuter plus tôt l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Run the chosen stage later</source>
+            <translation>Exécuter plus tard l'étape choisie</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Then the scene as it stands, {iterations}.</source>
+            <translation>Puis la scène telle quelle, {iterations}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>None: the scene is run as it stands.</source>
+            <translation>Aucune : la scène est exécutée telle quelle.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>net of {n_u} × {n_v}</source>
+            <translation>réseau de {n_u} × {n_v}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>{kind} filter</source>
+            <translation>filtre : {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>1 iteration</source>
+            <translation>1 itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>{count} iterations</source>
+            <translation>{count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>As the scene</source>
+            <translation>Comme la scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>Stages</source>
+            <translation>Étapes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stages.py" />
+            <source>Stage {number}</source>
+            <translation>Étape {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>Images ({endings});;All files (*)</source>
+            <translation>Images ({endings});;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>An image file can also be dropped onto the window.</source>
+            <translation>Un fichier d'image peut aussi être déposé sur la fenêtre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>The design keeps images of up to {largest} MB.</source>
+            <translation>La conception garde les images jusqu'à {largest} Mo.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>Choose an image file</source>
+            <translation>Choisir un fichier d'image</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/target.py" />
+            <source>The light that is wanted on the screen</source>
+            <translation>La lumière voulue sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>bound</source>
+            <translation>borne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>at best {error}</source>
+            <translation>au mieux {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/bound.py" />
+            <source>There can be {bound}; {error} with a source half as wide. This is the least relative L2 error, certified; freeform bound tells more.</source>
+            <translation>Possible : {bound} ; {error} avec une source deux fois moins large. C'est la plus petite erreur L2 relative, certifiée ; « freeform bound » en dit plus.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>The scenes are the same</source>
+            <translation>Les scènes sont identiques</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Fields of the scenes that differ</source>
+            <translation>Champs des scènes qui diffèrent</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Point at an image to read its light</source>
+            <translation>Pointer une image pour lire sa lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Comparison of two runs</source>
+            <translation>Comparaison de deux exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Light under the pointer</source>
+            <translation>Lumière sous le pointeur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Figures of both runs</source>
+            <translation>Chiffres des deux exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>return to iteration {number}</source>
+            <translation>retour à l'itération {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/control.py" />
+            <source>design run</source>
+            <translation>exécution de la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Following: the first design is under way</source>
+            <translation>Suivi : la première conception est en cours</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Edits are followed no longer: a first result of this design takes more than {seconds:g} s here, time after time. Start designs it.</source>
+            <translation>Les modifications ne sont plus suivies : un premier résultat prend ici plus de {seconds:g} s, à chaque fois. Démarrer le conçoit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the lens that was missing</source>
+            <translation>conception de la lentille manquante</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the mirror that was missing</source>
+            <translation>conception du miroir manquant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>Following: error {error:.1f} %, still getting better</source>
+            <translation>Suivi : erreur {error:.1f} %, encore en baisse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
+            <translation>Il n'y a pas encore de résultat, ou sa lumière est encore en cours de tracé ; réessayer dans un instant.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the best lens so far, after {count} iterations</source>
+            <translation>la meilleure lentille jusqu'ici, après {count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the best mirror so far, after {count} iterations</source>
+            <translation>le meilleur miroir jusqu'ici, après {count} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the lens on show, {origin}</source>
+            <translation>la lentille affichée, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/lens_on_show.py" />
+            <source>the mirror on show, {origin}</source>
+            <translation>le miroir affiché, {origin}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run paused</source>
+            <translation>Exécution en pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run resumed</source>
+            <translation>Exécution reprise</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Stop asked for</source>
+            <translation>Arrêt demandé</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>{name} is kept no longer: kept runs would take too much memory</source>
+            <translation>{name} n'est plus gardé : les exécutions gardées prendraient trop de mémoire</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run begins: {name}, method {method}</source>
+            <translation>Début d'exécution : {name}, méthode {method}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source> at iteration {iteration}</source>
+            <translation> à l'itération {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Stage {stage} of {stages}, iteration {iteration}</source>
+            <translation>Étape {stage} sur {stages}, itération {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Trace: {notes}</source>
+            <translation>Tracé : {notes}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended before its first lens</source>
+            <translation>Exécution terminée avant sa première lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended before its first mirror</source>
+            <translation>Exécution terminée avant son premier miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/log.py" />
+            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss:.3e}, {efficiency:.1f} % {place}</source>
+            <translation>Exécution terminée{why} après l'itération {iteration} sur {iterations}, {clock} : dernier coût {loss:.3e}, {efficiency:.1f} % {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>check of the run</source>
+            <translation>vérification de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/run_check.py" />
+            <source>Checked error {error} at {iteration}</source>
+            <translation>Erreur vérifiée {error} à {iteration}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runner.py" />
+            <source>run</source>
+            <translation>exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose one run in View &gt; Runs first.</source>
+            <translation>Choisir d'abord une exécution dans Affichage &gt; Exécutions.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose runs in View &gt; Runs first.</source>
+            <translation>Choisir d'abord des exécutions dans Affichage &gt; Exécutions.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>Choose two runs in View &gt; Runs first: Ctrl and a click.</source>
+            <translation>Choisir d'abord deux exécutions dans Affichage &gt; Exécutions : Ctrl et clic.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>rename run</source>
+            <translation>renommer l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>The run is still called {name}: {reason}</source>
+            <translation>L'exécution s'appelle toujours {name} : {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>return to {name}</source>
+            <translation>retour à {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>delete {name}</source>
+            <translation>suppression de {name}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/runs.py" />
+            <source>delete {count} runs</source>
+            <translation>suppression de {count} exécutions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>iteration {done} of {count}{rate}</source>
+            <translation>itération {done} sur {count}{rate}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Error {error} · light {place} {shares}</source>
+            <translation>Erreur {error} · lumière {place} {shares}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>loss {loss:.3e}</source>
+            <translation>coût {loss:.3e}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>{time} elapsed</source>
+            <translation>durée {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>at most {time} left</source>
+            <translation>au plus {time} restant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Progress of the design</source>
+            <translation>Avancement de la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Iterations done, and how many a second lately</source>
+            <translation>Itérations faites, et combien par seconde dernièrement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Relative L2 error of the image after so many iterations of the run, by an independent trace with rays that the design never saw; the scatter of these rays is left out</source>
+            <translation>Erreur L2 relative de l'image après tant d'itérations, par un tracé indépendant avec des rayons que la conception n'a jamais vus ; sans la dispersion de ces rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Relative L2 error of the design on show, by an independent trace with rays that the design never saw; the scatter of these rays is left out. The log tells more</source>
+            <translation>Erreur L2 relative de la conception affichée, par un tracé indépendant avec des rayons qu'elle n'a jamais vus ; sans la dispersion de ces rayons. Le journal en dit plus</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are told of each</source>
+            <translation>L'écart de l'image à la cible, tel que la conception le voit (L2 relatif), et la part de lumière qui arrive où elle est voulue : sur l'écran, ou dans le champ lointain. De plusieurs images, les deux pour chacune</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>in the far field</source>
+            <translation>dans le champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>What the design makes as small as it can</source>
+            <translation>Ce que la conception rend aussi petit que possible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Run time</source>
+            <translation>Durée d'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Time left at the pace of the last seconds. Automatic ends sooner when nothing improves any more</source>
+            <translation>Temps restant au rythme des dernières secondes. Automatique s'arrête plus tôt quand rien ne s'améliore plus</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>{time} left</source>
+            <translation>{time} restant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Each run that ends is kept here, to be compared with others and gone back to.</source>
+            <translation>Chaque exécution terminée est gardée ici, pour la comparer à d'autres et y revenir.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Name</source>
+            <translation>Nom</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>What the run is called, with its light; a check mark draws its loss beside that of this run</source>
+            <translation>Le nom de l'exécution, avec sa lumière ; une coche dessine son coût à côté de celui de cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>The image that the light should draw: its file, or what it is</source>
+            <translation>L'image que la lumière doit dessiner : son fichier, ou ce qu'elle est</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Error</source>
+            <translation>Erreur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Relative L2 error of its best result, as the run saw it</source>
+            <translation>Erreur L2 relative de son meilleur résultat, telle que l'exécution l'a vue</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Verified</source>
+            <translation>Vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Relative L2 error of its result, by an independent trace with other rays</source>
+            <translation>Erreur L2 relative de son résultat, par un tracé indépendant avec d'autres rayons</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>On screen</source>
+            <translation>Sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Part of the light that lands on the screen, or in the far field</source>
+            <translation>Part de la lumière qui arrive sur l'écran, ou dans le champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Time</source>
+            <translation>Durée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Iterations</source>
+            <translation>Itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Iterations taken, those of runs that it continued included</source>
+            <translation>Itérations faites, y compris celles des exécutions poursuivies</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Net</source>
+            <translation>Réseau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Numbers of control points along x and y</source>
+            <translation>Nombres de points de contrôle selon x et y</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Method</source>
+            <translation>Méthode</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>How the result was searched for</source>
+            <translation>Comment le résultat a été cherché</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Loss of its best result, as the run saw it</source>
+            <translation>Coût de son meilleur résultat, tel que l'exécution l'a vu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Ended</source>
+            <translation>Fin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Why the run ended</source>
+            <translation>Pourquoi l'exécution s'est terminée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Kept runs</source>
+            <translation>Exécutions gardées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Delete</source>
+            <translation>Supprimer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Restore</source>
+            <translation>Restaurer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Give the design this run's task and result</source>
+            <translation>Donner à la conception la tâche et le résultat de cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Forget the chosen runs</source>
+            <translation>Oublier les exécutions choisies</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>Compare</source>
+            <translation>Comparer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>See two chosen runs beside each other: light, figures, fields</source>
+            <translation>Voir côte à côte deux exécutions choisies : lumière, chiffres, champs</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>The one of the design</source>
+            <translation>Celle de la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/table.py" />
+            <source>A name has at most {count} characters</source>
+            <translation>Un nom a au plus {count} caractères</translation>
+        </message>
+        <message>
+            <location filename="../../ui/startup/unexpected_errors.py" />
+            <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
+            <translation>Quelque chose s'est mal passé qui n'aurait pas dû : {error}. Votre travail est encore là : enregistrez-le.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/startup/warm_up.py" />
+            <source>start</source>
+            <translation>démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/threads/failure.py" />
+            <source>The {work} ended with an {error}</source>
+            <translation>{work} : arrêt sur « {error} »</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)</source>
+            <translation>Enregistrer le graphique (PNG, SVG), ou les chiffres de chaque lentille (CSV, JSON)</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a whole number from 1 to {most} is needed</source>
+            <translation>un nombre entier de 1 à {most} est requis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a whole number from 0 is needed</source>
+            <translation>un nombre entier à partir de 0 est requis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>a finite number from 0 is needed</source>
+            <translation>un nombre fini à partir de 0 est requis</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>over</source>
+            <translation>sur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Lenses</source>
+            <translation>Lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>How many are traced; more make the tail surer</source>
+            <translation>Combien sont tracées ; plus rendent la queue plus sûre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>Seed</source>
+            <translation>Graine</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/form.py" />
+            <source>The same seed gives the same lenses</source>
+            <translation>La même graine donne les mêmes lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Nothing is off: give a tilt, a decentre or another tolerance.</source>
+            <translation>Rien ne s'écarte : donner une inclinaison, un décentrement ou une autre tolérance.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>sample of tolerances</source>
+            <translation>échantillon de tolérances</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Trace no more; those that are traced count</source>
+            <translation>Ne plus tracer ; celles qui sont tracées comptent</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Perturb what is on show at random, and trace each with fresh rays</source>
+            <translation>Perturber au hasard ce qui est affiché, et tracer chacune avec des rayons nouveaux</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>{count} of {wanted} lenses</source>
+            <translation>{count} lentilles sur {wanted}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses below {most:.2f} %, worst {worst:.2f} %</source>
+            <translation>{done} : erreur de la conception {nominal:.2f} %, médiane {median:.2f} %, 95 % des lentilles sous {most:.2f} %, pire {worst:.2f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/pane.py" />
+            <source>Out of date: the lens has changed since.</source>
+            <translation>Périmé : la lentille a changé depuis.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/tolerances/spread_view.py" />
+            <source>How does the image change when lenses are a little off? Start traces some of them.</source>
+            <translation>Comment l'image change-t-elle quand les lentilles s'écartent un peu ? Démarrer en trace quelques-unes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Control point</source>
+            <translation>Point de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Choose it here, or click it in the 3D scene.</source>
+            <translation>Le choisir ici, ou le cliquer dans la scène 3D.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Computed when the design rests…</source>
+            <translation>Calculé quand la conception est au repos…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Computing…</source>
+            <translation>Calcul…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>derivative map</source>
+            <translation>carte de dérivées</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>There is no map of this point yet.</source>
+            <translation>Il n'y a pas encore de carte de ce point.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Number of the control point along {axis}, counted from 0</source>
+            <translation>Numéro du point de contrôle selon {axis}, compté à partir de 0</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Control point along {axis}</source>
+            <translation>Point de contrôle selon {axis}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>, {part:.1e} of the total flux there</source>
+            <translation>, {part:.1e} du flux total qui y arrive</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/derivative_view.py" />
+            <source>Sum: flux on the screen changes by {sum:.1e} per {unit}{part}</source>
+            <translation>Somme : le flux sur l'écran change de {sum:.1e} par {unit}{part}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/face_choice.py" />
+            <source>Face</source>
+            <translation>Face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/face_choice.py" />
+            <source>Which of the freeform faces of the lens is meant</source>
+            <translation>Laquelle des faces de forme libre de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_curve.py" />
+            <source>Relative L2 error against the distance; the dotted line is the screen</source>
+            <translation>Erreur L2 relative selon la distance ; la ligne pointillée est l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>trace through focus</source>
+            <translation>série focale</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>A far field is at no distance: there is nothing to focus.</source>
+            <translation>Un champ lointain n'est à aucune distance : il n'y a rien à mettre au point.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Distance of the screen</source>
+            <translation>Distance de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Look at the light before or behind the screen: half to one and a half times its distance. The scene stays as it is</source>
+            <translation>Regarder la lumière devant ou derrière l'écran : de la moitié à une fois et demie sa distance. La scène reste telle quelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>At screen</source>
+            <translation>À l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Go back to the distance of the scene's screen</source>
+            <translation>Revenir à la distance de l'écran de la scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Curve</source>
+            <translation>Courbe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>Trace the light to many distances and draw the error against them</source>
+            <translation>Tracer la lumière à de nombreuses distances et dessiner l'erreur en fonction d'elles</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>traced when the design rests…</source>
+            <translation>tracé quand la conception est au repos…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>tracing…</source>
+            <translation>tracé…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>no light arrives there</source>
+            <translation>aucune lumière n'y arrive</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>{part:.1f} % of the light</source>
+            <translation>{part:.1f} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>error {error}, {light}</source>
+            <translation>erreur {error}, {light}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>screen</source>
+            <translation>écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/focus_view.py" />
+            <source>The light there is traced when the design rests.</source>
+            <translation>La lumière y est tracée quand la conception est au repos.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Moment of the run</source>
+            <translation>Moment de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Look back at the design and its light at any moment of the run</source>
+            <translation>Revoir la conception et sa lumière à tout moment de l'exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>iteration {number}</source>
+            <translation>itération {number}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Go on from here</source>
+            <translation>Repartir d'ici</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/history_slider.py" />
+            <source>Take the design as it was at this moment, and continue from it; Undo brings the later one back</source>
+            <translation>Prendre la conception telle qu'à ce moment, et repartir de là ; Annuler ramène la suivante</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Image that is shown</source>
+            <translation>Image affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Which of the scene's images is shown</source>
+            <translation>Laquelle des images de la scène est affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_choice.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Image {number}, {place}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>Value under the pointer</source>
+            <translation>Valeur sous le pointeur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>beside the lens</source>
+            <translation>à côté de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>beside the mirror</source>
+            <translation>à côté du miroir</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/image_view.py" />
+            <source>{value} at {x}, {y}</source>
+            <translation>{value} à {x}, {y}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_image_view.py" />
+            <source>Logarithmic colours</source>
+            <translation>Couleurs logarithmiques</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_image_view.py" />
+            <source>Logarithmic colours, over three decades: stray light is seen</source>
+            <translation>Couleurs logarithmiques, sur trois décades : la lumière parasite se voit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_view.py" />
+            <source>All parts</source>
+            <translation>Toutes les parts</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/light_view.py" />
+            <source>The parts together; the account is complete when this is 100 %.</source>
+            <translation>Les parts ensemble ; le bilan est complet si cela fait 100 %.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Axes</source>
+            <translation>Axes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>What the loss is drawn against, and how</source>
+            <translation>En fonction de quoi le coût est dessiné, et comment</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Against iterations</source>
+            <translation>Selon les itérations</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Against seconds</source>
+            <translation>Selon les secondes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Logarithmic x</source>
+            <translation>x logarithmique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>Logarithmic y</source>
+            <translation>y logarithmique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/loss_view.py" />
+            <source>The loss is drawn here while a design runs. Run &gt; Start begins one.</source>
+            <translation>Le coût est dessiné ici pendant une conception. Exécution &gt; Démarrer en lance une.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>predict the photo</source>
+            <translation>prédiction de la photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>There is no lens yet: Start designs one.</source>
+            <translation>Il n'y a pas encore de lentille : Démarrer en conçoit une.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>The photo is predicted when the design rests.</source>
+            <translation>La photo est prédite quand la conception est au repos.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>predicting… {part:.0f} %</source>
+            <translation>prédiction… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Light of the photo</source>
+            <translation>Lumière de la photo</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>What the lens is lit by: as its source suggests (daylight from infinitely far, a laser as a Gaussian beam, else an LED), or another light</source>
+            <translation>Ce qui éclaire la lentille : selon sa source (lumière du jour de l'infini, laser pour un faisceau gaussien, sinon une LED), ou une autre lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Light of the source</source>
+            <translation>Lumière de la source</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure</source>
+            <translation>Exposition</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Exposure in stops: one more makes all twice as bright</source>
+            <translation>Exposition en diaphragmes : un de plus rend tout deux fois plus clair</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>{number} stops</source>
+            <translation>{number} IL</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>The usual exposure: the target's brightest pixel is white</source>
+            <translation>L'exposition usuelle : le pixel le plus clair de la cible est blanc</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Usual exposure</source>
+            <translation>Exposition usuelle</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/photo_view.py" />
+            <source>Out of date: of the lens before. </source>
+            <translation>Périmé : de la lentille précédente. </translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>The first picture of this design comes in a moment.</source>
+            <translation>La première image de cette conception arrive dans un instant.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>There is too little room here for a picture.</source>
+            <translation>Il y a trop peu de place ici pour une image.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_view.py" />
+            <source>There is no picture of this design: its light cannot be traced.</source>
+            <translation>Il n'y a pas d'image de cette conception : sa lumière ne peut être tracée.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_marks.py" />
+            <source>least / mean {number:.2f}</source>
+            <translation>minimum / moyenne {number:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>Draw a line</source>
+            <translation>Tracer une ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>Drag across an image to draw the line of a cross-section; Shift and drag does so too</source>
+            <translation>Tirer à travers une image pour dessiner la ligne d'une coupe ; Maj et tirer aussi</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Where the screen is cut: along x or y through the place that is clicked in an image,
+or along a line that is drawn across one with Shift and drag.
+Arrow keys move place or line by a pixel, with Shift by ten; with Ctrl, the end of the line</source>
+            <translation>Où l'écran est coupé : selon x ou y par l'endroit cliqué dans une image,
+ou selon une ligne dessinée à travers une image avec Maj et tirer.
+Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; avec Ctrl, le bout de la ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along</source>
+            <translation>Selon</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along x</source>
+            <translation>Selon x</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along y</source>
+            <translation>Selon y</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>Along a line</source>
+            <translation>Selon une ligne</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/section_view.py" />
+            <source>From {start} to {end} {unit}.
+{tip}</source>
+            <translation>De {start} à {end} {unit}.
+{tip}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/target_view.py" />
+            <source>The target with as much light as arrives: where the irradiance is right, both have the same colour, however much light is lost on the way. The light account tells where that goes.</source>
+            <translation>La cible avec autant de lumière qu'il en arrive : où l'éclairement est juste, les deux ont la même couleur, quelle que soit la lumière perdue en route. Le bilan de lumière dit où elle va.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/log_view.py" />
+            <source>What runs, checks and exports tell is written here.</source>
+            <translation>Ce que disent exécutions, vérifications et exports s'écrit ici.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/message_bar.py" />
+            <source>Close this message</source>
+            <translation>Fermer ce message</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/early_parts.py" />
+            <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
+            <translation>L'exécution attend ses noyaux de tracé : ils sont compilés une fois après l'installation, pendant une demi-minute environ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Follow</source>
+            <translation>Suivre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Cancel &amp;check</source>
+            <translation>Annu&amp;ler la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/view_state.py" />
+            <source>The {what} kept with this design cannot be shown again: {error}</source>
+            <translation>Ce qui était gardé avec cette conception ne peut être remontré ({what}) : {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>Loading the 3D scene…</source>
+            <translation>Chargement de la scène 3D…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>As opened</source>
+            <translation>Comme ouvert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>A click goes back or forth to that step</source>
+            <translation>Un clic revient ou avance à cette étape</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/workspace.py" />
+            <source>The 3D scene is hidden. View &gt; 3D scene shows it again.</source>
+            <translation>La scène 3D est cachée. Affichage &gt; Scène 3D la remontre.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>{name} is open with the unsaved changes that were recovered.</source>
+            <translation>{name} est ouvert avec les modifications non enregistrées récupérées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/windows.py" />
+            <source>Copy details</source>
+            <translation>Copier les détails</translation>
+        </message>
+        <message>
+            <location filename="../../resources/__init__.py" />
+            <source>First lenses</source>
+            <translation>Premières lentilles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>lens</source>
+            <translation>lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>exit face</source>
+            <translation>face de sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>entrance face</source>
+            <translation>face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>mirror</source>
+            <translation>miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>on the screen</source>
+            <translation>sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>On the screen</source>
+            <translation>Sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that makes the image.</source>
+            <translation>Lumière qui forme l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the screen</source>
+            <translation>Manque l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the optic and the screen by. One that sends much light here wastes it, or has more than its surface can bend.</source>
+            <translation>Lumière qui passe à côté de l'optique et de l'écran. Une optique qui en envoie beaucoup ici la gaspille, ou en a plus que sa surface n'en peut dévier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the lens</source>
+            <translation>Manque la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the entrance face by. The cone of a point source is round and just covers the rectangle around the face; of that, an elliptic lens leaves the corners open.</source>
+            <translation>Lumière qui passe à côté de la face d'entrée. Le cône d'une source ponctuelle est rond et couvre juste le rectangle autour de la face ; une lentille elliptique en laisse les coins.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Out of the side</source>
+            <translation>Sort par le côté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that entered the lens so slanted that it meets a side wall before the exit face.</source>
+            <translation>Lumière entrée si inclinée dans la lentille qu'elle rencontre une paroi avant la face de sortie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Totally reflected</source>
+            <translation>Réflexion totale</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that meets the exit face too steeply to leave the lens there.</source>
+            <translation>Lumière qui rencontre la face de sortie trop inclinée pour y quitter la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflected on entry</source>
+            <translation>Réfléchie à l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the entrance face reflects of the light that it refracts.</source>
+            <translation>La part que la face d'entrée réfléchit de la lumière qu'elle réfracte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflected on exit</source>
+            <translation>Réfléchie à la sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the exit face reflects of the light that it refracts.</source>
+            <translation>La part que la face de sortie réfléchit de la lumière qu'elle réfracte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed</source>
+            <translation>Absorbée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part that the glass absorbs of the light that comes to the exit face.</source>
+            <translation>La part que le verre absorbe de la lumière qui va à la face de sortie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the mirror</source>
+            <translation>Manque le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the mirror by: between it and the rim of the light's cone, and through the corners of the rectangle around an elliptic mirror.</source>
+            <translation>Lumière qui passe à côté du miroir : entre lui et le bord du cône, et par les coins du rectangle autour d'un miroir elliptique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorbed by the mirror</source>
+            <translation>Absorbée par le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The part of the light on the mirror that it does not reflect.</source>
+            <translation>La part de la lumière sur le miroir qu'il ne réfléchit pas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>far field</source>
+            <translation>champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity</source>
+            <translation>Intensité énergétique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In the far field</source>
+            <translation>Dans le champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Missed the far field</source>
+            <translation>Manque le champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light that passes the optic and the far field by. One that sends much light here wastes it, or has more than its surface can bend.</source>
+            <translation>Lumière qui passe à côté de l'optique et du champ lointain. Une optique qui en envoie beaucoup ici la gaspille, ou en a plus que sa surface n'en peut dévier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit</source>
+            <translation>Unité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of every length in the scene. Another one converts them all: a lens of 1 cm becomes one of 10 mm.</source>
+            <translation>Unité de toutes les longueurs de la scène. Une autre les convertit toutes : une lentille de 1 cm en devient une de 10 mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What shapes the light.</source>
+            <translation>Ce qui met en forme la lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance face and B-spline exit face over a rectangle.</source>
+            <translation>Face d'entrée et face de sortie B-spline sur un rectangle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half width</source>
+            <translation>Demi-largeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the lens's extent along x and y. All of it is lit.</source>
+            <translation>La moitié de l'étendue de la lentille selon x et y. Elle est éclairée tout entière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Outline</source>
+            <translation>Contour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the lens as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the lens.</source>
+            <translation>La forme de la lentille vue selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle</source>
+            <translation>Rectangle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ellipse</source>
+            <translation>Ellipse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance at z</source>
+            <translation>Entrée à z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the entrance face stands on the optical axis.</source>
+            <translation>Où la face d'entrée se trouve sur l'axe optique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The face that light meets first.</source>
+            <translation>La face que la lumière rencontre d'abord.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Flat</source>
+            <translation>Plane</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A plane across the axis.</source>
+            <translation>Un plan perpendiculaire à l'axe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Freeform</source>
+            <translation>Forme libre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A second B-spline face, which is designed together with the exit face.</source>
+            <translation>Une seconde face B-spline, conçue avec la face de sortie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance degree</source>
+            <translation>Degré de l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the entrance face along x and y.</source>
+            <translation>Degré polynomial de la face d'entrée selon x et y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance control points</source>
+            <translation>Points de contrôle d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points of the entrance face along x and y. Automatic takes as many as the exit face has.</source>
+            <translation>Nombre de points de contrôle de la face d'entrée selon x et y. Automatique en prend autant que la face de sortie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance range</source>
+            <translation>Plage d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the entrance face may be from its place on the axis, towards the source and away from it. Automatic leaves it room behind that place, as glass and source allow.</source>
+            <translation>De combien la face d'entrée peut s'écarter de sa place sur l'axe, vers la source et à l'opposé. Automatique lui laisse la place derrière, autant que verre et source le permettent.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>to</source>
+            <translation>à</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material</source>
+            <translation>Matériau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of: a catalogue material, or a custom index.</source>
+            <translation>De quoi la lentille est faite : un matériau du catalogue, ou un indice propre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wavelength</source>
+            <translation>Longueur d'onde</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Vacuum wavelength at which the material's index is taken.</source>
+            <translation>Longueur d'onde dans le vide à laquelle l'indice du matériau est pris.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorption</source>
+            <translation>Absorption</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
+            <translation>Ce que le verre absorbe par longueur : la lumière décroît comme exp(−absorption · trajet). Verre clair et acrylique absorbent environ 0.0002 par mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflection</source>
+            <translation>Réflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
+            <translation>Ce que des faces nues réfléchissent : selon les équations de Fresnel pour une lumière non polarisée, selon l'approximation de Schlick, comme dans l'article, ou rien. En réflexion totale, tout.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresnel, exact</source>
+            <translation>Fresnel, exact</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Schlick, approximate</source>
+            <translation>Schlick, approché</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>None</source>
+            <translation>Aucune</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coating</source>
+            <translation>Traitement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
+            <translation>Part de la lumière qu'un traitement antireflet réfléchit, à la face d'entrée et à celle de sortie, à tous les angles : 0.005 est bon. Vide : faces nues.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Degree</source>
+            <translation>Degré</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation>Degré polynomial de la B-spline de la face de sortie selon x et y. 3 donne une courbure lisse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control points</source>
+            <translation>Points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth; the paper's method then has nets like those of the paper.</source>
+            <translation>Nombre de points de contrôle selon x et y. Plus dessinent un détail plus fin et prennent plus de temps. Automatique prend ce que valent le détail de la cible, les pixels de l'écran et la taille de la source ; la méthode de l'article a alors des réseaux comme les siens.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base</source>
+            <translation>Base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the exit face before the design; heights are counted from it.</source>
+            <translation>La forme de la face de sortie avant la conception ; les hauteurs se comptent à partir d'elle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base at z</source>
+            <translation>Base à z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the base crosses the optical axis.</source>
+            <translation>Où la base croise l'axe optique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sphere</source>
+            <translation>Sphère</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A spherical cap that rises or falls towards the rim.</source>
+            <translation>Une calotte sphérique qui monte ou descend vers le bord.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base radius</source>
+            <translation>Rayon de la base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
+            <translation>Rayon de courbure de la base ; plus que la demi-diagonale de la lentille ou du miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base form</source>
+            <translation>Forme de la base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave rises towards the rim, convex falls.</source>
+            <translation>Concave monte vers le bord, convexe descend.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave</source>
+            <translation>Concave</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex</source>
+            <translation>Convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height range</source>
+            <translation>Plage de hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the exit face may be from the base. Automatic takes what the task needs, between the thinnest and the thickest lens that is allowed.</source>
+            <translation>De combien la face de sortie peut s'écarter de la base. Automatique prend ce qu'il faut à la tâche, entre la plus mince et la plus épaisse lentille permise.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Max. thickness</source>
+            <translation>Épaisseur max.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The exit face is at most this far from the entrance face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
+            <translation>La face de sortie est au plus à cette distance de la face d'entrée : l'épaisseur du brut dont la pièce est faite. Vide : quelconque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Min. thickness</source>
+            <translation>Épaisseur min.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The exit face stays at least this far above the entrance face, so that the part can be made.</source>
+            <translation>La face de sortie reste au moins à cette distance au-dessus de la face d'entrée, pour que la pièce puisse être faite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror</source>
+            <translation>Miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What shapes the light by reflecting it, in place of a lens.</source>
+            <translation>Ce qui met en forme la lumière en la réfléchissant, à la place d'une lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One face that reflects, lit from below.</source>
+            <translation>Une face qui réfléchit, éclairée d'en bas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the mirror's extent along x and y. All of it is lit.</source>
+            <translation>La moitié de l'étendue du miroir selon x et y. Il est éclairé tout entier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the mirror as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the mirror.</source>
+            <translation>La forme du miroir vu selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque le miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflectance</source>
+            <translation>Facteur de réflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
+            <translation>Part de la lumière que le miroir réfléchit, à tous les angles : environ 0.9 pour l'aluminium, 0.97 pour l'argent. Il absorbe le reste.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation>Degré polynomial de la B-spline du miroir selon x et y. 3 donne une courbure lisse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the mirror before the design; heights are counted from it.</source>
+            <translation>La forme du miroir avant la conception ; les hauteurs se comptent à partir d'elle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the mirror may be from the base. Automatic takes what the task needs, at most the larger half width: steeper mirrors send no light back.</source>
+            <translation>De combien le miroir peut s'écarter de la base. Automatique prend ce qu'il faut à la tâche, au plus la plus grande demi-largeur : des miroirs plus raides ne renvoient pas de lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness</source>
+            <translation>Épaisseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
+            <translation>À quelle distance le dos plan de la plaque est derrière le point le plus haut du miroir, dans les exports de la plaque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source</source>
+            <translation>Source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light comes from.</source>
+            <translation>D'où vient la lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Collimated light</source>
+            <translation>Lumière collimatée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light from infinitely far that fills the entrance face: the sun, a laser beam.</source>
+            <translation>Lumière venue de l'infini qui remplit la face d'entrée : le soleil, un faisceau laser.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays</source>
+            <translation>Rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays along x and y in each iteration of the paper's method, and for derivative maps. More give a smoother image and take longer; at least two per pixel and axis are good. Automatic chooses its own.</source>
+            <translation>Rayons selon x et y à chaque itération de la méthode de l'article, et pour les cartes de dérivées. Plus donnent une image plus lisse et prennent plus de temps ; au moins deux par pixel et axe conviennent. Automatique choisit les siens.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Direction</source>
+            <translation>Direction</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the light is tilted against the optical axis: about x, which makes it go downwards, and about y, which makes it go to +x.</source>
+            <translation>L'inclinaison de la lumière sur l'axe optique : autour de x, ce qui la fait descendre, et autour de y, ce qui la fait aller vers +x.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Angular diameter</source>
+            <translation>Diamètre angulaire</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of the disc that the light comes from: 0.533 for the sun, 0 for a laser or a star. It blurs the image by as much as the disc's light spreads on the way.</source>
+            <translation>Angle total du disque d'où vient la lumière : 0.533 pour le soleil, 0 pour un laser ou une étoile. Il rend l'image floue d'autant que la lumière du disque s'étale en chemin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Profile</source>
+            <translation>Profil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How bright the light is across the beam.</source>
+            <translation>La luminosité à travers le faisceau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniform</source>
+            <translation>Uniforme</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As bright everywhere.</source>
+            <translation>Partout aussi clair.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian beam</source>
+            <translation>Faisceau gaussien</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A laser beam about the optical axis of the lens; what passes its rim misses the lens.</source>
+            <translation>Un faisceau laser autour de l'axe optique de la lentille ; ce qui passe hors de son bord manque la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam radius</source>
+            <translation>Rayon du faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, measured across the beam.</source>
+            <translation>Où l'éclairement est tombé à 1/e² (13.5 %) de celui du milieu, mesuré en travers du faisceau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light from one point into the cone that just covers the entrance face.</source>
+            <translation>Lumière d'un point dans le cône qui couvre juste la face d'entrée.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Position</source>
+            <translation>Position</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the point is: x, y and z. It has to stand before the entrance face; off the axis it lights the lens askew.</source>
+            <translation>Où est le point : x, y et z. Il doit être devant la face d'entrée ; hors de l'axe il éclaire la lentille de biais.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in each iteration of the paper's method, and for derivative maps, those that miss the lens included. More give a smoother image and take longer; at least four per pixel are good. Automatic chooses its own.</source>
+            <translation>Rayons à chaque itération de la méthode de l'article, et pour les cartes de dérivées, y compris ceux qui manquent la lentille. Plus donnent une image plus lisse et prennent plus de temps ; au moins quatre par pixel conviennent. Automatique choisit les siens.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Emission</source>
+            <translation>Émission</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Uniform: equally bright in all directions, as a small bulb. Lambertian: dimmer away from the optical axis, as the surface of an LED.</source>
+            <translation>Uniforme : aussi claire dans toutes les directions, comme une petite ampoule. Lambertienne : moins claire loin de l'axe optique, comme la surface d'une LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lambertian</source>
+            <translation>Lambertienne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sampling</source>
+            <translation>Échantillonnage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How directions of the paper's method are drawn. Low discrepancy (Sobol) spreads them evenly and needs far fewer rays; random is noisier, as in the paper.</source>
+            <translation>Comment les directions de la méthode de l'article sont tirées. La faible discrépance (Sobol) les répartit uniformément et demande bien moins de rayons ; aléatoire est plus bruité, comme dans l'article.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Low discrepancy</source>
+            <translation>Faible discrépance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Random</source>
+            <translation>Aléatoire</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresh rays</source>
+            <translation>Rayons nouveaux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Draw new rays for each iteration of the paper's method, so that the lens cannot fit itself to one set of them. Automatic does not have this.</source>
+            <translation>Tirer de nouveaux rayons à chaque itération de la méthode de l'article, pour que la lentille ne s'ajuste pas à un seul jeu. Automatique n'a pas cela.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intersection</source>
+            <translation>Intersection</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How it is found where a ray of the paper's method meets the exit face.</source>
+            <translation>Comment se trouve l'endroit où un rayon de la méthode de l'article rencontre la face de sortie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exact</source>
+            <translation>Exacte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>On the B-spline itself, fast and without an error of its own.</source>
+            <translation>Sur la B-spline elle-même, vite et sans erreur propre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Triangle mesh</source>
+            <translation>Maillage de triangles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As in the paper, for comparison.</source>
+            <translation>Comme dans l'article, pour comparer.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Subdivisions</source>
+            <translation>Subdivisions</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parts along x and y that each knot span is cut into, two triangles each. Twice as many make a quarter of the error, and four times the triangles.</source>
+            <translation>Parts selon x et y de chaque intervalle de nœuds, de deux triangles chacune. Deux fois plus donnent un quart de l'erreur, et quatre fois plus de triangles.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Grid of points</source>
+            <translation>Grille de points</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Many points of equal intensity, standing for a source of some size.</source>
+            <translation>De nombreux points d'égale intensité, pour une source d'une certaine taille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Centre</source>
+            <translation>Centre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
+            <translation>Le milieu de la grille : x, y et z. Tous les points ont le même z, devant la face d'entrée.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the grid's extent along x and y. No detail of the image can be sharper than the image that the lens makes of this.</source>
+            <translation>La moitié de l'étendue de la grille selon x et y. Aucun détail de l'image ne peut être plus net que l'image que la lentille en fait.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points</source>
+            <translation>Points</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Points along x and y, the outer ones on the rim. More of them come closer to an evenly bright source.</source>
+            <translation>Points selon x et y, les extérieurs sur le bord. Plus s'approchent d'une source uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays per point</source>
+            <translation>Rayons par point</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays from each point of the grid, for the paper's method and derivative maps. What they add up to makes the image smooth; few from each of many points are enough. Automatic chooses its own.</source>
+            <translation>Rayons de chaque point de la grille, pour la méthode de l'article et les cartes de dérivées. Leur total rend l'image lisse ; peu de chacun de nombreux points suffisent. Automatique choisit les siens.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Photometric file</source>
+            <translation>Fichier photométrique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A small lamp whose intensity by direction stands in a photometric file.</source>
+            <translation>Une petite lampe dont l'intensité par direction est dans un fichier photométrique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>File</source>
+            <translation>Fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene file's folder.</source>
+            <translation>Intensité par direction, dans un fichier IES LM-63 (.ies) ou EULUMDAT (.ldt). Son nadir regarde vers +z, C0 vers +x et C90 vers −y. Un chemin relatif part du dossier du fichier de scène.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the lamp is: x, y and z. It has to stand before the lens.</source>
+            <translation>Où est la lampe : x, y et z. Elle doit être devant la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rotation</source>
+            <translation>Rotation</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lamp is turned about its own origin: about the axis x, then about y, then about z.</source>
+            <translation>Comment la lampe est tournée autour de son origine : autour de l'axe x, puis de y, puis de z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in each iteration of the paper's method, and for derivative maps. Automatic chooses its own.</source>
+            <translation>Rayons à chaque itération de la méthode de l'article, et pour les cartes de dérivées. Automatique choisit les siens.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ray file</source>
+            <translation>Fichier de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp whose rays stand in a ray file, as they were measured or simulated.</source>
+            <translation>Une lampe dont les rayons sont dans un fichier, tels que mesurés ou simulés.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
+            <translation>Rayons dans un fichier IES TM-25 (.tm25ray), d'OpticStudio (.dat), ou de texte (.csv) avec les colonnes x, y, z, l, m, n et flux. Un chemin relatif part du dossier du fichier de scène.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the origin of the file is: x, y and z.</source>
+            <translation>Où est l'origine du fichier : x, y et z.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the file</source>
+            <translation>Unité du fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Unit of the lengths in the file. Left empty, it is the one that the file names.</source>
+            <translation>Unité des longueurs du fichier. Vide : celle que nomme le fichier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Area emitter</source>
+            <translation>Émetteur plan</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A flat emitter that faces the lens; it shines into the whole half-space before it.</source>
+            <translation>Un émetteur plan qui fait face à la lentille ; il rayonne dans tout le demi-espace devant lui.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The middle of the emitter: x, y and z, before the entrance face.</source>
+            <translation>Le milieu de l'émetteur : x, y et z, devant la face d'entrée.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the emitter's extent along x and y.</source>
+            <translation>La moitié de l'étendue de l'émetteur selon x et y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
+            <translation>La forme de sa face ; pour une ellipse les demi-largeurs sont des demi-axes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Screen</source>
+            <translation>Écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light is wanted.</source>
+            <translation>Où la lumière est voulue.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
+            <translation>Rectangle d'un plan. Ses coordonnées suivent ses côtés, à partir de son milieu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>At z</source>
+            <translation>À z</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the middle of the screen stands along the optical axis.</source>
+            <translation>Où le milieu de l'écran se trouve selon l'axe optique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the screen's extent along x and y. The target fills it.</source>
+            <translation>La moitié de l'étendue de l'écran selon x et y. La cible le remplit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where its middle is beside the optical axis, along x and y.</source>
+            <translation>Où est son milieu à côté de l'axe optique, selon x et y.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Tilt</source>
+            <translation>Inclinaison</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The screen is turned about its middle: about x, which takes its upper edge away from or towards the lens, and about y. Rows and columns turn with it.</source>
+            <translation>L'écran est tourné autour de son milieu : autour de x, ce qui éloigne ou approche de la lentille son bord supérieur, et autour de y. Lignes et colonnes tournent avec lui.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels</source>
+            <translation>Pixels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y in which the light is counted and compared with the target.</source>
+            <translation>Pixels selon x et y dans lesquels la lumière est comptée et comparée à la cible.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Far field</source>
+            <translation>Champ lointain</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions in which the light is wanted, in place of a screen.</source>
+            <translation>Directions où la lumière est voulue, à la place d'un écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions of the light that leaves the lens, as if a screen were infinitely far.</source>
+            <translation>Directions de la lumière qui quitte la lentille, comme si un écran était infiniment loin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half angle</source>
+            <translation>Demi-angle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the angles that it covers to the right and upwards. The target fills it.</source>
+            <translation>La moitié des angles qu'il couvre à droite et vers le haut. La cible le remplit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its middle: angle to the right and angle upwards from the optical axis.</source>
+            <translation>Son milieu : angle à droite et angle vers le haut depuis l'axe optique.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image filter</source>
+            <translation>Filtre d'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
+            <translation>Comment la lumière d'un rayon est répartie entre pixels, par la méthode de l'article et dans les cartes de dérivées. Automatique n'a pas de filtre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gaussien</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
+            <translation>La lumière décroît sur quelques pixels, de sorte qu'une conception sent où un rayon tombe dans un pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Taille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
+            <translation>Pixels selon x et y qu'atteint un rayon ; nombres impairs.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Alpha</source>
+            <translation>Alpha</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
+            <translation>La vitesse de décroissance de la gaussienne : exp(−alpha · distance²). Petit est large.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Box</source>
+            <translation>Boîte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Every ray counts fully in the pixel that it hits.</source>
+            <translation>Chaque rayon compte entièrement dans le pixel qu'il touche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The image that the light shall draw on the screen.</source>
+            <translation>L'image que la lumière doit dessiner sur l'écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image file</source>
+            <translation>Fichier d'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Bright pixels get much light, black ones and transparent ones none.</source>
+            <translation>Les pixels clairs reçoivent beaucoup de lumière, les noirs et les transparents aucune.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image</source>
+            <translation>Image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen with its aspect kept. A relative path starts at the scene file's folder.</source>
+            <translation>Fichier d'image ; les pixels clairs reçoivent beaucoup de lumière, les noirs et les transparents aucune. Où tout le dessin est noir, comme pour bien des logos sur fond transparent, le dessin lui-même reçoit la lumière. Il est ajusté à l'écran en gardant son format. Un chemin relatif part du dossier du fichier de scène.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Brightness</source>
+            <translation>Luminosité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light.</source>
+            <translation>Ce que signifie la valeur d'un pixel. Un moniteur montre la moitié de la plus grande valeur comme un cinquième de la lumière : une photo n'a le même aspect que si cela est défait (sRGB). Telle que stockée, la valeur est la lumière : sa moitié est la moitié de la lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As stored</source>
+            <translation>Telle que stockée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As shown by a monitor</source>
+            <translation>Comme sur un moniteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fit</source>
+            <translation>Ajustement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Whether all of the picture is seen, with a black border where the screen has another aspect, or all of the screen is filled, and what is beyond it is cut away.</source>
+            <translation>Si toute l'image est vue, avec un bord noir où l'écran a un autre format, ou si tout l'écran est rempli, et ce qui dépasse coupé.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All of the picture</source>
+            <translation>Toute l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All of the screen</source>
+            <translation>Tout l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Turn</source>
+            <translation>Tourner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Turns the picture on the screen.</source>
+            <translation>Tourne l'image sur l'écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As it is</source>
+            <translation>Telle quelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A quarter to the left</source>
+            <translation>Un quart de tour à gauche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A quarter to the right</source>
+            <translation>Un quart de tour à droite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upside down</source>
+            <translation>À l'envers</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Cut away</source>
+            <translation>Rogner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What is cut away at the left, top, right and bottom of the picture, as fractions of its width and height, before it is turned.</source>
+            <translation>Ce qui est coupé à gauche, en haut, à droite et en bas de l'image, en fractions de sa largeur et de sa hauteur, avant rotation.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the picture</source>
+            <translation>de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Padding</source>
+            <translation>Marge</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Black border on each side as a fraction of the screen; it keeps light away from the edge.</source>
+            <translation>Bord noir de chaque côté, en fraction de l'écran ; il tient la lumière loin du bord.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of width</source>
+            <translation>de la largeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Blur</source>
+            <translation>Flou</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Standard deviation of a Gaussian over the target. Soft edges are easier for a smooth lens.</source>
+            <translation>Écart type d'une gaussienne sur la cible. Des bords doux sont plus faciles pour une lentille lisse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Invert</source>
+            <translation>Inverser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Swap bright and dark.</source>
+            <translation>Échanger clair et sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform disc.</source>
+            <translation>Un disque uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius</source>
+            <translation>Rayon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the shape as a fraction of the screen's smaller half-width.</source>
+            <translation>Rayon de la forme en fraction de la plus petite demi-largeur de l'écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of half width</source>
+            <translation>de la demi-largeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A flame-like logo on black.</source>
+            <translation>Un logo en forme de flamme sur fond noir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height</source>
+            <translation>Hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of the shape as a fraction of the screen's smaller width.</source>
+            <translation>Hauteur de la forme en fraction de la plus petite largeur de l'écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A faceted ball in several greys.</source>
+            <translation>Un ballon à facettes en plusieurs gris.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform rectangle; as large as the screen, all of it evenly lit.</source>
+            <translation>Un rectangle uniforme ; aussi grand que l'écran, il l'éclaire tout entier uniformément.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width</source>
+            <translation>Largeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Width of the rectangle as a fraction of the screen's.</source>
+            <translation>Largeur du rectangle en fraction de celle de l'écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of the screen</source>
+            <translation>de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height of the rectangle as a fraction of the screen's; a small one makes a line.</source>
+            <translation>Hauteur du rectangle en fraction de celle de l'écran ; une petite fait une ligne.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ring</source>
+            <translation>Anneau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A uniform ring.</source>
+            <translation>Un anneau uniforme.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Inner radius</source>
+            <translation>Rayon intérieur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As a fraction of the radius.</source>
+            <translation>En fraction du rayon.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>of radius</source>
+            <translation>du rayon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Text</source>
+            <translation>Texte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Words, as large as the screen lets them be.</source>
+            <translation>Des mots, aussi grands que l'écran le permet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The words; \n begins a new line.</source>
+            <translation>Les mots ; \n commence une nouvelle ligne.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Images that the same light shall make elsewhere, on its way to the screen or beyond. Two freeform faces can place light and direct it; one face finds what lies between.</source>
+            <translation>Images que la même lumière doit former ailleurs, en chemin vers l'écran ou au-delà. Deux faces de forme libre peuvent placer la lumière et la diriger ; une seule trouve l'intermédiaire.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Further image</source>
+            <translation>Autre image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A receiver of its own with a target of its own. It takes no light from the other images.</source>
+            <translation>Un récepteur propre avec sa propre cible. Il ne prend pas de lumière aux autres images.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where light is wanted as well, at another place.</source>
+            <translation>Où la lumière est voulue aussi, à un autre endroit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Directions in which light is wanted as well, in place of a screen.</source>
+            <translation>Directions où la lumière est voulue aussi, à la place d'un écran.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The image that the light shall draw there.</source>
+            <translation>L'image que la lumière doit y dessiner.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Weight</source>
+            <translation>Poids</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the square of this image's relative error counts for in a design, beside 1 for the first image.</source>
+            <translation>Ce que compte le carré de l'erreur relative de cette image dans une conception, à côté de 1 pour la première.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is. They do not change the lens.</source>
+            <translation>Parties de l'écran dont la lumière est dite à part, comme sur un bureau ou une voie : combien il y en a, et son uniformité. Elles ne changent pas la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A rectangle.</source>
+            <translation>Un rectangle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Middle</source>
+            <translation>Milieu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where its middle is, from that of the receiver.</source>
+            <translation>Où est son milieu, depuis celui du récepteur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its whole width and height.</source>
+            <translation>Ses largeur et hauteur totales.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What figures of the region are called.</source>
+            <translation>Le nom des chiffres de la région.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An ellipse; a circle where the receiver's aspect and its own make one.</source>
+            <translation>Une ellipse ; un cercle où le format du récepteur et le sien en font un.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polygon</source>
+            <translation>Polygone</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A polygon, whose corners are drawn on an image.</source>
+            <translation>Un polygone, dont les coins sont dessinés sur une image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Corners</source>
+            <translation>Coins</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>In their order around it, from the receiver's middle.</source>
+            <translation>Dans leur ordre tout autour, depuis le milieu du récepteur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Run</source>
+            <translation>Exécution</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the design is found.</source>
+            <translation>Comment la conception est trouvée.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The best that this program knows; it may stop before all iterations are done.</source>
+            <translation>Le meilleur que connaît ce programme ; il peut s'arrêter avant la dernière itération.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upper limit of iterations. Automatic may stop sooner, when nothing improves.</source>
+            <translation>Limite supérieure d'itérations. Automatique peut s'arrêter plus tôt, quand rien ne s'améliore.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the run goes through before the scene as it stands.</source>
+            <translation>Ce par quoi passe l'exécution avant la scène telle quelle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stage</source>
+            <translation>Étape</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A part of the run, before the scene itself is run, with some things different.</source>
+            <translation>Une partie de l'exécution, avant la scène elle-même, où certaines choses diffèrent.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Upper limit of iterations of this stage. They count within those of the run; what all stages leave is for the scene itself.</source>
+            <translation>Limite supérieure d'itérations de cette étape. Elles comptent dans celles de l'exécution ; ce que les étapes laissent est pour la scène elle-même.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lens is searched for in this stage.</source>
+            <translation>Comment la lentille est cherchée dans cette étape.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>As in the paper</source>
+            <translation>Comme dans l'article</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Learning rate</source>
+            <translation>Taux d'apprentissage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step of the optimiser. Too large and the loss jumps, too small and it creeps. Left empty, it is that of the scene.</source>
+            <translation>Pas de l'optimiseur. Trop grand, le coût saute ; trop petit, il rampe. Vide : celui de la scène.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Numbers of control points along x and y in this stage. A coarse net moves light over long distances soon; the next stage goes on with the same surface on a finer one. Left empty, they are the lens's.</source>
+            <translation>Nombres de points de contrôle selon x et y dans cette étape. Un réseau grossier déplace vite la lumière au loin ; l'étape suivante poursuit avec la même surface sur un plus fin. Vide : ceux de la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smoothness</source>
+            <translation>Lissage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Weight of the exit face's bending energy beside the square of the image's error; it has no unit. 0.001 calms ripples, 0.01 costs sharpness. Left empty, the face may bend as it likes.</source>
+            <translation>Poids de l'énergie de flexion de la face de sortie à côté du carré de l'erreur de l'image ; sans unité. 0.001 calme les ondulations, 0.01 coûte de la netteté. Vide : la face peut fléchir à son gré.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smallest radius</source>
+            <translation>Plus petit rayon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smallest radius of curvature that the exit face may have, concave and convex: that of the tool. A run that has settled keeps to it; dark edges get softer. Left empty, any will do.</source>
+            <translation>Plus petit rayon de courbure permis à la face de sortie, concave et convexe : celui de l'outil. Une exécution stabilisée s'y tient ; les bords sombres s'adoucissent. Vide : quelconque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ball cutter radius</source>
+            <translation>Rayon de la fraise</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of the ball cutter that has to fit everywhere on the freeform faces. Hollows keep to it; humps may be sharper. Manufacture tells whether it fits. Left empty, any will do.</source>
+            <translation>Rayon de la fraise hémisphérique qui doit convenir partout aux faces de forme libre. Les creux s'y tiennent ; les bosses peuvent être plus vives. Fabrication dit si elle convient. Vide : quelconque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Start of the random numbers; the same seed repeats the same run.</source>
+            <translation>Départ des nombres aléatoires ; la même graine répète la même exécution.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Computes on</source>
+            <translation>Calcule sur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The graphics card needs a CUDA device and a PyTorch built for it.</source>
+            <translation>La carte graphique demande un appareil CUDA et un PyTorch compilé pour lui.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Processor</source>
+            <translation>Processeur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Graphics card (CUDA)</source>
+            <translation>Carte graphique (CUDA)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The published method, for comparison: Adam on control heights, or through a network.</source>
+            <translation>La méthode publiée, pour comparer : Adam sur les hauteurs de contrôle, ou à travers un réseau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Optimises</source>
+            <translation>Optimise</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the optimiser moves: one number per control height, or the weights of a network that puts the heights out. In a sparse network the neurons of control points that share a piece of the face are linked, in a dense one all are.</source>
+            <translation>Ce que l'optimiseur déplace : un nombre par hauteur de contrôle, ou les poids d'un réseau qui produit les hauteurs. Dans un réseau creux, les neurones de points de contrôle qui partagent un morceau de la face sont liés, dans un dense tous le sont.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control heights</source>
+            <translation>Hauteurs de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sparse network</source>
+            <translation>Réseau creux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Dense network</source>
+            <translation>Réseau dense</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Parameters before the first iteration: all zero, in ±0.0001, or drawn from the seed so that the lens is crooked. A network that starts with zeros behaves as if there were none.</source>
+            <translation>Paramètres avant la première itération : tous nuls, dans ±0.0001, ou tirés de la graine de sorte que la lentille est tordue. Un réseau qui part de zéros se comporte comme s'il n'y en avait pas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Faint noise</source>
+            <translation>Bruit faible</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Step of the optimiser. Too large and the loss jumps, too small and it creeps. Left empty, it is the one that suits what is optimised.</source>
+            <translation>Pas de l'optimiseur. Trop grand, le coût saute ; trop petit, il rampe. Vide : celui qui convient à ce qui est optimisé.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sunlit plate</source>
+            <translation>Plaque au soleil</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A clear plate in the sun throws a picture onto a wall or table nearby.</source>
+            <translation>Une plaque claire au soleil projette une image sur un mur ou une table proche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the light shall draw: a picture file, a shape or a word.</source>
+            <translation>Ce que la lumière doit dessiner : un fichier d'image, une forme ou un mot.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lens size</source>
+            <translation>Taille de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the lens; all of it is lit.</source>
+            <translation>Largeur et hauteur totales de la lentille ; elle est éclairée tout entière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of. Any index can be given later.</source>
+            <translation>De quoi la lentille est faite. Tout indice peut être donné plus tard.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Acrylic (PMMA)</source>
+            <translation>Acrylique (PMMA)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polycarbonate</source>
+            <translation>Polycarbonate</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polystyrene</source>
+            <translation>Polystyrène</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Glass (N-BK7)</source>
+            <translation>Verre (N-BK7)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fused silica</source>
+            <translation>Silice fondue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Stock thickness</source>
+            <translation>Épaisseur du brut</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness of the plate that the lens is cut from. Left empty, any will do, and one is proposed.</source>
+            <translation>Épaisseur de la plaque dont la lentille est tirée. Vide : quelconque, et une est proposée.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Distance to the image</source>
+            <translation>Distance à l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the entrance face of the lens to the image.</source>
+            <translation>De la face d'entrée de la lentille à l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image size</source>
+            <translation>Taille de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the image; the picture is fitted into it.</source>
+            <translation>Largeur et hauteur totales de l'image ; le motif y est ajusté.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Torch or phone</source>
+            <translation>Torche ou téléphone</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The light of a telephone or a torch throws a picture onto a wall.</source>
+            <translation>La lumière d'un téléphone ou d'une torche projette une image sur un mur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp size</source>
+            <translation>Taille de la lampe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of what shines: 1 to 2 mm in a telephone.</source>
+            <translation>Largeur et hauteur totales de ce qui brille : 1 à 2 mm dans un téléphone.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp to lens</source>
+            <translation>Lampe à lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the lamp to the entrance face of the lens.</source>
+            <translation>De la lampe à la face d'entrée de la lentille.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED close by</source>
+            <translation>LED proche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>An LED close to its lens lights a rectangle or another shape evenly.</source>
+            <translation>Une LED proche de sa lentille éclaire uniformément un rectangle ou une autre forme.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>LED size</source>
+            <translation>Taille de la LED</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the LED's bright face.</source>
+            <translation>Largeur et hauteur totales de la face brillante de la LED.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Laser beam shaper</source>
+            <translation>Mise en forme laser</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A Gaussian laser beam becomes an even disc, a rectangle or any other shape.</source>
+            <translation>Un faisceau laser gaussien devient un disque uniforme, un rectangle ou toute autre forme.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Beam diameter</source>
+            <translation>Diamètre du faisceau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, across the beam.</source>
+            <translation>Où l'éclairement est tombé à 1/e² (13.5 %) de celui du milieu, en travers du faisceau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Of the laser. It decides the index, and how far light spreads.</source>
+            <translation>Du laser. Elle décide de l'indice, et de l'étalement de la lumière.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp at the ceiling, or on the floor, lights a wall evenly from the side.</source>
+            <translation>Une lampe au plafond, ou au sol, éclaire un mur uniformément de côté.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lit wall</source>
+            <translation>Mur éclairé</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of what shall be lit of the wall.</source>
+            <translation>Largeur et hauteur totales de ce qui doit être éclairé du mur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp to wall</source>
+            <translation>Lampe au mur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the lamp straight to the wall.</source>
+            <translation>De la lampe tout droit au mur.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp above the middle</source>
+            <translation>Lampe au-dessus du milieu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much higher than the middle of the lit wall the lamp is; below it, less than 0.</source>
+            <translation>De combien la lampe est plus haute que le milieu du mur éclairé ; au-dessous, moins de 0.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Far field of a lamp</source>
+            <translation>Champ lointain d'une lampe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A lamp of a photometric file sends its light into wanted directions, far away.</source>
+            <translation>Une lampe d'un fichier photométrique envoie sa lumière dans des directions voulues, au loin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Lamp file</source>
+            <translation>Fichier de la lampe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt).</source>
+            <translation>Intensité par direction, dans un fichier IES LM-63 (.ies) ou EULUMDAT (.ldt).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angles of the image across and upwards.</source>
+            <translation>Angles totaux de l'image en travers et vers le haut.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A mirror in straight light, or in the sun, throws a picture to the side.</source>
+            <translation>Un miroir en lumière droite, ou au soleil, projette une image sur le côté.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror size</source>
+            <translation>Taille du miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full width and height of the mirror; all of it is lit.</source>
+            <translation>Largeur et hauteur totales du miroir ; il est éclairé tout entier.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light</source>
+            <translation>Lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Full angle of the light: 0.533 for the sun, 0 for a laser.</source>
+            <translation>Angle total de la lumière : 0.533 pour le soleil, 0 pour un laser.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the mirror to the middle of the image.</source>
+            <translation>Du miroir au milieu de l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>To the side</source>
+            <translation>De côté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Angle between the light that comes and the light that goes, which has to pass the image on its way.</source>
+            <translation>Angle entre la lumière qui vient et celle qui part, qui doit passer à côté de l'image en chemin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Experiments of the paper</source>
+            <translation>Expériences de l'article</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Designs of de Koning, Heemels, Adam and Möller (2023), to repeat or to improve on.</source>
+            <translation>Conceptions de de Koning, Heemels, Adam et Möller (2023), à répéter ou à améliorer.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Experiment</source>
+            <translation>Expérience</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A design of the paper.</source>
+            <translation>Une conception de l'article.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the lens is found: by the best that this program knows, or as then.</source>
+            <translation>Comment la lentille est trouvée : par le meilleur que connaît ce programme, ou comme alors.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Empty</source>
+            <translation>Vide</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A square lens in straight light and a screen behind it; all fields are yours to change.</source>
+            <translation>Une lentille carrée en lumière droite et un écran derrière ; tous les champs peuvent être changés.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From {} to {}.</source>
+            <translation>De {} à {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above {} to {}.</source>
+            <translation>Au-dessus de {} jusqu'à {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From {} to below {}.</source>
+            <translation>De {} à moins de {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Above {} to below {}.</source>
+            <translation>Au-dessus de {}, à moins de {}.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between lens and optical axis</source>
+            <translation>Plus grand angle entre lentille et axe optique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest angle between mirror and optical axis</source>
+            <translation>Plus grand angle entre miroir et axe optique</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Decentre</source>
+            <translation>Décentrement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest distance of the lens from the axis</source>
+            <translation>Plus grande distance de la lentille à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest distance of the mirror from the axis</source>
+            <translation>Plus grande distance du miroir à l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exit tilt</source>
+            <translation>Inclin. sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest tilt of the exit face against the entrance</source>
+            <translation>Plus grande inclinaison de la face de sortie sur l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Exit decentre</source>
+            <translation>Décentr. sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest shift of the exit face over the entrance</source>
+            <translation>Plus grand décalage de la face de sortie sur l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Index ±</source>
+            <translation>Indice ±</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest error of the refractive index</source>
+            <translation>Plus grande erreur de l'indice de réfraction</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Screen ±</source>
+            <translation>Écran ±</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest error of the screen's distance</source>
+            <translation>Plus grande erreur de la distance de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source tilt</source>
+            <translation>Inclin. source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest tilt of the source about its middle</source>
+            <translation>Plus grande inclinaison de la source autour de son milieu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Source shift</source>
+            <translation>Décal. source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Largest shift of the source, in any direction</source>
+            <translation>Plus grand décalage de la source, dans toute direction</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Root mean square of the error of the exit face, or of the mirror, and the length over which it is alike: some micrometres over some millimetres when milled</source>
+            <translation>Moyenne quadratique de l'erreur de la face de sortie, ou du miroir, et la longueur sur laquelle elle est semblable : quelques micromètres sur quelques millimètres après fraisage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Entrance surface</source>
+            <translation>Surface d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The same two of the entrance face</source>
+            <translation>Les deux mêmes pour la face d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>daylight (D65)</source>
+            <translation>lumière du jour (D65)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>white LED</source>
+            <translation>LED blanche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>equal energy</source>
+            <translation>énergie égale</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>height</source>
+            <translation>hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Deviation along z from the base, or of the entrance face from its place</source>
+            <translation>Écart selon z à la base, ou de la face d'entrée à sa place</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>slope</source>
+            <translation>pente</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>mean curvature</source>
+            <translation>courbure moyenne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mean of the principal curvatures, positive where the face is concave, negative where it is convex</source>
+            <translation>Moyenne des courbures principales, positive où la face est concave, négative où elle est convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian curvature</source>
+            <translation>courbure de Gauss</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Product of the principal curvatures: positive in a bowl and on a hump, negative on a saddle, zero where the face is bent in one direction only</source>
+            <translation>Produit des courbures principales : positif dans un creux et sur une bosse, négatif sur une selle, nul où la face n'est courbée que dans une direction</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>largest curvature</source>
+            <translation>plus grande courbure</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Larger principal curvature, positive where the face is concave, negative where it is convex; one over the smallest concave radius</source>
+            <translation>Plus grande courbure principale, positive où la face est concave, négative où elle est convexe ; inverse du plus petit rayon concave</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>smallest curvature</source>
+            <translation>plus petite courbure</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Smaller principal curvature, positive where the face is concave, negative where it is convex; one over the smallest convex radius</source>
+            <translation>Plus petite courbure principale, positive où la face est concave, négative où elle est convexe ; inverse du plus petit rayon convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave curvature</source>
+            <translation>Courbure concave</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex curvature</source>
+            <translation>Courbure convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>all control points are locked</source>
+            <translation>tous les points de contrôle sont verrouillés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>all iterations are done</source>
+            <translation>toutes les itérations sont faites</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>designed for this task</source>
+            <translation>conçu pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>not designed for this task</source>
+            <translation>non conçu pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>not designed yet</source>
+            <translation>pas encore conçu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>stopped</source>
+            <translation>arrêté</translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,119 @@
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+import resources
+from resources import dictionaries
+from ui.commands.menus import MENUS
+from ui.commands.table import COMMANDS
+from ui.words import LANGUAGES
+
+ROOT = Path(dictionaries.__file__).parent.parent
+FOLDER = resources.path("translations")
+TRANSLATED = [code for code in LANGUAGES if code != "en"]
+CURE = "run `python -m resources.dictionaries`, translate what it lists, and run it again"
+
+_BRACES = re.compile(r"\{[^}]*\}")
+
+
+@pytest.fixture(scope="module", params=TRANSLATED)
+def dictionary(request):
+    """The file of a language, and what stands in it."""
+    file = FOLDER / f"{request.param}.ts"
+    return file, dictionaries.translations(file)
+
+
+def test_each_text_of_the_window_is_in_both_dictionaries_and_no_other_is(dictionary):
+    file, found = dictionary
+    texts = dictionaries.keys()
+    missing = {text: place for text, place in texts.items() if text not in found}
+    assert not missing, f"{file} lacks texts by now: {CURE}"
+    assert not found.keys() - texts.keys(), f"{file} has texts that are gone: {CURE}"
+
+
+def test_each_translation_is_finished(dictionary):
+    file, found = dictionary
+    assert [text for text, said in found.items() if not said] == [], f"{file}: {CURE}"
+
+
+def test_a_translation_has_the_values_mnemonic_and_ellipsis_of_its_text(dictionary):
+    _, found = dictionary
+    for text, said in found.items():
+        assert sorted(_BRACES.findall(said)) == sorted(_BRACES.findall(text)), text
+        assert said.count("&") == text.count("&"), text
+        assert said.endswith("…") is text.endswith("…"), text
+
+
+def test_compiled_dictionaries_are_what_their_sources_give(dictionary, tmp_path):
+    file, _ = dictionary
+    compiled = tmp_path / "compiled.qm"
+    dictionaries.compile_to(file, compiled)
+    assert compiled.read_bytes() == file.with_suffix(".qm").read_bytes(), CURE
+
+
+def mnemonics(entries, said):
+    """Mnemonics of a menu, by letter, and those of menus within it."""
+    found: dict[str, list[str]] = {}
+    for entry in entries:
+        if entry is None:
+            continue
+        text = entry[0] if isinstance(entry, tuple) else COMMANDS[entry].text
+        text = said.get(text.replace("{optic}", "lens"), text)
+        if "&" in text:
+            found.setdefault(text[text.index("&") + 1].lower(), []).append(text)
+    return found
+
+
+def menus(entries):
+    """Entries of menus, and of those within them."""
+    yield entries
+    for entry in entries:
+        if isinstance(entry, tuple):
+            yield from menus(entry[1])
+
+
+def test_no_two_entries_of_a_menu_have_one_mnemonic(dictionary):
+    _, said = dictionary
+    for entries in menus([*MENUS.items()]):
+        shared = [texts for texts in mnemonics(entries, said).values() if len(texts) > 1]
+        assert not shared
+
+
+def test_fixed_sentences_of_the_engine_stand_in_its_code():
+    code = "\n".join(
+        node.value
+        for file in (ROOT / "workbench" / "design").rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    )
+    assert [text for text in dictionaries.SAID_BY_ENGINE if text not in code] == []
+
+
+def test_texts_are_collected_from_calls_and_tables(tmp_path):
+    file = tmp_path / "room.py"
+    file.write_text(
+        'A = later({"key": ("Title", "two "\n "words"), later("cells"): _Line("Last", ".png")})\n'
+        'said(tr("{file} is written.").format(file=path), tr(A["key"]), "not of the window")\n'
+    )
+    texts = ["Title", "two words", "Last", "cells", "{file} is written."]
+    assert list(dictionaries.marked(file)) == texts
+
+
+def test_sentences_of_the_optic_are_there_for_each_optic():
+    texts = dictionaries.keys()
+    assert {f"There is no {optic} yet: Start designs one" for optic in ("lens", "mirror")} <= {
+        *texts
+    }
+    assert not [text for text in texts if "{optic}" in text or "{receiver}" in text]
+
+
+def test_what_is_new_is_unfinished_and_what_is_known_stays(tmp_path):
+    file = tmp_path / "de.ts"
+    assert dictionaries.write(file, "de", {"&Open…": "ui/a.py"}, {"&Open…": "Ö&ffnen …"}) == []
+    known = dictionaries.translations(file)
+    assert known == {"&Open…": "Ö&ffnen …"}
+    texts = {"&Open…": "ui/a.py", "1 < 2\n": "ui/b.py"}
+    assert dictionaries.write(file, "de", texts, known) == ["1 < 2\n"]
+    assert dictionaries.translations(file) == {"&Open…": "Ö&ffnen …", "1 < 2\n": ""}

@@ -1,0 +1,230 @@
+"""The window in other languages."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QDialogButtonBox, QLabel
+
+import ui
+from ui.commands.language_choice import kept_language
+from ui.commands.table import COMMANDS
+from ui.jobs.page import StartPage
+from ui.words import inside, later, speak, spoken, spoken_by_system, tr
+from workbench.jobs import JOBS
+
+
+@pytest.fixture
+def speaking(qapp):
+    """Speaks a language until the test ends."""
+    yield lambda language: speak(qapp, language)
+    speak(qapp, "en")
+
+
+def test_english_is_what_is_said_without_a_dictionary():
+    assert tr("{path} is written.") == "{path} is written."
+    assert tr("There is no {optic} yet: Start designs one", optic="mirror") == (
+        "There is no mirror yet: Start designs one"
+    )
+    assert tr("") == ""
+
+
+def test_a_language_that_is_spoken_is_left_again(speaking):
+    speaking("de")
+    assert (tr("&Open…"), spoken()) == ("&Öffnen …", "de")
+    speaking("fr")
+    assert (tr("&Open…"), spoken()) == ("&Ouvrir…", "fr")
+    speaking("en")
+    assert (tr("&Open…"), spoken()) == ("&Open…", "en")
+
+
+def test_a_text_without_a_translation_stays_english(speaking):
+    speaking("de")
+    assert tr("No dictionary has this.") == "No dictionary has this."
+
+
+def test_sentences_agree_with_the_optic(speaking):
+    speaking("de")
+    said = {tr("There is no {optic} yet: Start designs one", optic=o) for o in ("lens", "mirror")}
+    assert said == {
+        "Es gibt noch keine Linse: Start entwirft eine",
+        "Es gibt noch keinen Spiegel: Start entwirft einen",
+    }
+
+
+@pytest.mark.parametrize(
+    ("language", "title", "expected"),
+    [
+        ("en", "Control points", "control points"),
+        ("en", "LED size", "LED size"),
+        ("en", "", ""),
+        ("fr", "Épaisseur", "épaisseur"),
+        ("de", "Dicke", "Dicke"),
+    ],
+)
+def test_titles_are_small_inside_of_sentences_but_for_german(speaking, language, title, expected):
+    speaking(language)
+    assert inside(title) == expected
+
+
+def test_tables_stay_as_they_are():
+    table = {"key": ("Title", "tip")}
+    assert later(table) is table
+
+
+def test_an_unknown_language_is_refused(speaking):
+    with pytest.raises(ValueError, match="'xx' is none of en, de, fr"):
+        speaking("xx")
+
+
+@pytest.mark.parametrize(
+    ("wanted", "expected"), [(["fr-CH", "de"], "fr"), (["nl", "de-AT"], "de"), (["nl"], "en")]
+)
+def test_the_system_chooses_the_first_language_that_there_is(monkeypatch, wanted, expected):
+    monkeypatch.setattr(QLocale, "uiLanguages", lambda _: wanted)
+    assert spoken_by_system() == expected
+
+
+@pytest.mark.parametrize(
+    ("language", "menu", "check", "dock", "field", "cancel"),
+    [
+        ("de", "&Datei", "Linse p&rüfen", "Bestrahlungsstärke", "Halbbreite", "Abbrechen"),
+        (
+            "fr",
+            "&Fichier",
+            "Vérifier la &lentille",
+            "Éclairement énergétique",
+            "Demi-largeur",
+            "Annuler",
+        ),
+    ],
+)
+def test_a_window_speaks(speaking, open_window, language, menu, check, dock, field, cancel):
+    speaking(language)
+    window = open_window()
+    assert window.menuBar().actions()[0].text() == menu
+    assert window.commands["check"].text() == check
+    assert window.workspace.docks["irradiance"].windowTitle() == dock
+    labels = {label.text() for label in window.forms.findChildren(QLabel)}
+    assert field in labels
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, window)
+    assert buttons.button(QDialogButtonBox.StandardButton.Cancel).text().replace("&", "") == cancel
+
+
+def test_no_command_and_no_job_stays_english(speaking, open_window):
+    speaking("de")
+    window = open_window()
+    alike = {"Auto", "English", "Deutsch", "Français", "Inferno", "Viridis", "Cividis", "&Start"}
+    alike |= {"&Pause", "Ball, 512 × 512", "Ball"}
+    for name, command in COMMANDS.items():
+        if name not in ("undo", "redo") and command.text.replace("{optic}", "lens") not in alike:
+            assert window.commands[name].text() != command.text.replace("{optic}", "lens"), name
+    page = StartPage(window.early.dialogs, window)
+    titles = [page._jobs.item(number).text() for number in range(len(JOBS))]
+    page.reject()
+    assert titles[:2] == ["Platte in der Sonne", "Taschenlampe oder Telefon"]
+    assert "Mirror" not in titles
+
+
+def test_a_choice_is_kept_and_said_to_count_later(window, settings):
+    assert kept_language(settings) == "system"
+    window.commands["language_fr"].trigger()
+    assert kept_language(settings) == "fr"
+    assert window.messages.text == "The language changes at the next start."
+    assert window.commands["language_fr"].isChecked()
+
+
+def test_a_choice_of_what_is_spoken_needs_no_word(window, settings):
+    window.commands["language_en"].trigger()
+    assert (kept_language(settings), window.messages.text) == ("en", "")
+
+
+def test_an_unknown_choice_is_that_of_the_system(settings):
+    settings.setValue("window/language", "tlh")
+    assert kept_language(settings) == "system"
+
+
+# What shows a text that it is given first, or by one of these names.
+SHOWS = {
+    *(
+        "QAction",
+        "QCheckBox",
+        "QLabel",
+        "QMenu",
+        "QPushButton",
+        "QToolBar",
+        "MenuButton",
+        "addAction",
+    ),
+    *("addButton", "addItem", "addMenu", "addTab", "note", "setAccessibleName", "setEmptyLabel"),
+    *("setPlaceholderText", "setStatusTip", "setText", "setTitle", "setToolTip", "setWindowTitle"),
+    *("showMessage", "tell", "warn", "say", "add_toggle"),
+}
+NAMED = {"placeholderText", "text", "toolTip", "windowTitle"}
+_WORD = re.compile(r"[A-Za-zÄ-ÿ]{2,}")
+
+
+def texts_that_bypass(tree):
+    """Literals with words that are shown without a translation, and their lines."""
+    marked = {
+        target.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and getattr(node.value, "func", None) is not None
+        for target in node.targets
+        if isinstance(target, ast.Name) and getattr(node.value.func, "id", "") == "later"
+    }
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        called = getattr(call.func, "id", getattr(call.func, "attr", ""))
+        shown = [word.value for word in call.keywords if word.arg in NAMED]
+        if called in SHOWS:
+            shown += call.args[:1]
+        for part in shown:
+            if isinstance(part, ast.Name) and part.id in marked:
+                yield part.lineno, part.id
+            for text in literals(part):
+                if _WORD.search(re.sub(r"</?\w+>", "", text)):
+                    yield part.lineno, text
+
+
+def literals(node):
+    """Literal texts of what is shown, those that are joined or chosen from included."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif isinstance(node, ast.JoinedStr):
+        yield "".join(part.value for part in node.values if isinstance(part, ast.Constant))
+    elif isinstance(node, ast.IfExp):
+        yield from literals(node.body)
+        yield from literals(node.orelse)
+    elif isinstance(node, ast.BinOp):
+        yield from literals(node.left)
+        yield from literals(node.right)
+
+
+def test_no_text_is_shown_that_is_not_translated():
+    found = {
+        f"{file.name}:{line}": text
+        for file in Path(ui.__file__).parent.rglob("*.py")
+        for line, text in texts_that_bypass(ast.parse(file.read_text(encoding="utf-8")))
+    }
+    assert not found, f"shown as they are: {found}; wrap each in `ui.words.tr`"
+
+
+@pytest.mark.parametrize(
+    ("shown", "bypasses"),
+    [
+        ('label.setText("Ready")', True),
+        ('QLabel(f"Moved by {x} mm")', True),
+        ('field.setToolTip("Wide" if wide else tr("Narrow"))', True),
+        ('QLineEdit(placeholderText="Type here")', True),
+        ('_HINT = later("Ready")\nlabel.setText(_HINT)', True),
+        ('_HINT = later("Ready")\nlabel.setText(tr(_HINT))', False),
+        ('label.setText(tr("Ready"))', False),
+        ('label.setText(f"<b>{name}</b>")', False),
+        ('label.setText("…")', False),
+        ('widget.setObjectName("figures")', False),
+    ],
+)
+def test_texts_that_bypass_translation_are_found(shown, bypasses):
+    assert bool(list(texts_that_bypass(ast.parse(shown)))) is bypasses
