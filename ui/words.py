@@ -14,6 +14,7 @@ from typing import TypeVar
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 import resources
+from workbench.said import Said
 
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
 """Names by codes; see resources/translations for all but the first."""
@@ -31,16 +32,27 @@ def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
 
     Parameters
     ----------
-    text : str
+    text : str or Said
         In English. Other values that change are put into the translation, not into this.
     optic, receiver : str
         What stands in place of "{optic}" and "{receiver}".
     """
+    if isinstance(text, Said):
+        return _said(text)
     if optic:
         text = text.replace("{optic}", optic)
     if receiver:
         text = text.replace("{receiver}", receiver)
     return QCoreApplication.translate(_CONTEXT, text) if text else ""
+
+
+def _said(said: Said) -> str:
+    """A sentence of the engine; values that are said of themselves are translated, too."""
+    values = {
+        name: tr(value) if isinstance(value, Said) else value for name, value in said.values.items()
+    }
+    kinds = {name: str(values[name]) for name in ("optic", "receiver") if name in values}
+    return tr(said.words, **kinds).format(**values)
 
 
 def later(texts: Texts) -> Texts:

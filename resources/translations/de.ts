@@ -4440,6 +4440,11 @@
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
+            <source>mean {light}</source>
+            <translation>Mittel {light}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>kleinste / mittlere {number:.2f}</translation>
         </message>
@@ -5398,6 +5403,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
             <translation>Die Form seiner Fläche; bei einer Ellipse sind die Halbbreiten Halbachsen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Luminous flux</source>
+            <translation>Lichtstrom</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All light that the emitter gives. With it, light on a screen is told in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
+            <translation>Alles Licht, das der Strahler abgibt. Damit wird Licht auf einem Schirm in Lux und Lumen angegeben; leer: in Teilen des ganzen Lichts. Die Linse hängt nicht davon ab.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6568,6 +6583,201 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>stopped</source>
             <translation>gestoppt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: error below {error:g} %</source>
+            <translation>konvergiert: Fehler unter {error:g} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: no step makes the image better</source>
+            <translation>konvergiert: kein Schritt verbessert das Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: less than {gain:g} % better in {patience} iterations</source>
+            <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Blur of the light</source>
+            <translation>Unschärfe des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light comes from one point or direction.</source>
+            <translation>Das Licht kommt von einem Punkt oder aus einer Richtung.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{count:.0f} details fit side by side into the image.</source>
+            <translation>{count:.0f} Einzelheiten passen nebeneinander in das Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>√(λ · distance)</source>
+            <translation>√(λ · Abstand)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>λ / width of the lens</source>
+            <translation>λ / Breite der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Diffraction</source>
+            <translation>Beugung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{law}: finer details cannot be sharp, and no ray tracer shows that.</source>
+            <translation>{law}: feinere Einzelheiten können nicht scharf sein, und keine Strahlrechnung zeigt das.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Largest slope</source>
+            <translation>Größte Neigung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{slope:.0f}°, light turns by up to {turn:.0f}°</source>
+            <translation>{slope:.0f}°, Ablenkung bis {turn:.0f}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>light would have to turn by {turn:.0f}°</source>
+            <translation>das Licht müsste um {turn:.0f}° abgelenkt werden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The lens turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
+            <translation>Die Linse lenkt es um höchstens {most:.0f}° ab: ein kleineres Bild, mehr Abstand oder ein anderer Ort des Lichts hilft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The mirror turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
+            <translation>Der Spiegel lenkt es um höchstens {most:.0f}° ab: ein kleineres Bild, mehr Abstand oder ein anderer Ort des Lichts hilft.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{most:.0f}° is the most; so near to it much light is reflected.</source>
+            <translation>{most:.0f}° ist das Höchste; so nahe daran wird viel Licht reflektiert.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Up to {most:.0f}° would be possible.</source>
+            <translation>Bis {most:.0f}° wäre möglich.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>up to {slant:.0f}°</source>
+            <translation>bis {slant:.0f}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the screen</source>
+            <translation>Licht auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the lens</source>
+            <translation>Licht auf der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the mirror</source>
+            <translation>Licht auf dem Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{part:.0f} % of it</source>
+            <translation>{part:.0f} % davon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The rest passes it by: a lamp that is nearer, or a larger lens, catches more.</source>
+            <translation>Der Rest geht vorbei: eine nähere Lampe oder eine größere Linse fängt mehr.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The rest passes it by: a lamp that is nearer, or a larger mirror, catches more.</source>
+            <translation>Der Rest geht vorbei: eine nähere Lampe oder ein größerer Spiegel fängt mehr.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Étendue</source>
+            <translation>Étendue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>allows it</source>
+            <translation>erlaubt es</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light blurs less than a pixel.</source>
+            <translation>Das Licht macht weniger als ein Pixel unscharf.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All light that meets the lens can land where the picture is bright.</source>
+            <translation>Alles Licht auf der Linse kann dort landen, wo das Bild hell ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All light that meets the mirror can land where the picture is bright.</source>
+            <translation>Alles Licht auf dem Spiegel kann dort landen, wo das Bild hell ist.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{part:.0f} % of the light</source>
+            <translation>{part:.0f} % des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No more can land where the picture is bright: the light's own image is larger.</source>
+            <translation>Mehr kann nicht dort landen, wo das Bild hell ist: das Bild der Lichtquelle selbst ist größer.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Error at best</source>
+            <translation>Fehler bestenfalls</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light is small enough for this picture.</source>
+            <translation>Die Lichtquelle ist klein genug für dieses Bild.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>A guess: a lamp so near is blurred less by the rim of the lens than by its middle.</source>
+            <translation>Eine Schätzung: der Rand der Linse macht eine so nahe Lampe weniger unscharf als ihre Mitte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No lens of this size can be below it; a smaller or farther lamp would help.</source>
+            <translation>Keine Linse dieser Größe kann darunter liegen; eine kleinere oder fernere Lampe würde helfen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{n_u} × {n_v} control points, {n_x} × {n_y} pixels</source>
+            <translation>{n_u} × {n_v} Kontrollpunkte, {n_x} × {n_y} Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{height:.3g} {unit} thick, {net}</source>
+            <translation>{height:.3g} {unit} dick, {net}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Proposed</source>
+            <translation>Vorschlag</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All of it can be changed in the window.</source>
+            <translation>Alles davon lässt sich im Fenster ändern.</translation>
         </message>
     </context>
 </TS>

@@ -4440,6 +4440,11 @@
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
+            <source>mean {light}</source>
+            <translation>moyenne {light}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>minimum / moyenne {number:.2f}</translation>
         </message>
@@ -5398,6 +5403,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
             <translation>La forme de sa face ; pour une ellipse les demi-largeurs sont des demi-axes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Luminous flux</source>
+            <translation>Flux lumineux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>All light that the emitter gives. With it, light on a screen is told in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
+            <translation>Toute la lumière que donne l'émetteur. Avec elle, la lumière sur un écran est dite en lux et lumens ; vide : en parts de toute la lumière. La lentille n'en dépend pas.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6568,6 +6583,201 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>stopped</source>
             <translation>arrêté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: error below {error:g} %</source>
+            <translation>convergé : erreur sous {error:g} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: no step makes the image better</source>
+            <translation>convergé : aucun pas n'améliore l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: less than {gain:g} % better in {patience} iterations</source>
+            <translation>convergé : moins de {gain:g} % de mieux en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Blur of the light</source>
+            <translation>Flou de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light comes from one point or direction.</source>
+            <translation>La lumière vient d'un point ou d'une direction.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{count:.0f} details fit side by side into the image.</source>
+            <translation>{count:.0f} détails tiennent côte à côte dans l'image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>√(λ · distance)</source>
+            <translation>√(λ · distance)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>λ / width of the lens</source>
+            <translation>λ / largeur de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Diffraction</source>
+            <translation>Diffraction</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{law}: finer details cannot be sharp, and no ray tracer shows that.</source>
+            <translation>{law} : des détails plus fins ne peuvent être nets, et aucun tracé de rayons ne le montre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Largest slope</source>
+            <translation>Plus grande pente</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{slope:.0f}°, light turns by up to {turn:.0f}°</source>
+            <translation>{slope:.0f}°, déviation jusqu'à {turn:.0f}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>light would have to turn by {turn:.0f}°</source>
+            <translation>la lumière devrait être déviée de {turn:.0f}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The lens turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
+            <translation>La lentille la dévie de {most:.0f}° au plus : une image plus petite, plus de distance ou une autre place de la lumière aide.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The mirror turns it by {most:.0f}° at most: a smaller image, more distance or another place of the light helps.</source>
+            <translation>Le miroir la dévie de {most:.0f}° au plus : une image plus petite, plus de distance ou une autre place de la lumière aide.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{most:.0f}° is the most; so near to it much light is reflected.</source>
+            <translation>{most:.0f}° est le maximum ; si près, beaucoup de lumière est réfléchie.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Up to {most:.0f}° would be possible.</source>
+            <translation>Jusqu'à {most:.0f}° serait possible.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>up to {slant:.0f}°</source>
+            <translation>jusqu'à {slant:.0f}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the screen</source>
+            <translation>Lumière sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the lens</source>
+            <translation>Lumière sur la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light on the mirror</source>
+            <translation>Lumière sur le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{part:.0f} % of it</source>
+            <translation>{part:.0f} % en tout</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The rest passes it by: a lamp that is nearer, or a larger lens, catches more.</source>
+            <translation>Le reste passe à côté : une lampe plus proche, ou une lentille plus grande, en capte plus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The rest passes it by: a lamp that is nearer, or a larger mirror, catches more.</source>
+            <translation>Le reste passe à côté : une lampe plus proche, ou un miroir plus grand, en capte plus.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Étendue</source>
+            <translation>Étendue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>allows it</source>
+            <translation>le permet</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light blurs less than a pixel.</source>
+            <translation>La lumière rend flou de moins d'un pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All light that meets the lens can land where the picture is bright.</source>
+            <translation>Toute la lumière sur la lentille peut aller où l'image est claire.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All light that meets the mirror can land where the picture is bright.</source>
+            <translation>Toute la lumière sur le miroir peut aller où l'image est claire.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{part:.0f} % of the light</source>
+            <translation>{part:.0f} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No more can land where the picture is bright: the light's own image is larger.</source>
+            <translation>Pas plus ne peut aller où l'image est claire : l'image de la source elle-même est plus grande.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Error at best</source>
+            <translation>Erreur au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light is small enough for this picture.</source>
+            <translation>La source est assez petite pour cette image.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>A guess: a lamp so near is blurred less by the rim of the lens than by its middle.</source>
+            <translation>Une estimation : le bord de la lentille rend une lampe si proche moins floue que son milieu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No lens of this size can be below it; a smaller or farther lamp would help.</source>
+            <translation>Aucune lentille de cette taille ne peut faire moins ; une lampe plus petite ou plus loin aiderait.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{n_u} × {n_v} control points, {n_x} × {n_y} pixels</source>
+            <translation>{n_u} × {n_v} points de contrôle, {n_x} × {n_y} pixels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{height:.3g} {unit} thick, {net}</source>
+            <translation>{height:.3g} {unit} d'épaisseur, {net}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Proposed</source>
+            <translation>Proposition</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>All of it can be changed in the window.</source>
+            <translation>Tout peut être changé dans la fenêtre.</translation>
         </message>
     </context>
 </TS>

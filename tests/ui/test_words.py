@@ -14,6 +14,7 @@ from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.words import inside, later, speak, spoken, spoken_by_system, tr
 from workbench.jobs import JOBS
+from workbench.said import Said
 
 
 @pytest.fixture
@@ -52,6 +53,16 @@ def test_sentences_agree_with_the_optic(speaking):
         "Es gibt noch keine Linse: Start entwirft eine",
         "Es gibt noch keinen Spiegel: Start entwirft einen",
     }
+
+
+def test_sentences_of_the_engine_keep_their_values(speaking):
+    net = Said("{n_u} × {n_v} control points, {n_x} × {n_y} pixels", n_u=9, n_v=8, n_x=7, n_y=6)
+    thick = Said("{height:.3g} {unit} thick, {net}", height=2.5, unit="mm", net=net)
+    caught = Said("Light on the {optic}", optic="mirror")
+    assert tr(thick) == thick == "2.5 mm thick, 9 × 8 control points, 7 × 6 pixels"
+    speaking("de")
+    assert tr(thick) == "2.5 mm dick, 9 × 8 Kontrollpunkte, 7 × 6 Pixel"
+    assert tr(caught) == "Licht auf dem Spiegel"
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,7 @@ from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
 from workbench.optics.plan import device_of
+from workbench.said import Said
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -52,8 +53,8 @@ _GAIN, _STEPS, _BEAMS, _MOST_STEPS = 0.035, 5, 768**2, 8
 _BLURRED_GAIN = 0.01
 # The image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3
-_SMALL = f"converged: error below {100 * _SMALLEST:g} %"
-_LOWEST = "converged: no step makes the image better"
+_SMALL = Said("converged: error below {error:g} %", error=100 * _SMALLEST)
+_LOWEST = Said("converged: no step makes the image better")
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
@@ -134,7 +135,11 @@ def _descend(
         if found.value < _SMALLEST**2:
             return _SMALL
         if len(squares) > patience and squares[-1] > (1 - gain) ** 2 * squares[-1 - patience]:
-            return f"converged: less than {100 * gain:g} % better in {patience} iterations"
+            return Said(
+                "converged: less than {gain:g} % better in {patience} iterations",
+                gain=100 * gain,
+                patience=patience,
+            )
     return _LOWEST
 
 

@@ -13,6 +13,7 @@ from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
 from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.slopes import Slopes, needed_slopes
+from workbench.said import Said
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -105,19 +106,23 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
     x, y = blur_widths(scene)
     spread = diffraction(scene)
     if max(x, y) == 0:
-        blur = Figure("Blur of the light", "none", "The light comes from one point or direction.")
+        blur = Figure(
+            Said("Blur of the light"),
+            Said("none"),
+            Said("The light comes from one point or direction."),
+        )
     else:
         same = abs(x - y) < 0.01 * max(x, y)
         value = f"{x:.3g} {unit}" if same else f"{x:.3g} × {y:.3g} {unit}"
-        parts = f"{wide / max(x, y):.0f} details fit side by side into the image."
-        blur = Figure("Blur of the light", value, parts, 10 * max(x, y) > wide)
-    law = "√(λ · distance)" if scene.receiver.at_distance else "λ / width of the lens"
+        parts = Said("{count:.0f} details fit side by side into the image.", count=wide / max(x, y))
+        blur = Figure(Said("Blur of the light"), value, parts, 10 * max(x, y) > wide)
+    law = Said("√(λ · distance)") if scene.receiver.at_distance else Said("λ / width of the lens")
     return (
         blur,
         Figure(
-            "Diffraction",
+            Said("Diffraction"),
             f"{spread:.2g} {unit}",
-            f"{law}: finer details cannot be sharp, and no ray tracer shows that.",
+            Said("{law}: finer details cannot be sharp, and no ray tracer shows that.", law=law),
             20 * spread > wide,
         ),
     )
@@ -126,19 +131,28 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
 def _steepness(scene: Scene, slopes: Slopes) -> Figure:
     """Whether the face can turn the light as far as it is wanted to."""
     optic = scene.optic
-    value = f"{slopes.steepest:.0f}°, light turns by up to {slopes.turn:.0f}°"
+    name = Said("Largest slope")
+    value = Said(
+        "{slope:.0f}°, light turns by up to {turn:.0f}°", slope=slopes.steepest, turn=slopes.turn
+    )
     if not slopes.possible:
         return Figure(
-            "Largest slope",
-            f"light would have to turn by {slopes.turn:.0f}°",
-            f"The {optic.called} turns it by {slopes.most:.0f}° at most: a smaller image, more "
-            "distance or another place of the light helps.",
+            name,
+            Said("light would have to turn by {turn:.0f}°", turn=slopes.turn),
+            Said(
+                "The {optic} turns it by {most:.0f}° at most: a smaller image, more distance or "
+                "another place of the light helps.",
+                optic=optic.called,
+                most=slopes.most,
+            ),
             True,
         )
     if slopes.turn > _STEEP * slopes.most:
-        meaning = f"{slopes.most:.0f}° is the most; so near to it much light is reflected."
-        return Figure("Largest slope", value, meaning, True)
-    return Figure("Largest slope", value, f"Up to {slopes.most:.0f}° would be possible.")
+        meaning = Said(
+            "{most:.0f}° is the most; so near to it much light is reflected.", most=slopes.most
+        )
+        return Figure(name, value, meaning, True)
+    return Figure(name, value, Said("Up to {most:.0f}° would be possible.", most=slopes.most))
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
@@ -146,8 +160,8 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
     said = grazed(scene)
     if said is None:
         return ()
-    slant = f"up to {scene.receiver.slant(scene.optic):.0f}°"
-    return (Figure("Light on the screen", slant, f"{said[0].upper()}{said[1:]}.", True),)
+    slant = Said("up to {slant:.0f}°", slant=scene.receiver.slant(scene.optic))
+    return (Figure(Said("Light on the screen"), slant, f"{said[0].upper()}{said[1:]}.", True),)
 
 
 def _caught(scene: Scene) -> tuple[Figure, ...]:
@@ -164,10 +178,12 @@ def _caught(scene: Scene) -> tuple[Figure, ...]:
         return ()
     return (
         Figure(
-            f"Light on the {optic.called}",
-            f"{100 * caught:.0f} % of it",
-            f"The rest passes it by: a lamp that is nearer, or a larger {optic.called}, catches "
-            "more.",
+            Said("Light on the {optic}", optic=optic.called),
+            Said("{part:.0f} % of it", part=100 * caught),
+            Said(
+                "The rest passes it by: a lamp that is nearer, or a larger {optic}, catches more.",
+                optic=optic.called,
+            ),
             caught < _HALF,
         ),
     )
@@ -177,27 +193,30 @@ def _light(bound: Bound) -> tuple[Figure, ...]:
     """What the size of the source allows."""
     if bound.scene.further_images or max(bound.blur.widths) == 0:
         return ()
+    name, allows = Said("Étendue"), Said("allows it")
     if bound.blur.within_a_pixel:
-        return (Figure("Étendue", "allows it", "The light blurs less than a pixel."),)
+        return (Figure(name, allows, Said("The light blurs less than a pixel.")),)
     least = bound.relative_l2
     most = min(bound.on_receiver, bound.on_target)
     light = (
         Figure(
-            "Étendue",
-            "allows it",
-            f"All light that meets the {bound.scene.optic.called} can land where the picture is "
-            "bright.",
+            name,
+            allows,
+            Said(
+                "All light that meets the {optic} can land where the picture is bright.",
+                optic=bound.scene.optic.called,
+            ),
         )
         if most > _ALL
         else Figure(
-            "Étendue",
-            f"{100 * most:.0f} % of the light",
-            "No more can land where the picture is bright: the light's own image is larger.",
+            name,
+            Said("{part:.0f} % of the light", part=100 * most),
+            Said("No more can land where the picture is bright: the light's own image is larger."),
             True,
         )
     )
     error = Figure(
-        "Error at best",
+        Said("Error at best"),
         percent(least),
         _least_in_words(bound),
         least > 10 * _BLACK,
@@ -208,10 +227,12 @@ def _light(bound: Bound) -> tuple[Figure, ...]:
 def _least_in_words(bound: Bound) -> str:
     """What the least error means."""
     if bound.relative_l2 <= _BLACK:
-        return "The light is small enough for this picture."
+        return Said("The light is small enough for this picture.")
     if not bound.one_blur:
-        return "A guess: a lamp so near is blurred less by the rim of the lens than by its middle."
-    return "No lens of this size can be below it; a smaller or farther lamp would help."
+        return Said(
+            "A guess: a lamp so near is blurred less by the rim of the lens than by its middle."
+        )
+    return Said("No lens of this size can be below it; a smaller or farther lamp would help.")
 
 
 def _proposal(session: Session) -> Figure:
@@ -220,9 +241,15 @@ def _proposal(session: Session) -> Figure:
     n_u, n_v = optic.net_shape
     n_x, n_y = receiver.pixels
     height = abs(optic.leaving_z - optic.front_z)
-    thick = f"{height:.3g} {session.scene.unit} thick, " if height else ""
+    net = Said(
+        "{n_u} × {n_v} control points, {n_x} × {n_y} pixels", n_u=n_u, n_v=n_v, n_x=n_x, n_y=n_y
+    )
+    if height:
+        net = Said(
+            "{height:.3g} {unit} thick, {net}", height=height, unit=session.scene.unit, net=net
+        )
     return Figure(
-        "Proposed",
-        f"{thick}{n_u} × {n_v} control points, {n_x} × {n_y} pixels",
-        "All of it can be changed in the window.",
+        Said("Proposed"),
+        net,
+        Said("All of it can be changed in the window."),
     )
