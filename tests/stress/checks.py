@@ -231,6 +231,8 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     # Pixels move to each side, or apart and together.
     for *signs, growth in [*product((-1, 1), (-1, 1), (0,)), (0, 0, -1), (0, 0, 1)]:
         receiver = scene.receiver
+        if receiver.at_distance:  # the way there is rounded, too, which counts where it leans
+            receiver = receiver.moved_to(receiver.plane_z * (1 + hair * (signs[0] + growth)))
         wide = tuple(r * (1 + hair * growth) for r in receiver.half_extent)
         nudge = tuple(hair * m * sign for m, sign in zip(receiver.pixels, signs, strict=True))
         other = scene.with_receiver(_nudged(receiver, wide, nudge)).model_copy(

@@ -49,7 +49,8 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     """About how far float32 moves hits, in pixels.
 
     Heights are rounded to a part ε of the largest, so slopes to that over the distance of control
-    points; light is bent by n − 1 times the slope. Directions of rays from points are rounded, too.
+    points; light is bent by n − 1 times the slope. Directions of rays from points are rounded, too,
+    and so is the way to a screen, which moves light along one that leans.
     """
     optic, receiver = scene.optic, scene.receiver
     net = net or ControlNet.of(optic)
@@ -74,10 +75,14 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     )
     bent = optic.deflection * largest * density
     # From the lowest point of the lens, the farthest from the receiver.
-    pixels_per_radian = max(
-        far * m / (2 * r)
-        for far, m, r in zip(
-            receiver.per_radian(low), receiver.pixels, receiver.half_extent, strict=True
+    pixels = max(
+        (far * (bent + steepest) + along) * m / (2 * r)
+        for far, along, m, r in zip(
+            receiver.per_radian(low),
+            receiver.lean(low),
+            receiver.pixels,
+            receiver.half_extent,
+            strict=True,
         )
     )
-    return torch.finfo(torch.float32).eps * pixels_per_radian * (bent + steepest)
+    return torch.finfo(torch.float32).eps * pixels

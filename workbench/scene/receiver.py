@@ -149,6 +149,10 @@ class AnyReceiver(Part):
         For small angles about the direction of its middle.
         """
 
+    def lean(self, z: float) -> tuple[float, float]:
+        """How much of the way from a place z on the axis to its middle is along u and v."""
+        return 0.0, 0.0
+
     def check_lengths(self, half_width: tuple[float, float]) -> None:
         """Refuse lengths that are too long beside a lens with these half-widths."""
 

@@ -174,6 +174,12 @@ class Screen(AnyReceiver):
         along_x, along_y = (far * math.hypot(1.0, float(s @ way) / across) for s in (right, up))
         return along_x, along_y
 
+    def lean(self, z: float) -> tuple[float, float]:
+        """Rounding of that way moves light by as great a part of this."""
+        right, up, _ = self.sides
+        way = self.position - np.array([0.0, 0.0, z])
+        return abs(float(right @ way)), abs(float(up @ way))
+
     def check_lengths(self, half_width: tuple[float, float]) -> None:
         """Refuse a screen that is too far, too wide or too far aside."""
         lengths = [("screen.z", self.z)]
