@@ -1,4 +1,4 @@
-"""Makes the target images, the example scenes and the JSON Schema of scenes in this folder.
+"""Makes the target images, the example scenes, the JSON Schema and the fields page of scenes here.
 
 Run ``python -m resources.make_resources`` after a change to a built-in shape or to the scene, and
 commit what changed. The icons are drawn by hand.
@@ -16,6 +16,7 @@ from PIL import Image
 
 import resources
 from resources import drawings, lights, receivers, two_faces
+from resources.fields_page import fields_page
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
@@ -59,6 +60,8 @@ def make(folder: Path) -> None:
         file = examples / each.file.name
         file.write_text(example(each.name).to_json(), encoding="utf-8")
     (folder / "scene.schema.json").write_text(schema(), encoding="utf-8")
+    (folder / "manual").mkdir(exist_ok=True)
+    (folder / "manual" / "fields.md").write_text(fields_page(), encoding="utf-8")
 
 
 def target_image(name: str, size: int) -> Image.Image:

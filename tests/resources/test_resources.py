@@ -36,13 +36,20 @@ def test_the_script_makes_every_file_that_ships_and_no_other(made):
     def generated(folder):
         found = {
             file
-            for pattern in ("targets/*", "examples/*", "lights/*", "*.json")
+            for pattern in ("targets/*", "examples/*", "lights/*", "manual/fields.md", "*.json")
             for file in folder.glob(pattern)
         }
         return {file.relative_to(folder) for file in found}
 
     assert generated(made) == generated(resources.path())
     assert {*resources.path("examples").iterdir()} == {each.file for each in resources.EXAMPLES}
+
+
+def test_the_page_of_fields_is_of_the_fields_of_now(made):
+    page = (made / "manual" / "fields.md").read_text("utf-8")
+    assert page == resources.path("manual", "fields.md").read_text("utf-8")
+    for field in Scene.fields():
+        assert not field.tip or f"| `{field.name}` | {field.title}" in page
 
 
 @pytest.mark.parametrize("size", make_resources.SIZES)

@@ -27,6 +27,7 @@ from workbench.scene.kinds import summary_of, title_of
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
+    from workbench.jobs import Job
 
 _SIZE = QSize(1240, 820)
 _JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
@@ -91,6 +92,10 @@ class StartPage(QDialog):
     def form(self) -> JobForm:
         """That of the chosen job."""
         return self._forms[self._stack.currentIndex()]
+
+    def select(self, kind: "type[Job]") -> None:
+        """Choose a job from the list."""
+        self._jobs.setCurrentRow(JOBS.index(kind))
 
     def begin(self) -> None:
         """Begin the job as it is, now or as soon as its target is drawn."""

@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QTextDocument
 from PySide6.QtWidgets import QTextBrowser
 
 from resources.manual_pages import pages
@@ -20,6 +21,20 @@ def manual(window, qtbot):
 def listed(manual):
     rows = (manual._list.item(row) for row in range(manual._list.count()))
     return [row.text() for row in rows if not row.isHidden()]
+
+
+def widths(browser):
+    """Of all pictures on a page, as they are shown."""
+    found, kind = [], QTextDocument.ResourceType.ImageResource.value
+    block = browser.document().begin()
+    while block.isValid():
+        for part in block:
+            if part.fragment().charFormat().isImageFormat():
+                name = part.fragment().charFormat().toImageFormat().name()
+                image = browser.document().resource(kind, QUrl(name))
+                found.append(image.width() / image.devicePixelRatio())
+        block = block.next()
+    return found
 
 
 def title(manual):
@@ -44,6 +59,17 @@ def test_a_link_leads_to_its_page_and_the_list_follows(manual):
     browser.setSource(browser.source().resolved(QUrl("limits.md")))
     assert title(manual) == "Limits"
     assert manual._list.currentItem().text() == "Limits"
+
+
+def test_pictures_fit_into_the_page_when_the_dialog_gets_narrower(manual, qtbot):
+    browser = manual.findChild(QTextBrowser)
+    row = next(row for row, page in enumerate(pages()) if "](images/" in page.text)
+    manual._list.setCurrentRow(row)
+    for width in (1100, 700):
+        manual.resize(width, 600)
+        qtbot.waitUntil(lambda width=width: manual.width() == width)
+        qtbot.waitUntil(lambda: widths(browser) and max(widths(browser)) < browser.width())
+        assert max(widths(browser)) > browser.width() / 2
 
 
 class TestSearch:
