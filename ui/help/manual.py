@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 from resources.manual_pages import Page, pages
 from ui.words import tr
 
-_COLUMNS, _ROWS = 130, 45  # characters and lines seen at once
-_LIST_COLUMNS = 28
+_COLUMNS, _ROWS = 140, 48  # characters and lines seen at once
+_LIST_COLUMNS = 36
 _MARGIN = 24  # pixels beside a picture
 
 
@@ -74,6 +74,7 @@ class Manual(QDialog):
         self._list = QListWidget()
         self._list.setAccessibleName(tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._text = PageView()
         self._text.setAccessibleName(tr("Manual"))
         self._search.textChanged.connect(self._find)
