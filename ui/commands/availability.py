@@ -20,6 +20,7 @@ _CHANGING = (
     "open",
     "restore_run",
     "delete_run",
+    "mark_region",
     "undo",
     "redo",
     "revert",

@@ -56,6 +56,8 @@ MENUS: dict[str, list[Any]] = {
     "&Design": [
         *TOOLS,
         None,
+        "mark_region",
+        None,
         "picture_aspect",
         "second_face",
         "other_face",
@@ -90,7 +92,19 @@ MENUS: dict[str, list[Any]] = {
     "&Help": ["tour", "manual", "shortcuts", "palette", None, "about"],
 }
 _FILES, _STEPS = ["new", "open", "save"], ["undo", "redo"]
-TOOLBAR = [*_FILES, None, *_STEPS, None, *_RUN, "follow", None, *TOOLS, None, "fit_view"]
+TOOLBAR = [
+    *_FILES,
+    None,
+    *_STEPS,
+    None,
+    *_RUN,
+    "follow",
+    None,
+    *TOOLS,
+    None,
+    "mark_region",
+    "fit_view",
+]
 """Names and separators, as in a menu."""
 LABELLED = _RUN
 """Those whose name stands beside the icon in the toolbar."""

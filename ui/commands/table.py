@@ -261,6 +261,14 @@ COMMANDS = {
     "move_source": Command(
         "&Move source", "Drag the source; Ctrl: along z", "Alt+M", "move-source", checked=False
     ),
+    "mark_region": Command(
+        "Mark &regions",
+        "Draw regions on the images of light, or move their edges: drag a rectangle, or click the "
+        "corners of a polygon and double-click. Esc leaves",
+        "Alt+G",
+        "region",
+        checked=False,
+    ),
     "picture_aspect": Command(
         "Image as wide and high as the &picture",
         "Give screen or far field, and their pixels, the aspect of the target's picture",

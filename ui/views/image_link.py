@@ -27,12 +27,15 @@ class ImageLink(QObject):
         A place was clicked.
     drawn : Signal(tuple)
         A line was drawn, from one place to another.
+    regions_drawn : Signal(tuple of AnyRegion, str)
+        The scene shall have these regions; and what has led to them.
     """
 
     changed = Signal()
     pointed = Signal(object)
     pinned = Signal(object)
     drawn = Signal(object)
+    regions_drawn = Signal(object, str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -40,6 +43,8 @@ class ImageLink(QObject):
         self.pin: Place | None = None
         self.line: Line | None = None
         self.drawing = False  # whether dragging draws a line
+        self.marking = False  # whether dragging and clicking mark regions
+        self.draft: tuple[Place, ...] = ()  # outline of the region that is being drawn
         self.logarithmic = False
         self.colours = LIGHT
         self.number = 0  # of the scene's image that is seen
@@ -58,7 +63,20 @@ class ImageLink(QObject):
 
     def set_drawing(self, drawing: bool) -> None:
         """Let dragging draw a line, or move what is seen."""
+        if drawing:
+            self.set_marking(False)
         self._set("drawing", drawing)
+
+    def set_marking(self, marking: bool) -> None:
+        """Let dragging and clicking mark regions, or not."""
+        if marking:
+            self.set_drawing(False)
+        self.show_draft(())
+        self._set("marking", marking)
+
+    def show_draft(self, outline: "tuple[Place, ...]") -> None:
+        """Show the outline of a region that is being drawn, or none."""
+        self._set("draft", outline)
 
     def set_logarithmic(self, logarithmic: bool) -> None:
         """Show light in a logarithmic scale, or in an even one."""
@@ -69,7 +87,9 @@ class ImageLink(QObject):
         self._set("colours", colours)
 
     def show_image(self, number: int) -> None:
-        """See another one of the scene's images; 0 is the first."""
+        """See another one of the scene's images; 0 is the first, which alone has regions."""
+        if number:
+            self.set_marking(False)
         self._set("number", number)
 
     def number_in(self, scene: "Scene") -> int:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
 _TEXT: dict[str, Any] = {"fontsize": "x-small", "va": "top", "clip_on": True}
-_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.75, "pad": 1.5}
+_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
 
 
 class RegionMarks:
@@ -39,8 +39,10 @@ class RegionMarks:
         for region in scene.regions:
             corners = receiver.middle + 2 * region.outline * receiver.half_extent
             outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
-            left, top = corners[:, 0].min(), corners[:, 1].max()
-            self._texts.append(axes.text(left, top, region.name, bbox=_BOX, **_TEXT))
+            (left, _), (right, top) = corners.min(axis=0), corners.max(axis=0)
+            side = "left" if left + right <= 2 * receiver.middle[0] else "right"  # towards it
+            at = left if side == "left" else right
+            self._texts.append(axes.text(at, top, region.name, ha=side, bbox=_BOX, **_TEXT))
         self.artists = (*outlines, *self._texts)
         """Drawn over the image, which is drawn anew for each state of a run."""
 
@@ -53,11 +55,10 @@ class RegionMarks:
         scene = self._scene
         found = light_of_regions(scene.regions, scene.receiver, irradiance, light_unit(scene))
         for text, light in zip(self._texts, found, strict=True):
-            lines = [f"{light.name} {100 * light.share:.1f} %"]
-            if light.unit.lumens is not None:
-                lines.append(
-                    tr("mean {light}").format(light=light.unit.density_in_words(light.mean))
-                )
+            told, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
+            if unit.lumens is not None:
+                told += f", {light.mean * unit.density:.3g} {unit.short}"
             if light.uniformity is not None:
-                lines.append(tr("least / mean {number:.2f}").format(number=light.uniformity))
-            text.set_text("\n".join(lines))
+                even = tr("least / mean {number:.2f}").format(number=light.uniformity)
+                told += f"\n{even}"
+            text.set_text(told)

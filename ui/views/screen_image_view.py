@@ -1,7 +1,7 @@
 """A view of an image on the screen, in which places and lines are marked for cross-sections.
 
 A click pins a place; dragging with Shift, or with the tool in its bar, draws a line. By keys:
-Enter pins the middle of what is seen.
+Enter pins the middle of what is seen. While regions are marked, `RegionTool` has the mouse.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink, Place
 from ui.views.image_view import ImageContent, ImageView
 from ui.views.region_marks import RegionMarks
+from ui.views.region_tool import RegionTool
 from ui.widgets import theme
 from ui.words import tr
 from workbench.measured.light_unit import light_unit
@@ -27,8 +28,12 @@ if TYPE_CHECKING:
 
     from ui.shown.frame import Frame
     from workbench.files.session import Session
+    from workbench.scene import Scene
 
 _MARK = "#8a8f98"  # seen on light and dark
+_DRAFT = {"color": "#4aa3df", "linewidth": 1.4, "linestyle": "--"}  # of a region
+_NEAR = 6  # pixels from an edge that is taken hold of
+_CROSS, _ARROW = Qt.CursorShape.CrossCursor, Qt.CursorShape.ArrowCursor
 _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
@@ -72,6 +77,7 @@ class ScreenImageView(ImageView):
             ),
         )
         self._line_tool.toggled.connect(self._link.set_drawing)
+        self._hand = RegionTool(self._link)
         self._choice = ImageChoice(self._link)
         self._bottom.insertWidget(0, self._choice)
 
@@ -86,8 +92,12 @@ class ScreenImageView(ImageView):
         return self._link.number_in(session.scene)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Pin a place without a mouse."""
-        if event.key() in _ENTER and self._shown is not None:
+        """Pin a place without a mouse; while regions are marked, end one or leave."""
+        if self._link.marking and event.key() == Qt.Key.Key_Escape:
+            self._hand.leave()
+        elif self._link.draft and event.key() in _ENTER:
+            self._hand.close()
+        elif event.key() in _ENTER and self._shown is not None:
             left, right, bottom, top = self._part()
             self._link.pinned.emit(((left + right) / 2, (bottom + top) / 2))
         else:
@@ -124,17 +134,22 @@ class ScreenImageView(ImageView):
             axes.axvline(0, linestyle="--", **look),
             axes.axhline(0, linestyle="--", **look),
             axes.plot([], [], marker="o", markersize=3, **look | {"linewidth": 1.4})[0],
+            axes.plot([], [], marker="o", markersize=3, **look | _DRAFT)[0],
         ]
         self._regions = RegionMarks(axes, session.scene)
         return [*artists, *self._marks, *self._regions.artists]
 
     def _adapt(self) -> bool:
         everything = super()._adapt()
-        link, (upright, level, line) = self._link, self._marks
+        link, (upright, level, line, draft) = self._link, self._marks
         self._line_tool.setChecked(link.drawing)
+        self._canvas.setCursor(_CROSS if link.marking else _ARROW)
         for mark in (upright, level):
             mark.set_visible(link.pin is not None)
         line.set_visible(link.line is not None)
+        draft.set_visible(bool(link.draft))
+        if link.draft:
+            draft.set_data(*zip(*link.draft, strict=True))
         if link.pin is not None:
             upright.set_xdata([link.pin[0]] * 2)
             level.set_ydata([link.pin[1]] * 2)
@@ -143,19 +158,45 @@ class ScreenImageView(ImageView):
         return everything
 
     def _click(self, place: Place) -> None:
-        self._link.pinned.emit(place)
+        if self._link.marking:
+            self._hand.click(place)
+        else:
+            self._link.pinned.emit(place)
 
     def _press(self, event: Any) -> None:
+        if self._link.marking and event.dblclick:
+            self._hand.close()
+            return
         super()._press(event)
+        if self._grip is not None and self._link.marking:
+            self._hand.press(self._marked_scene(), self._grip[1], self._reach())
         shift = event.guiEvent.modifiers() & Qt.KeyboardModifier.ShiftModifier
         self._draws = self._grip is not None and (self._link.drawing or bool(shift))
 
     def _drag(self, event: Any, start: Place) -> None:
-        if not self._draws:
+        if self._link.marking:
+            if event.inaxes is self._axes:
+                self._hand.drag((event.xdata, event.ydata))
+        elif not self._draws:
             super()._drag(event, start)
         elif event.inaxes is self._axes:
             self._link.show_line((start, (event.xdata, event.ydata)))
 
     def _drop(self) -> None:
-        if self._draws and self._link.line is not None:
+        if self._link.marking:
+            self._hand.drop()
+        elif self._draws and self._link.line is not None:
             self._link.drawn.emit(self._link.line)
+
+    def _marked_scene(self) -> "Scene":
+        """The scene whose regions are marked, as it is by now."""
+        assert self._session is not None  # since there is a picture
+        return self._session.scene
+
+    def _reach(self) -> Place:
+        """How far from the pointer an edge is taken hold of, in the receiver's coordinates."""
+        assert self._axes is not None
+        box = self._axes.get_window_extent()
+        left, right, bottom, top = self._part()
+        near = _NEAR * self._canvas.device_pixel_ratio
+        return near * (right - left) / box.width, near * (top - bottom) / box.height

@@ -19,6 +19,7 @@ from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
 from ui.notices.total_reflection import TotalReflectionNotice
+from ui.panels.edits import Edit
 from ui.run.bound import BoundOfDesign
 from ui.run.control import RunControl
 from ui.run.follow import Follow
@@ -35,6 +36,7 @@ FOLLOW = "run/follow"
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from ui.window.early_parts import EarlyParts
+    from workbench.scene.region import Region
 
 
 class LoadedParts(QObject):
@@ -96,6 +98,8 @@ class LoadedParts(QObject):
         workspace.docks["photo"].visibilityChanged.connect(views.photo.uncover)
         workspace.docks["manufacture"].visibilityChanged.connect(production.manufacture.look)
         views.link.drawn.connect(lambda _: workspace.show_dock("section"))
+        views.link.regions_drawn.connect(self._take_regions)
+        views.link.changed.connect(self._follow_marking)
         views.follow(shown, self.control.history)
         production.follow(shown)
         views.scene.escaped.connect(early.commands["turn"].trigger)
@@ -198,7 +202,28 @@ class LoadedParts(QObject):
             }
         )
         commands.connect_toggles(self.views.toggles())
+        commands.connect_toggles({"mark_region": self._mark_regions})
         commands.connect_choices(self.views.choices())
+
+    def _mark_regions(self, on: bool) -> None:
+        """Let the mouse mark regions on images, the first of which gets the keyboard."""
+        link = self.views.link
+        if on and not link.marking:
+            link.show_image(0)  # which has the regions
+            self._early.workspace.show_dock("irradiance")
+            self.views.docked["irradiance"].setFocus()
+        link.set_marking(on)
+
+    def _follow_marking(self) -> None:
+        self._early.commands["mark_region"].setChecked(self.views.link.marking)
+
+    def _take_regions(self, regions: "tuple[Region, ...]", text: str) -> None:
+        if self.control.busy:
+            self._early.messages.note(tr("Stop the run first; then mark regions."))
+            return
+        data = [region.model_dump(mode="json") for region in regions]
+        edit = Edit("regions", text, {"regions": data}, alone=True, waits=False)
+        self._early.forms.edit(edit)
 
     def _tell_of_reflection(self, sentence: str) -> None:
         """In the message bar, unless something else is to be read there; it is logged anyway."""

@@ -1,0 +1,67 @@
+"""Regions drawn and changed by hand."""
+
+import pytest
+
+from ui.views.region_hand import Grip, around, between, grip_at, reshaped
+from workbench.scene import EllipseRegion, PolygonRegion, RectangleRegion
+
+REACH = (0.01, 0.02)
+TRIANGLE = PolygonRegion(corners=((-0.2, -0.2), (0.2, -0.2), (0.0, 0.3)))
+
+
+@pytest.mark.parametrize(
+    ("place", "sides"),
+    [
+        ((0.245, 0.0), (1,)),
+        ((-0.255, 0.1), (0,)),
+        ((0.1, 0.235), (3,)),
+        ((0.25, -0.25), (1, 2)),
+        ((0.1, 0.1), ()),
+        ((0.25, 0.28), ()),
+    ],
+)
+def test_a_rectangle_is_held_by_sides_and_corners(place, sides):
+    grip = grip_at([RectangleRegion(size=(0.5, 0.5))], place, REACH)
+    assert grip == (Grip(0, sides=sides) if sides else None)
+
+
+@pytest.mark.parametrize(
+    ("place", "corners"),
+    [((0.005, 0.305), (2,)), ((0.0, -0.21), (0, 1)), ((-0.1, 0.05), (2, 0)), ((0.0, 0.0), ())],
+)
+def test_a_polygon_is_held_by_corners_and_sides(place, corners):
+    grip = grip_at([TRIANGLE], place, REACH)
+    assert grip == (Grip(0, corners=corners) if corners else None)
+
+
+def test_the_region_that_is_drawn_last_is_held():
+    both = [RectangleRegion(size=(0.5, 0.5)), EllipseRegion(size=(0.5, 0.4))]
+    assert grip_at(both, (0.25, 0.0), REACH) == Grip(1, sides=(1,))
+    assert grip_at(both, (0.0, 0.25), REACH) == Grip(0, sides=(3,))
+
+
+def test_a_side_follows_the_hand_and_stays_on_the_receiver():
+    region = RectangleRegion(name="Desk", center=(0.1, 0.0), size=(0.2, 0.4))
+    wider = reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (0.3, 0.1))
+    assert (wider.name, wider.center, wider.size) == ("Desk", (0.15, 0.0), (0.3, 0.4))
+    widest = reshaped(region, Grip(0, sides=(1, 3)), (0.2, 0.2), (0.9, 0.8))
+    assert widest.outline.max() == 0.5
+    widest.check_outline()
+    across = reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (-0.2, 0.0))
+    assert across.center == pytest.approx((-0.1, 0.0)) and across.size == pytest.approx((0.2, 0.4))
+    assert reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (0.0, 0.0)) is region
+
+
+def test_corners_of_a_polygon_follow_the_hand():
+    moved = reshaped(TRIANGLE, Grip(0, corners=(0, 1)), (0.0, -0.2), (0.05, -0.3))
+    assert moved.corners == ((-0.15, -0.3), (0.25, -0.3), (0.0, 0.3))
+
+
+def test_what_is_too_small_is_no_region():
+    assert between((0.1, 0.1), (0.1, 0.4), "a") is None
+    assert around([(0.0, 0.0), (0.1, 0.0), (0.1, 0.0)], "a") is None
+    drawn = between((0.4, 0.3), (-0.9, -0.1), "Desk")
+    assert (drawn.center, drawn.size) == ((-0.05, 0.1), (0.9, 0.4))
+    drawn.check_outline()
+    twice = around([(0.0, 0.0), (0.1, 0.0), (0.1, 0.2), (0.1, 0.2)], "Lane")
+    assert twice.corners == ((0.0, 0.0), (0.1, 0.0), (0.1, 0.2))

@@ -1,0 +1,153 @@
+"""Regions drawn and changed by hand; places are parts of the receiver's width and height.
+
+They count from its middle, as those of `workbench.scene.region` do.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.scene import PolygonRegion, RectangleRegion
+from workbench.scene.region import AnyRegion
+
+Place = tuple[float, float]
+
+_DIGITS = 4  # of places; less than a pixel of any receiver
+_LEAST = 1e-3  # width of a region
+_EDGE = 0.5
+
+
+class Grip(NamedTuple):
+    """What of a region is held.
+
+    Attributes
+    ----------
+    number : int
+        Of the region.
+    corners : tuple of int
+        Of a polygon: those that move.
+    sides : tuple of int
+        Of any other one: 0 left, 1 right, 2 bottom, 3 top.
+    """
+
+    number: int
+    corners: tuple[int, ...] = ()
+    sides: tuple[int, ...] = ()
+
+
+def grip_at(regions: Sequence[AnyRegion], place: Place, reach: Place) -> Grip | None:
+    """The edge or corner at a place, of the last region that has one there.
+
+    Parameters
+    ----------
+    regions : sequence of AnyRegion
+        In the order in which they are drawn.
+    place : tuple[float, float]
+        Where a hand takes hold.
+    reach : tuple[float, float]
+        How far beside it an edge may be.
+
+    Examples
+    --------
+    >>> from workbench.scene import RectangleRegion
+    >>> grip_at([RectangleRegion(size=(0.5, 0.5))], (0.25, 0.0), (0.01, 0.01))
+    Grip(number=0, corners=(), sides=(1,))
+    """
+    for number, region in reversed(list(enumerate(regions))):
+        if isinstance(region, PolygonRegion):
+            corners = _corners_at(np.array(region.corners) / reach, np.array(place) / reach)
+            if corners:
+                return Grip(number, corners=corners)
+        else:
+            sides = _sides_at(_box(region), place, reach)
+            if sides:
+                return Grip(number, sides=sides)
+    return None
+
+
+def reshaped(region: AnyRegion, grip: Grip, start: Place, place: Place) -> AnyRegion:
+    """The region after its grip was taken from one place to another."""
+    if isinstance(region, PolygonRegion):
+        by = np.subtract(place, start)
+        corners = tuple(
+            _within(np.add(corner, by)) if k in grip.corners else corner
+            for k, corner in enumerate(region.corners)
+        )
+        return region.model_copy(update={"corners": corners})
+    box = _box(region)
+    x, y = _within(place)
+    for side in grip.sides:
+        box[side] = x if side < 2 else y
+    for low, high in ((0, 1), (2, 3)):
+        box[low], box[high] = sorted((box[low], box[high]))
+        if box[high] - box[low] < _LEAST:  # no further than the side across from it
+            return region
+    center, size = _middle_and_size(box)
+    return region.model_copy(update={"center": center, "size": size})
+
+
+def between(start: Place, place: Place, name: str) -> RectangleRegion | None:
+    """The rectangle between two of its corners; None where it is too small to be meant."""
+    (x_0, y_0), (x_1, y_1) = _within(start), _within(place)
+    box = [min(x_0, x_1), max(x_0, x_1), min(y_0, y_1), max(y_0, y_1)]
+    if box[1] - box[0] < _LEAST or box[3] - box[2] < _LEAST:
+        return None
+    center, size = _middle_and_size(box)
+    return RectangleRegion(name=name, center=center, size=size)
+
+
+def around(corners: Sequence[Place], name: str) -> PolygonRegion | None:
+    """The polygon of corners, those that are there twice in a row once; None for less than 3."""
+    places = [_within(corner) for corner in corners]
+    distinct = tuple(p for k, p in enumerate(places) if p != places[k - 1])
+    return PolygonRegion(name=name, corners=distinct) if len(distinct) >= 3 else None
+
+
+def _box(region: AnyRegion) -> list[float]:
+    """Left, right, bottom and top."""
+    outline = region.outline
+    (left, bottom), (right, top) = outline.min(axis=0), outline.max(axis=0)
+    return [float(left), float(right), float(bottom), float(top)]
+
+
+def _middle_and_size(box: Sequence[float]) -> tuple[Place, Place]:
+    left, right, bottom, top = box
+    middle = round((left + right) / 2, _DIGITS + 1), round((bottom + top) / 2, _DIGITS + 1)
+    return middle, (round(right - left, _DIGITS), round(top - bottom, _DIGITS))
+
+
+def _sides_at(box: Sequence[float], place: Place, reach: Place) -> tuple[int, ...]:
+    """The sides of a box at a place: none, one, or two at a corner."""
+    (x, y), (near_x, near_y) = place, reach
+    left, right, bottom, top = box
+    if not (left - near_x <= x <= right + near_x and bottom - near_y <= y <= top + near_y):
+        return ()
+    held = (
+        min((0, 1), key=lambda side: abs(box[side] - x)),
+        min((2, 3), key=lambda side: abs(box[side] - y)),
+    )
+    beside = abs(box[held[0]] - x) <= near_x, abs(box[held[1]] - y) <= near_y
+    return tuple(side for side, there in zip(held, beside, strict=True) if there)
+
+
+def _corners_at(
+    corners: npt.NDArray[np.float64], place: npt.NDArray[np.float64]
+) -> tuple[int, ...]:
+    """The corner within 1 of a place, or both of the side that is; coordinates in reaches."""
+    far = np.linalg.norm(corners - place, axis=1)
+    if far.min() <= 1:
+        return (int(far.argmin()),)
+    along = np.roll(corners, -1, axis=0) - corners
+    part = ((place - corners) * along).sum(axis=1) / np.square(along).sum(axis=1).clip(1e-300)
+    nearest = corners + part.clip(0, 1)[:, None] * along
+    beside = np.linalg.norm(nearest - place, axis=1)
+    first = int(beside.argmin())
+    return (first, (first + 1) % len(corners)) if beside[first] <= 1 else ()
+
+
+def _within(place: Sequence[float] | npt.NDArray[np.float64]) -> Place:
+    """A place on the receiver, with as many digits as are read."""
+    x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
+    return x, y
