@@ -1130,6 +1130,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Mark &amp;regions</source>
+            <translation>Ausschnitte mar&amp;kieren</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
+            <translation>Ausschnitte auf den Bildern des Lichts zeichnen oder ihre Ränder verschieben: ein Rechteck ziehen, oder die Ecken eines Vielecks anklicken und doppelklicken. Esc beendet das</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Image as wide and high as the &amp;picture</source>
             <translation>Bild so breit und hoch wie die Bild&amp;vorlage</translation>
         </message>
@@ -4440,13 +4450,18 @@
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
-            <source>mean {light}</source>
-            <translation>Mittel {light}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>kleinste / mittlere {number:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_tool.py" />
+            <source>new region</source>
+            <translation>neuer Ausschnitt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_tool.py" />
+            <source>move of {region}</source>
+            <translation>Verschieben von {region}</translation>
         </message>
         <message>
             <location filename="../../ui/views/screen_image_view.py" />
@@ -4518,6 +4533,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Follow</source>
             <translation>Folgen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Stop the run first; then mark regions.</source>
+            <translation>Erst den Lauf anhalten, dann Ausschnitte markieren.</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />

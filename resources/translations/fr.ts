@@ -1130,6 +1130,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Mark &amp;regions</source>
+            <translation>Marquer les &amp;régions</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
+            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d’un polygone et double-cliquer. Échap quitte</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Image as wide and high as the &amp;picture</source>
             <translation>Image au format de la &amp;photo</translation>
         </message>
@@ -4440,13 +4450,18 @@
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
-            <source>mean {light}</source>
-            <translation>moyenne {light}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>minimum / moyenne {number:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_tool.py" />
+            <source>new region</source>
+            <translation>nouvelle région</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/region_tool.py" />
+            <source>move of {region}</source>
+            <translation>déplacement de {region}</translation>
         </message>
         <message>
             <location filename="../../ui/views/screen_image_view.py" />
@@ -4518,6 +4533,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Follow</source>
             <translation>Suivre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/loaded_parts.py" />
+            <source>Stop the run first; then mark regions.</source>
+            <translation>Arrêtez d’abord le calcul, puis marquez les régions.</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
