@@ -8,7 +8,7 @@ import torch
 
 from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
-from workbench.design.levels import FINE, image_of
+from workbench.design.levels import FINE, cells_of, image_of
 from workbench.design.memory import auto_memory, check_auto, memory_notes
 from workbench.design.run import run
 from workbench.errors import Refused
@@ -64,7 +64,9 @@ def test_an_evaluation_takes_the_memory_that_was_computed(make_scene, name):
 
     evaluate()  # what is loaded and kept once
     measured = peak_of(evaluate)
-    computed = memory._of_nodes(scene, blur.parts, sharp=True) if blur else memory._of_image(scene)
+    computed = memory._of_image(scene)
+    if blur:
+        computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts)
     assert 0.9 * measured < computed < 1.25 * measured
 
 

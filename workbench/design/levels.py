@@ -10,13 +10,14 @@ import torch
 from torch import Tensor
 
 from workbench.design.blurred_plan import BlurredPlan
+from workbench.design.near_sources import fitting_source_cells
 from workbench.design.several_images import AnyImage, SeveralImages
 from workbench.design.wide_image import WideImage
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.measured.lamps import of_known_size
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
-from workbench.scene import Scene
+from workbench.scene import Scene, WantedImage
 
 Array = npt.NDArray[np.float64]
 
@@ -101,6 +102,7 @@ def image_of(
     mirrored: tuple[bool, bool] = (False, False),
     blur: Blur | None = None,
     asked_light: float | None = None,
+    cells: Corners | None = None,
 ) -> WideImage:
     """The image by which a level compares lenses.
 
@@ -120,8 +122,10 @@ def image_of(
         As for `WideImage`; see `even_blur_of`.
     asked_light : float, optional
         As for `WideImage`; see `asked_light_of`.
+    cells : Corners, optional
+        In place of those of the level; see `fitting_source_cells`.
     """
-    cells = cells_of(level, scene, mirrored, sharp=blur is not None)
+    cells = cells or cells_of(level, scene, mirrored, sharp=blur is not None)
     return WideImage(scene, target, cells, light_extent, mirrored, blur, asked_light)
 
 
@@ -168,19 +172,28 @@ def finest_image(
         Control heights of that lens; they say how far its light falls and how it is blurred.
     """
     images = scene.images(target)
-    made = [
-        image_of(
-            FINE,
-            image.scene,
-            image.target,
-            light_extent_of(image.scene, heights),
-            mirrored,
-            even_blur_of(image.scene, heights),
-            asked_light_of(image.scene, heights),
-        )
-        for image in images
-    ]
+    made = [_finest(image, heights, mirrored) for image in images]
     return made[0] if len(made) == 1 else SeveralImages(made, images)
+
+
+def _finest(
+    image: WantedImage, heights: Mapping[str, Tensor], mirrored: tuple[bool, bool]
+) -> WideImage:
+    """One of the images of `finest_image`."""
+    scene, cells = image.scene, None
+    blur = even_blur_of(scene, heights)
+    if blur is None and _origins(scene) > 1:
+        cells = fitting_source_cells(scene, heights, mirrored)
+    return image_of(
+        FINE,
+        scene,
+        image.target,
+        light_extent_of(scene, heights),
+        mirrored,
+        blur,
+        asked_light_of(scene, heights),
+        cells,
+    )
 
 
 def _origins(scene: Scene) -> int:

@@ -21,6 +21,7 @@ import math
 
 from workbench.design.lbfgs import MEMORY
 from workbench.design.levels import FINE, cells_of
+from workbench.design.near_sources import source_cells
 from workbench.design.transport import both_faces, start
 from workbench.design.wide_image import MARGINS
 from workbench.errors import Refused
@@ -121,19 +122,23 @@ def _of_image(scene: Scene) -> float:
     blur = Blur.of(scene)
     # Only a trace tells whether all parts of the lens blur the source alike.
     even = not blur.within_a_pixel and one_over_the_lens(scene)
-    return max(_of_nodes(scene, 1), _of_nodes(scene, blur.parts, sharp=True) if even else 0.0)
+    by_origins = _of_nodes(scene, cells_of(FINE, scene))
+    if even:
+        return max(by_origins, _of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts))
+    between = source_cells(scene)
+    return by_origins if between is None else max(by_origins, _of_nodes(scene, between))
 
 
-def _of_nodes(scene: Scene, finer: int, *, sharp: bool = False) -> float:
-    """The same with so many times finer pixels, by light of all of the source or of its middle."""
-    cells = cells_of(FINE, scene, sharp=sharp)
+def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
+    """The same by so many cells, with so many times finer pixels where light is blurred."""
     grids = cells.origins * scene.source.point_count
     nodes = (cells.x + 1) * (cells.y + 1) * grids
     traced = _TRACED + _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
     if beam_kernel_of(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)) is None:
         traced += _WITHOUT_KERNEL
-    drawn = _DRAWN if grids == 1 else 0  # several are drawn one after the other
-    pixels = math.prod(finer * n * (1 + 2 * MARGINS[0]) for n in scene.receiver.pixels)
+    # Several grids are drawn one after the other, but for the small ones between origins.
+    drawn = _DRAWN if grids == 1 or cells.of_source else 0
+    pixels = math.prod(max(finer, 1) * n * (1 + 2 * MARGINS[0]) for n in scene.receiver.pixels)
     numbers = traced * precision_of(scene).itemsize + drawn * _REAL
-    images = _IMAGES + _BLURRED * sharp
+    images = _IMAGES + _BLURRED * (finer > 0)
     return nodes * numbers + images * _REAL * pixels

@@ -81,6 +81,8 @@ class WideImage:
         corners = Corners(*cells)
         self.blurred = blur is not None or corners.origins > 1
         origins = corners.origins * scene.source.point_count
+        if corners.of_source is not None:
+            origins = math.prod(corners.of_source)
         self.beams = corners.x * corners.y * origins // halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))

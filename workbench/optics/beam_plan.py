@@ -19,6 +19,7 @@ from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
+from workbench.optics.source_beams import between_origins, light_apart
 from workbench.optics.ways import beam_kernel_of
 from workbench.scene import Scene
 
@@ -65,6 +66,7 @@ class BeamPlan:
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
+        self._of_source = Corners(*cells).of_source
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
         self._kernel, self._promised = beam_kernel_of(path), mirrored
@@ -79,6 +81,8 @@ class BeamPlan:
         notes = self._choice.notes(self._tracer.notes)
         rays = math.prod(len(split) for split in self._tracer.splits)
         notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
+        if self._of_source:
+            notes.append("beams run between points of the source, through each sample of the lens")
         if self._back:
             notes.append(f"shading by the {self._called} and by the mirror itself is ignored")
         return (*filter(None, (*notes, self._of_light)), *self._choice.defects())
@@ -99,6 +103,20 @@ class BeamPlan:
         far_x, far_y = (float(np.quantile(np.abs(from_middle), _NEARLY_ALL)) for from_middle in far)
         return far_x, far_y
 
+    def light_apart(self, heights: Mapping[str, Tensor]) -> float:
+        """Which part of the light passes samples that are far apart for beams between origins.
+
+        Raises
+        ------
+        TypeError
+            If beams do not run between origins.
+        """
+        if self._of_source is None:
+            raise TypeError("these beams run between samples of the lens")
+        with torch.no_grad():
+            tracer = self._tracer
+            return light_apart(tracer.nodes(heights), self._of_source, tracer.mirrored)
+
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens.
 
@@ -115,15 +133,18 @@ class BeamPlan:
             With an image of shape (n_y + 2 m_y, n_x + 2 m_x).
         """
         tracer = self._tracer
-        hits, account, room = tracer.nodes(heights)
+        found, splits = tracer.nodes(heights), tracer.splits
+        if self._of_source is not None:
+            found, splits = between_origins(found, self._of_source, tracer.mirrored)
+        hits, account, room = found
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         wide = (n_x + 2 * m_x, n_y + 2 * m_y)
         nodes, lost = hits + shift, dict(account.lost)
-        image, landed = beam_image(nodes, wide, tracer.splits, self._choice.fused)
+        image, landed = beam_image(nodes, wide, splits, self._choice.fused)
         cut = 0.0
         if room is not None:
-            rim = rim_light(nodes, room, wide, tracer.splits, self._choice.fused)
+            rim = rim_light(nodes, room, wide, splits, self._choice.fused)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         for axis in (0, 1):
             if tracer.mirrored[axis]:

@@ -1,7 +1,7 @@
 """Which places of an aperture rays go through, if these make a tensor grid."""
 
 import math
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -23,11 +23,27 @@ class Corners(NamedTuple):
         Cells.
     origins : int
         From how many origins light comes through them, where the source leaves that open.
+    source_x, source_y : int
+        Cells along x and y of a source of some size, at whose corners these origins lie; all see
+        the same corners of the aperture. 0 where origins lie elsewhere. See
+        `workbench.optics.source_beams`.
     """
 
     x: int
     y: int
     origins: int = 1
+    source_x: int = 0
+    source_y: int = 0
+
+    @classmethod
+    def and_of_source(cls, x: int, y: int, of_source: tuple[int, int]) -> Self:
+        """Corners of cells of the aperture, and of the source."""
+        return cls(x, y, math.prod(cells + 1 for cells in of_source), *of_source)
+
+    @property
+    def of_source(self) -> tuple[int, int] | None:
+        """Cells of the source along x and y; None where origins lie elsewhere."""
+        return (self.source_x, self.source_y) if self.source_x else None
 
 
 Samples = tuple[int, int] | Corners
@@ -86,10 +102,13 @@ def places_of_points(samples: Samples, axis: int, points: int) -> Places:
     """Places of the corners of each point, one point after the other.
 
     All points but a single one have grids that are shifted against each other, with narrower cells
-    at both ends: what lies between the corners of one lies at those of others.
+    at both ends: what lies between the corners of one lies at those of others. Only where beams run
+    between the points all have the same.
     """
     if points == 1:
         return places(samples, axis)
+    if isinstance(samples, Corners) and samples.of_source is not None:
+        return Places(*(np.tile(part, points) for part in places(samples, axis)))
     count = samples[axis]
     each = []
     for shift in (interleaving(points) + 0.5) / points:

@@ -26,6 +26,9 @@ Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
 Splits = tuple[Array, Array]
 
+# Grids of so few rows are drawn as one: what lies between them costs less than a call for each.
+_SMALL = 32
+
 
 def compiled_beam_image(
     nodes: Tensor, pixels: tuple[int, int], splits: Splits
@@ -85,10 +88,17 @@ class _Image(torch.autograd.Function):
 
 
 def _grids(splits: Splits) -> list[slice]:
-    """Rows of grids that lie side by side, if there are several."""
+    """Rows of grids that lie side by side, if there are several that are drawn one by one.
+
+    Diagonals of cells turn with the number of the row in its grid: small grids are drawn as one
+    only if all have an even number of rows.
+    """
     along_v = splits[1]
     first = np.flatnonzero(along_v[:, 0] == 0)
     if len(first) < 2:
+        return []
+    rows = np.diff(first, append=len(along_v))
+    if rows.max() <= _SMALL and not (rows % 2).any():
         return []
     return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
 

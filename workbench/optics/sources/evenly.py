@@ -7,6 +7,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.geometry.outlines import outline_named
+
 Array = npt.NDArray[np.float64]
 Outline = Literal["rectangle", "ellipse"]
 
@@ -76,6 +78,31 @@ def spread(count: int, outline: Outline, aspect: float = 1.0) -> SpreadPlaces:
         np.concatenate([y, -y[::-1]]),
         np.concatenate([share, share[::-1]]),
     )
+
+
+def at_corners(cells: tuple[int, int], outline: Outline) -> SpreadPlaces:
+    """Corners of a grid of cells that fills an outline; its own mirror image in x and in y.
+
+    Parameters
+    ----------
+    cells : tuple[int, int]
+        Cells along x and y; corners come row by row.
+    outline : {"rectangle", "ellipse"}
+        What is filled; lines of an ellipse's grid are arcs.
+    """
+    (u, w_u), (v, w_v) = (_trapezoids(count) for count in cells)
+    filled = outline_named(outline, (1.0, 1.0))
+    u, v = (part.ravel() for part in np.meshgrid(u, v))
+    x, y = filled.from_square(u, v)
+    share = filled.stretch(u, v) * np.outer(w_v, w_u).ravel()
+    return SpreadPlaces(x, y, share / share.sum())
+
+
+def _trapezoids(cells: int) -> tuple[Array, Array]:
+    """Corners from −1 to 1 of so many cells in a row, and what each stands for."""
+    weight = np.ones(cells + 1)
+    weight[[0, -1]] = 0.5
+    return (2 * np.arange(cells + 1) - cells) / cells, weight
 
 
 def filling(a: Array, b: Array, outline: Outline) -> tuple[Array, Array]:

@@ -11,7 +11,7 @@ from torch import Tensor
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.evenly import Outline, SpreadPlaces, filling, spread
+from workbench.optics.sources.evenly import Outline, SpreadPlaces, at_corners, filling, spread
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic
 
@@ -70,8 +70,7 @@ class ExtendedEmitter(ABC):
     @property
     def origins(self) -> Origins:
         """See `Emitter`; the middle alone where no corners are asked for."""
-        count = self.samples.origins if isinstance(self.samples, Corners) else 1
-        return self.origins_at(spread(count, self.outline, self.aspect))
+        return self._origins_of(self.samples)
 
     @property
     def splits(self) -> tuple[Array, Array]:
@@ -87,11 +86,16 @@ class ExtendedEmitter(ABC):
         return self._through_cells(self.samples)
 
     def _through_cells(self, samples: Samples) -> RayBundle:
-        count = samples.origins if isinstance(samples, Corners) else 1
-        origins = self.origins_at(spread(count, self.outline, self.aspect))
-        rays = through_cells(origins, self.optic, samples)
+        rays = through_cells(self._origins_of(samples), self.optic, samples)
         # The sum over cells may exceed the light that there is, a little.
         return rays._replace(flux=rays.flux / rays.flux.sum().clamp_min(1))
+
+    def _origins_of(self, samples: Samples | None) -> Origins:
+        if not isinstance(samples, Corners):
+            return self.origins_at(spread(1, self.outline, self.aspect))
+        if samples.of_source is not None:
+            return self.origins_at(at_corners(samples.of_source, self.outline))
+        return self.origins_at(spread(samples.origins, self.outline, self.aspect))
 
     def _drawn(self, seed: int, draw: int) -> RayBundle:
         """Rays between low-discrepancy places of the source and of the face."""
