@@ -1131,7 +1131,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Mark &amp;regions</source>
-            <translation>Ausschnitte mar&amp;kieren</translation>
+            <translation>Ausschnitte mark&amp;ieren</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
