@@ -383,8 +383,8 @@ class MainWindow(QMainWindow):
         undo, redo = (text.replace("&", "&&") for text in (stack.undoText(), stack.redoText()))
         commands.reword(
             {
-                "undo": tr("&Undo {undo}").format(undo=undo),
-                "redo": tr("&Redo {redo}").format(redo=redo),
+                "undo": tr("&Undo {undo}").format(undo=undo) if undo else tr("&Undo"),
+                "redo": tr("&Redo {redo}").format(redo=redo) if redo else tr("&Redo"),
             }
         )
         commands["pause"].setChecked(now.state == "paused")

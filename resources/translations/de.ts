@@ -2901,7 +2901,7 @@
         <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>none</source>
-            <translation>keine</translation>
+            <translation>ohne</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -4447,6 +4447,66 @@
             <location filename="../../ui/views/plot_view.py" />
             <source>There is no picture of this design: its light cannot be traced.</source>
             <translation>Von diesem Entwurf gibt es kein Bild: sein Licht lässt sich nicht durchrechnen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>as designed</source>
+            <translation>wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>lenses up to there</source>
+            <translation>Linsen bis dorthin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>z of the screen</source>
+            <translation>z des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>iteration</source>
+            <translation>Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>seconds</source>
+            <translation>Sekunden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>loss</source>
+            <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>this run</source>
+            <translation>dieser Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>verified</source>
+            <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>irradiance</source>
+            <translation>Bestrahlungsstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>intensity</source>
+            <translation>Strahlstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>error</source>
+            <translation>Fehler</translation>
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />

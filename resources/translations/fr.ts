@@ -2901,7 +2901,7 @@
         <message>
             <location filename="../../ui/manufacture/figures.py" />
             <source>none</source>
-            <translation>aucun</translation>
+            <translation>sans</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -4447,6 +4447,66 @@
             <location filename="../../ui/views/plot_view.py" />
             <source>There is no picture of this design: its light cannot be traced.</source>
             <translation>Il n'y a pas d'image de cette conception : sa lumière ne peut être tracée.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>as designed</source>
+            <translation>comme conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>lenses up to there</source>
+            <translation>lentilles jusque-là</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>z of the screen</source>
+            <translation>z de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>iteration</source>
+            <translation>itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>seconds</source>
+            <translation>secondes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>loss</source>
+            <translation>coût</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>this run</source>
+            <translation>cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>verified</source>
+            <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>target</source>
+            <translation>cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>irradiance</source>
+            <translation>éclairement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>intensity</source>
+            <translation>intensité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>error</source>
+            <translation>erreur</translation>
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />

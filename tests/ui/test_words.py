@@ -5,13 +5,17 @@ import re
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
+import workbench.pictures
+import workbench.scene
 from ui.commands.language_choice import kept_language
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
+from ui.views.plot_words import LABELS, translate
 from ui.words import inside, later, speak, spoken, spoken_by_system, tr
 from workbench.jobs import JOBS
 from workbench.said import Said
@@ -63,6 +67,30 @@ def test_sentences_of_the_engine_keep_their_values(speaking):
     speaking("de")
     assert tr(thick) == "2.5 mm dick, 9 × 8 Kontrollpunkte, 7 × 6 Pixel"
     assert tr(caught) == "Licht auf dem Spiegel"
+
+
+def test_labels_of_pictures_are_translated_and_units_stay(speaking):
+    figure = Figure()
+    axes = figure.subplots()
+    axes.set_xlabel("z of the screen (mm)")
+    axes.set_ylabel("flux / mm²")
+    axes.plot([0, 1], label="this run")
+    axes.legend()
+    translate(figure)
+    assert axes.get_xlabel() == "z of the screen (mm)"
+    speaking("de")
+    translate(figure)
+    (legend,) = axes.get_legend().get_texts()
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "flux / mm²")
+    assert legend.get_text() == "dieser Lauf"
+
+
+def test_labels_stand_in_the_pictures_of_the_engine():
+    folder = Path(workbench.pictures.__file__).parent
+    code = "".join(file.read_text(encoding="utf-8") for file in folder.glob("*.py"))
+    code += Path(workbench.scene.__file__).parent.joinpath("screen.py").read_text(encoding="utf-8")
+    code += Path(workbench.scene.__file__).parent.joinpath("far_field.py").read_text("utf-8")
+    assert [label for label in LABELS if label not in code] == []
 
 
 @pytest.mark.parametrize(

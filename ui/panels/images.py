@@ -35,7 +35,7 @@ class ImagesPanel(ListedPanel):
 
     def __init__(self, field: FieldDescription) -> None:
         self._list = ImageListRow(tr("Elsewhere"), tr(field.tip))
-        super().__init__(field.title, self._list)
+        super().__init__(tr(field.title), self._list)
 
     def show_list(self, session: Session) -> None:
         """List the further images of the scene."""

@@ -24,7 +24,7 @@ class RegionsPanel(ListedPanel):
     def __init__(self, field: FieldDescription) -> None:
         self._field = field
         self._list = RegionListRow(tr("Watched"), tr(field.tip))
-        super().__init__(field.title, self._list)
+        super().__init__(tr(field.title), self._list)
 
     def show_list(self, session: Session) -> None:
         """List the regions of the scene."""

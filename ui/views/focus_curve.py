@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.views.canvas import PlotCanvas
+from ui.views.plot_words import translate
 from ui.views.view import View
 from ui.words import tr
 from workbench.pictures.focus_curve import FocusCurve
@@ -60,6 +61,7 @@ class FocusCurveView(View):
         if self._curve is None:
             self._curve = FocusCurve(self._canvas.begin(), session.scene, self._ends)
             self._canvas.animate([self._curve.mark])
+            translate(self._canvas.figure)
         self._canvas.show_changes(self._curve.update(self.errors, self._z))
 
     def _recolour(self) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.shown.frame import same_task
 from ui.views.canvas import PlotCanvas
+from ui.views.plot_words import translate
 from ui.views.view import View
 from ui.words import later, tr
 from workbench.pictures.data import Column, shown_data
@@ -102,6 +103,7 @@ class PlotView(View):
         anew = frame is None or self._anew
         if anew or self._shown is None or not self._looks_alike(self._shown, session):
             self._canvas.animate(self._begin(self._canvas.begin(), session))
+            translate(self._canvas.figure)
             self._anew = False
         self._shown = session
         everything = self._explain(self._why_empty(frame) or self._why_small()) | self._adapt()
