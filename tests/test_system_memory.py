@@ -1,4 +1,5 @@
 import ctypes
+import subprocess
 import sys
 from pathlib import Path
 
@@ -54,3 +55,32 @@ def test_freed_pieces_between_others_are_given_back():
     assert before - resident() > 0.8 * size * count / 2
     for piece in pieces[1::2]:
         libc.free(piece)
+
+
+_PAGES = """
+import ctypes, resource, sys
+import numpy as np
+from workbench.system_memory import keep_freed_memory
+if sys.argv[1] == "kept":
+    keep_freed_memory()
+def faults():
+    return resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+for size in (2_000_000, 3_000_000):  # bytes of what is made and freed together
+    arrays = [np.ones(size // 8) for _ in range(12)]
+    del arrays
+before = faults()
+for _ in range(10):
+    arrays = [np.ones(2_000_000 // 8) for _ in range(12)]
+    del arrays
+print(faults() - before)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs the account of Linux's kernel")
+def test_memory_that_is_kept_is_used_again_without_new_pages():
+    kept, given_back = (
+        int(subprocess.run([sys.executable, "-c", _PAGES, how], capture_output=True).stdout)
+        for how in ("kept", "given back")
+    )
+    assert kept < 100
+    assert given_back > 10 * kept

@@ -19,6 +19,7 @@ from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
 from workbench.interruption import interrupted_when
+from workbench.system_memory import keep_freed_memory
 
 
 def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:
@@ -46,6 +47,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     EndedBySignal
         After a signal; the best lens so far is written.
     """
+    keep_freed_memory()
     session = open_design(path)
     if not is_session(path):
         for why in filter(None, map(why_not_kept, session.scene.single, session.pictures)):

@@ -14,6 +14,7 @@ from scipy.fft import dctn, idctn
 from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.push import mapped, push
 from workbench.interruption import check_given_up
+from workbench.optics.kernels import threads
 
 Array = npt.NDArray[np.float64]
 
@@ -71,7 +72,7 @@ class Transport:
         """Go on for a source that has changed a little, for so many rounds or fewer."""
         target, weights = self._target, self._weights
         there, back = self._there, c_transform(self._there, *weights)
-        value = float((there * source).sum() + (back * target).sum())
+        value = _product(there, source) + _product(back, target)
         step, step_back = self._steps
         nearest, idle = math.inf, 0
         for _ in range(rounds):
@@ -106,21 +107,27 @@ class Transport:
     ) -> tuple[Array, Array, float, float, float]:
         """One step of a potential, then the best of the other for it, and of it for that."""
         missing = here - push(there, *mapped(other, *self._weights))
-        amplitudes = dctn(missing, norm="ortho") / self._waves
+        workers = threads.parts(missing.size)
+        amplitudes = dctn(missing, norm="ortho", workers=workers) / self._waves
         amplitudes[0, 0] = 0.0
-        direction = idctn(amplitudes, norm="ortho")
-        slope = float((direction * missing).sum())
+        direction = idctn(amplitudes, norm="ortho", workers=workers, overwrite_x=True)
+        slope = _product(direction, missing)
         mine = mine + step * direction
         other = c_transform(mine, *self._weights)
-        gain = float((mine * here).sum() + (other * there).sum()) - value
+        gain = _product(mine, here) + _product(other, there) - value
         # Armijo-Goldstein, as in the paper's section 3.3.
         if gain > 0.75 * step * slope:
             step *= 1.4
         elif gain < 0.25 * step * slope:
             step *= 0.7
         mine = c_transform(other, *self._weights)
-        value = float((mine * here).sum() + (other * there).sum())
+        value = _product(mine, here) + _product(other, there)
         return mine, other, value, step, math.sqrt(max(slope, 0.0))
+
+
+def _product(values: Array, others: Array) -> float:
+    """Sum of the products of two images, without an image of these."""
+    return float(np.vdot(values, others))
 
 
 def _laplacian(shape: tuple[int, ...], weights: tuple[float, float]) -> Array:
