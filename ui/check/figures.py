@@ -119,8 +119,8 @@ class CheckFigures(QWidget):
 
     rays_chosen = Signal(int)
 
-    def __init__(self, settings: QSettings, check: QAction, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, settings: QSettings, check: QAction) -> None:
+        super().__init__()
         self._settings = settings
         self._hint = QLabel(tr(_NOTHING), wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)

@@ -15,13 +15,7 @@ from ui.words import tr
 
 
 class Commands:
-    """Actions by the names of their commands; those that nothing is connected to are disabled.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Gets menus and toolbar.
-    """
+    """Actions by the names of their commands; those that nothing is connected to are disabled."""
 
     def __init__(self, window: QMainWindow) -> None:
         self._window = window

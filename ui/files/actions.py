@@ -36,21 +36,6 @@ class Answer(Enum):
 class FileActions(QObject):
     """Takes the document to files and back.
 
-    Parameters
-    ----------
-    document : Document
-        What is opened and saved.
-    lens : LensOnShow
-        What is saved while a run goes on.
-    recent : RecentFiles
-        Learns of every file used.
-    messages : MessageBar
-        Shows refusals.
-    dialogs : FileDialogs
-        Ask for files.
-    window : QWidget
-        Parent of questions.
-
     Attributes
     ----------
     find_other : callable

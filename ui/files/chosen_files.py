@@ -16,17 +16,7 @@ from workbench.errors import Refused
 
 
 class ChosenFiles(QObject):
-    """Asks for files where the forms want them, and takes pictures from the clipboard.
-
-    Parameters
-    ----------
-    forms : Forms
-        Take what was chosen.
-    dialogs : FileDialogs
-        Ask for files.
-    messages : MessageBar
-        Says why there is no picture.
-    """
+    """Asks for files where the forms want them, and takes pictures from the clipboard."""
 
     def __init__(
         self, forms: Forms, dialogs: FileDialogs, messages: MessageBar, parent: QObject

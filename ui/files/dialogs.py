@@ -17,15 +17,6 @@ class FileDialogs(QObject):
     A dialog begins in the folder that was used last for its kind of file since the design was
     opened or saved elsewhere; else in the design's own; for a design without one, in the folder
     that was used last for this kind of file by whatever window.
-
-    Parameters
-    ----------
-    document : Document
-        The design.
-    settings : QSettings
-        Where folders outlive the window.
-    window : QWidget
-        Parent of the dialogs.
     """
 
     def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:

@@ -25,17 +25,6 @@ if TYPE_CHECKING:
 class Exporter(QObject):
     """Asks for a file and writes it in a thread of its own, one at a time.
 
-    Parameters
-    ----------
-    document : Document
-        Gives the name of the file.
-    lens : LensOnShow
-        It is written.
-    messages : MessageBar
-        Shows what was written and how far it is from the design, or why nothing was.
-    dialogs : FileDialogs
-        Ask for the file.
-
     Attributes
     ----------
     ask_cutting : callable

@@ -28,13 +28,6 @@ _SIZE = QSize(680, 560)
 class Gallery(QDialog):
     """One example can be chosen: by arrows and Enter, by typing its name, or by mouse.
 
-    Parameters
-    ----------
-    examples : sequence of Example
-        What there is to choose from.
-    window : QWidget
-        The dialog stands over it.
-
     Attributes
     ----------
     chosen : Signal(Example)

@@ -37,19 +37,7 @@ _FILTERS = later({"Web page (*.html)": HTML[0], "Document (*.pdf)": PDF[0]})
 
 
 class Reporter(QObject):
-    """Asks for a file and has the report written there, one at a time.
-
-    Parameters
-    ----------
-    document : Document
-        Gives the names of report and file.
-    lens : LensOnShow
-        It is reported.
-    messages : MessageBar
-        Tells what was written, or why nothing was.
-    dialogs : FileDialogs
-        Ask for the file.
-    """
+    """Asks for a file and has the report written there, one at a time."""
 
     def __init__(
         self,

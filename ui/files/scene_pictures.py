@@ -24,19 +24,7 @@ _FILTER = later("Picture ({endings})")
 
 
 class ScenePictures(QObject):
-    """Copies and saves what the 3D view shows.
-
-    Parameters
-    ----------
-    view : SceneView
-        What is pictured.
-    document : Document
-        Gives the name of the file.
-    messages : MessageBar
-        Tells what was done, or why not.
-    dialogs : FileDialogs
-        Ask for the file.
-    """
+    """Copies and saves what the 3D view shows."""
 
     def __init__(
         self,

@@ -20,19 +20,7 @@ _OFFERED = "tour_offered"
 
 
 class Help(QObject):
-    """What the help menu does.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Is helped with.
-    commands : Commands
-        What there is to be found.
-    panes : PaneFocus
-        What there is to be shown.
-    messages : MessageBar
-        Offers the tour.
-    """
+    """What the help menu does."""
 
     def __init__(
         self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: MessageBar

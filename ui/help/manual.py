@@ -55,13 +55,7 @@ class PageView(QTextBrowser):
 
 
 class Manual(QDialog):
-    """All that can be done here and in a shell.
-
-    Parameters
-    ----------
-    window : QWidget
-        The dialog stands over it.
-    """
+    """All that can be done here and in a shell."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)

@@ -36,13 +36,6 @@ _JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
 class StartPage(QDialog):
     """Lists the jobs; shows the form, the drawing and the outlook of the chosen one.
 
-    Parameters
-    ----------
-    dialogs : FileDialogs
-        Ask for files of pictures and light.
-    window : QWidget
-        The page stands over it.
-
     Attributes
     ----------
     begun : Signal(Session, str)

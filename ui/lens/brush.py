@@ -22,13 +22,7 @@ _FIRST = 0.1  # of the lens's half-width
 
 
 class Brush:
-    """Finds control points under the pointer and shows which ones it takes along.
-
-    Parameters
-    ----------
-    view : SceneView
-        Where the control points are shown.
-    """
+    """Finds control points under the pointer and shows which ones it takes along."""
 
     def __init__(self, view: "SceneView") -> None:
         self._view = view
@@ -121,15 +115,7 @@ class Brush:
 
 
 class BrushTool(QObject):
-    """A tool that works on what the brush takes along; arrow keys move it.
-
-    Parameters
-    ----------
-    view : SceneView
-        Where the control points are shown.
-    brush : Brush
-        Which ones it works on.
-    """
+    """A tool that works on what the brush takes along; arrow keys move it."""
 
     shows_net = True
     shows_handles = False

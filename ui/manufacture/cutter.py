@@ -62,13 +62,7 @@ _ABOUT = later(
 
 
 class AskCutting:
-    """Asks how a lens is cut, and begins with the last answer.
-
-    Parameters
-    ----------
-    window : QWidget
-        The dialog stands over it.
-    """
+    """Asks how a lens is cut, and begins with the last answer."""
 
     def __init__(self, window: QWidget) -> None:
         self._window = window

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout
 
 from ui.panels.editors import Chooser
 from ui.views.face_choice import FaceChoice
@@ -73,8 +73,8 @@ class FaceMap(ImageView):
     _content: FaceContent
     _WAITING = later("Computed when no run changes it…")
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(FaceContent(), parent=parent)
+    def __init__(self) -> None:
+        super().__init__(FaceContent())
         self._maps: Mapping[str, SurfaceMaps] = {}
         self.faces = FaceChoice()
         self.faces.currentIndexChanged.connect(self._choose)

@@ -81,13 +81,7 @@ _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
 
 class ManufactureFigures(QWidget):
-    """A table of figures, limits and verdicts.
-
-    Parameters
-    ----------
-    fields : LimitFields
-        The limits; their fields stand in the table.
-    """
+    """A table of figures, limits and verdicts."""
 
     def __init__(self, fields: LimitFields) -> None:
         super().__init__()

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from PySide6.QtCore import QSettings, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
 
 from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import ManufactureFigures
@@ -41,11 +40,6 @@ class _Found(NamedTuple):
 class ManufacturePane(SideBySide):
     """Map, figures and limits of the lens on show.
 
-    Parameters
-    ----------
-    settings : QSettings
-        Where limits outlive the window.
-
     Attributes
     ----------
     map : FaceMap
@@ -56,11 +50,11 @@ class ManufacturePane(SideBySide):
 
     cut_asked = Signal()
 
-    def __init__(self, settings: QSettings, parent: QWidget | None = None) -> None:
+    def __init__(self, settings: QSettings) -> None:
         face_map = FaceMap()
         fields = LimitFields(settings, face_map)
         figures = ManufactureFigures(fields)
-        super().__init__(face_map, figures, parent)
+        super().__init__(face_map, figures)
         self.map, self._fields, self._figures = face_map, fields, figures
         figures.cut.clicked.connect(self.cut_asked)
         self.setFocusProxy(face_map)

@@ -37,13 +37,6 @@ class CarriedLens(QObject):
     A lens that another control net cannot hold is carried over nearly: the message says how far
     off it is, and offers the nearest net on which it would stay as it is.
 
-    Parameters
-    ----------
-    document : Document
-        What is edited.
-    messages : MessageBar
-        Gets what wants an answer.
-
     Attributes
     ----------
     followed : callable

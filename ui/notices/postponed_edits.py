@@ -9,17 +9,7 @@ from ui.words import tr
 
 
 class PostponedEdits(QObject):
-    """Says which edits wait, and offers to stop the run for them.
-
-    Parameters
-    ----------
-    forms : Forms
-        Keeps the edits.
-    control : RunControl
-        Its run they wait for.
-    messages : MessageBar
-        Shows the offer.
-    """
+    """Says which edits wait, and offers to stop the run for them."""
 
     def __init__(
         self, forms: Forms, control: RunControl, messages: MessageBar, parent: QObject

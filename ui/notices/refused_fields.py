@@ -8,15 +8,7 @@ from ui.words import tr
 
 
 class RefusedFields(QObject):
-    """Tells of the refused fields, as long as there are any.
-
-    Parameters
-    ----------
-    forms : Forms
-        Where fields are refused.
-    messages : MessageBar
-        Says which.
-    """
+    """Tells of the refused fields, as long as there are any."""
 
     def __init__(self, forms: Forms, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)

@@ -11,15 +11,7 @@ from workbench.files.session import Session
 
 
 class TargetImage(QObject):
-    """Listens to the edits of a document.
-
-    Parameters
-    ----------
-    document : Document
-        What is edited.
-    messages : MessageBar
-        Gets what may want an answer.
-    """
+    """Listens to the edits of a document."""
 
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)

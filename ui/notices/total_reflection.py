@@ -24,15 +24,6 @@ _LEAST = 1e-6  # of the light; less is rounding
 class TotalReflectionNotice(QObject):
     """Listens to the runs of a window.
 
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs; the notice goes with it.
-    view : SceneView
-        Shows the places.
-
     Attributes
     ----------
     said : Signal(str)

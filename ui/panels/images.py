@@ -20,11 +20,6 @@ from workbench.scene import FieldDescription, FurtherImage
 class ImagesPanel(ListedPanel):
     """Bound to ``scene.further_images``.
 
-    Parameters
-    ----------
-    field : FieldDescription
-        The field of the scene that holds them.
-
     Attributes
     ----------
     image_asked : Signal()

@@ -111,13 +111,7 @@ class Panel(QWidget):
 
 
 class PartPanel(Panel):
-    """The rows of a part of the scene, as its fields say them.
-
-    Parameters
-    ----------
-    field : FieldDescription
-        The field of the scene that the part is in.
-    """
+    """The rows of a part of the scene, as its fields say them."""
 
     def __init__(self, field: FieldDescription) -> None:
         self._part = field.name

@@ -13,13 +13,7 @@ from workbench.scene import FieldDescription, Kinds
 
 
 class RegionsPanel(ListedPanel):
-    """Bound to ``scene.regions``.
-
-    Parameters
-    ----------
-    field : FieldDescription
-        The field of the scene that holds them.
-    """
+    """Bound to ``scene.regions``."""
 
     def __init__(self, field: FieldDescription) -> None:
         self._field = field

@@ -21,13 +21,7 @@ NO_LENS = later(
 
 
 class LensOnShow(QObject):
-    """Knows the document's lens, also while it was designed for another task or is being designed.
-
-    Parameters
-    ----------
-    document : Document
-        Whose lens.
-    """
+    """Knows the lens of the document, also of another task or one that is being designed."""
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)

@@ -34,13 +34,6 @@ class RunCheck(QObject):
     While the run goes on, one thread traces few rays on the core that the run leaves free; where
     there is one core alone, none.
 
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs are checked.
-
     Attributes
     ----------
     figures_changed : Signal(str)

@@ -21,13 +21,7 @@ _AT_MOST = later("at most {time} left")
 
 
 class RunStatus:
-    """What goes on at the left of a status bar; progress bar and figures at the right.
-
-    Parameters
-    ----------
-    bar : QStatusBar
-        Gets them.
-    """
+    """What goes on at the left of a status bar; progress bar and figures at the right."""
 
     def __init__(self, bar: QStatusBar) -> None:
         self._text = ""  # what goes on

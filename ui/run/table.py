@@ -79,8 +79,8 @@ class RunTable(QWidget):
     deleted = Signal(object)
     pair_chosen = Signal(object)
 
-    def __init__(self, verified: Callable[[KeptRun], str], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, verified: Callable[[KeptRun], str]) -> None:
+        super().__init__()
         self._verified = verified
         self._runs: tuple[KeptRun, ...] = ()
         self._marked: set[int] = set()  # ids of results, which outlive other names

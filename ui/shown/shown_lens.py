@@ -27,11 +27,6 @@ class FrameView(Protocol):
 class ShownLens(QObject):
     """Passes frames from those that make them to those that show them; neither knows the other.
 
-    Parameters
-    ----------
-    document : Document
-        Its design is shown.
-
     Attributes
     ----------
     frame_changed : Signal(Frame)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
 from ui.shown.frame import same_task
 from ui.threads.background import Background
@@ -50,8 +50,8 @@ class DerivativeView(PlotView, ComputingView):
 
     _image: DerivativeImage
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._background = Background("derivative map", self)
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)

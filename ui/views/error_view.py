@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
@@ -43,5 +42,5 @@ class ErrorContent(OnScreen):
 class ErrorView(ScreenImageView):
     """Where light is too much or too little."""
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(ErrorContent(), link, parent)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__(ErrorContent(), link)

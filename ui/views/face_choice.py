@@ -1,7 +1,7 @@
 """A choice between the freeform faces of an optic."""
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QComboBox, QWidget
+from PySide6.QtWidgets import QComboBox
 
 from ui.words import tr
 from workbench.geometry.surface import freeform_nets
@@ -11,8 +11,8 @@ from workbench.scene import Optic
 class FaceChoice(QComboBox):
     """Hidden while there is no choice: the optic has one freeform face."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setAccessibleName(tr("Face"))
         self.setToolTip(tr("Which of the freeform faces of the lens is meant"))
         self.hide()

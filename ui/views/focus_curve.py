@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy
 
 from ui.views.canvas import PlotCanvas
 from ui.views.plot_words import translate
@@ -21,8 +21,8 @@ _LINES = 8  # of text, as high as it is beside an image
 class FocusCurveView(View):
     """A small plot that grows as traces come in."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._canvas = PlotCanvas(self, bar=False)
         self._box.addWidget(self._canvas)
         self.setMinimumHeight(self.sizeHint().height())

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider
 
 from ui.check.focusing import FocusRequest, trace_through_focus
 from ui.shown.frame import same_task
@@ -53,9 +53,9 @@ class _TracedLight:
 class FocusView(LightImageView, ComputingView):
     """A slider over distances, and the light there; the scene stays as it is."""
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+    def __init__(self, link: ImageLink | None = None) -> None:
         self._traced = _TracedLight()
-        super().__init__(LightContent(self._traced.of), link, parent)
+        super().__init__(LightContent(self._traced.of), link)
         self._image_of, self._curve_of = Background(_TRACE, self), Background(_TRACE, self)
         self._image_of.progressed.connect(self._take)
         self._curve_of.progressed.connect(self._take_error)

@@ -28,8 +28,8 @@ class HistorySlider(QWidget):
     frame_chosen = Signal(object)
     continued = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._frames: Sequence[Frame] = ()
         self._slider = QSlider(Qt.Orientation.Horizontal)
         self._slider.setAccessibleName(tr("Moment of the run"))

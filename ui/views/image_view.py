@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
 
 from ui.views.image_link import ImageLink, Part, Place
 from ui.views.keys import ARROWS, COMMANDS, ZOOMS
@@ -64,10 +64,8 @@ class ImageView(PlotView):
         What it has in common with other images; by default it stands alone.
     """
 
-    def __init__(
-        self, content: ImageContent, link: ImageLink | None = None, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
+        super().__init__()
         self._content = content
         self.setMinimumWidth(_NARROWEST)
         self._link = link or ImageLink(self)

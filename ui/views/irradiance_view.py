@@ -2,8 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtWidgets import QWidget
-
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
 
@@ -14,9 +12,9 @@ if TYPE_CHECKING:
 class IrradianceView(LightImageView):
     """Flux per area as the optimiser sees it."""
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
+    def __init__(self, link: ImageLink | None = None) -> None:
         content = LightContent(lambda frame: frame.state.irradiance)
-        super().__init__(content, link, parent)
+        super().__init__(content, link)
 
     def _change(self, frame: "Frame") -> bool:
         """Show the irradiance, and what falls on each region."""

@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
@@ -70,10 +69,8 @@ class LightImageView(ScreenImageView):
 
     _content: LightContent
 
-    def __init__(
-        self, content: LightContent, link: ImageLink | None = None, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(content, link, parent)
+    def __init__(self, content: LightContent, link: ImageLink | None = None) -> None:
+        super().__init__(content, link)
         self._logarithmic = self._add_tool(
             "logarithmic",
             tr("Logarithmic colours"),

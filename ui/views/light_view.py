@@ -35,8 +35,8 @@ class LightView(View):
         Tells of which of the scene's images; by default it stands alone.
     """
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__()
         self._link = link or ImageLink(self)
         self._link.changed.connect(self._ask)
         self._choice = ImageChoice(self._link)

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QWidget
 
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, chosen_of
@@ -27,8 +26,8 @@ class LossView(PlotView):
     _HAS_BAR = False
     _picture: LossPicture
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._runs: tuple[LossCourse, ...] = ()
         self._verified: tuple[Verified, ...] = ()
         self._axes_choice = MenuButton(tr("Axes"), tr("What the loss is drawn against, and how"))

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
     QPushButton,
     QSlider,
     QVBoxLayout,
-    QWidget,
 )
 
 from ui.threads.background import Background
@@ -51,8 +50,8 @@ class PhotoView(ComputingView):
         Chooses one of several images; by default it stands alone.
     """
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__()
         self._link = link or ImageLink(self)
         self._link.changed.connect(self._want)
         self._resting = True

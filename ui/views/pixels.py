@@ -12,8 +12,8 @@ _USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
 class Pixels(QWidget):
     """Paints a picture; nothing before there is one."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._image: QImage | None = None
         self._aspect = 1.0
         self.setMinimumSize(_LEAST)

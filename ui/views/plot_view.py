@@ -40,8 +40,8 @@ class PlotView(View):
     _NO_ROOM = later("There is too little room here for a picture.")
     _NOTHING = later("There is no picture of this design: its light cannot be traced.")
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._canvas = PlotCanvas(self, bar=self._HAS_BAR)
         self._canvas.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._canvas.installEventFilter(self)

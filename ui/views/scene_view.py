@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy
 
 from ui.shown.frame import same_task
 from ui.views.scene_contents import SceneContents, SceneLook
@@ -62,8 +62,8 @@ class SceneView(View):
     picked = Signal(object)
     escaped = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         make_native(self)
         self._plotter: Any = None
         self._contents = SceneContents(self)

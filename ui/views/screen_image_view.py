@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton
 
 from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink, Place
@@ -60,10 +60,8 @@ class ScreenImageView(ImageView):
         What it has in common with other images; by default it stands alone.
     """
 
-    def __init__(
-        self, content: ImageContent, link: ImageLink | None = None, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(content, link, parent)
+    def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
+        super().__init__(content, link)
         self._marks: list[Any] = []
         self._regions: RegionMarks | None = None
         self._draws = False  # a line, with this drag

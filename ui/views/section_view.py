@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
 
 from ui.views.image_link import ImageLink, Line, Place
 from ui.views.keys import ARROWS
@@ -55,8 +54,8 @@ class SectionView(PlotView):
     _HAS_BAR = False
     _curves: SectionCurves
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__()
         self._link = link or ImageLink(self)
         self._place: Place = (0.0, 0.0)
         self._number = self._link.number

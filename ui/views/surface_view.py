@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
 from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
@@ -60,9 +60,9 @@ class SurfaceView(ImageView):
 
     _content: SurfaceContent
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self) -> None:
         self._faces = FaceChoice()
-        super().__init__(SurfaceContent(self._faces), parent=parent)
+        super().__init__(SurfaceContent(self._faces))
         self._aspects = QComboBox()
         self._aspects.setAccessibleName(tr("What the map shows"))
         for number, aspect in enumerate(ASPECTS):

@@ -4,7 +4,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtWidgets import QWidget
 
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageLink
@@ -28,8 +27,8 @@ _SAME = 1e-3  # parts by which no eye can tell light from light
 class TargetView(LightImageView):
     """The target as irradiance or intensity, with as much light as arrives."""
 
-    def __init__(self, link: ImageLink | None = None, parent: QWidget | None = None) -> None:
-        super().__init__(LightContent(_target, "target"), link, parent)
+    def __init__(self, link: ImageLink | None = None) -> None:
+        super().__init__(LightContent(_target, "target"), link)
         self._light = 0.0  # all of it, as drawn
         self.setToolTip(tr(_TIP))
 

@@ -20,8 +20,8 @@ class View(QWidget):
     within moments; nothing flashes in between.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._session: Session | None = None
         self._frame: Frame | None = None
         self._outdated = False

@@ -3,7 +3,7 @@
 from datetime import datetime
 
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QPlainTextEdit, QWidget
+from PySide6.QtWidgets import QPlainTextEdit
 
 from ui.words import tr
 
@@ -13,8 +13,8 @@ _LINES = 2000  # of which the oldest give way
 class LogView(QPlainTextEdit):
     """Text to read and to copy, not to edit; its end, or where one has scrolled to."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setReadOnly(True)
         self.setUndoRedoEnabled(False)
         self.setMaximumBlockCount(_LINES)

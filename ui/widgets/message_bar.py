@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QSizePolicy,
     QStyle,
     QToolButton,
-    QWidget,
 )
 
 from ui.widgets import theme
@@ -36,8 +35,8 @@ class MessageBar(QFrame):
 
     message = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAutoFillBackground(True)
         make_native(self)

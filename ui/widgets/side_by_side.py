@@ -19,8 +19,8 @@ class SideBySide(QWidget):
         Fields and figures.
     """
 
-    def __init__(self, picture: QWidget, other: QWidget, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, picture: QWidget, other: QWidget) -> None:
+        super().__init__()
         self._line = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._line.setContentsMargins(0, 0, 0, 0)
         self._line.setSpacing(0)

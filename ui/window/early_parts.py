@@ -23,17 +23,7 @@ _COMPILING = later(
 
 
 class EarlyParts(QObject):
-    """Makes what needs no slow library, and puts it into the window.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Gets menus, docks and status bar.
-    document : Document
-        The open design.
-    settings : QSettings
-        What is remembered from one start to the next.
-    """
+    """Makes what needs no slow library, and puts it into the window."""
 
     def __init__(self, window: QMainWindow, document: Document, settings: QSettings) -> None:
         super().__init__(window)

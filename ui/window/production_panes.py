@@ -15,11 +15,6 @@ if TYPE_CHECKING:
 class ProductionPanes(QObject):
     """Makes both panes and tells them of the lens on show.
 
-    Parameters
-    ----------
-    settings : QSettings
-        Where the limits of a shop outlive the window.
-
     Attributes
     ----------
     panes : dict of str to QWidget

@@ -49,8 +49,6 @@ class Room:
 
     Attributes
     ----------
-    scene, target, start, locked
-        As given.
     limits : dict of str to HeightLimits
         What the lens allows at each freeform face.
     """

@@ -42,11 +42,6 @@ class Patches:
         The control net.
     dtype, device
         Float type and device of the evaluation.
-
-    Attributes
-    ----------
-    net : ControlNet
-        As given.
     """
 
     def __init__(

@@ -47,8 +47,6 @@ class Path:
 
     Attributes
     ----------
-    emitter, steps, receiver, datum, outline, dtype, device
-        As they were given.
     shaped : tuple of FaceStep
         Those of the steps that depend on control heights: the first freeform face and all behind.
     """

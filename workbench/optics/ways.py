@@ -88,8 +88,6 @@ class Ways:
 
     Attributes
     ----------
-    path : Path
-        As given.
     kind : Kernel or None
         The compiled special case, if there is one for the path.
     """

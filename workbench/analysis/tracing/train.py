@@ -75,11 +75,6 @@ class OpticalTrain:
         Faces, and what each does to light.
     detector : Detector
         Where light is counted.
-
-    Attributes
-    ----------
-    source, faces, detector
-        As they were given.
     """
 
     def __init__(

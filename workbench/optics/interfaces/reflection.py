@@ -16,11 +16,6 @@ class Reflection:
         Part of the light that is reflected, at all angles.
     absorbed : str
         Name of the rest in the light account.
-
-    Attributes
-    ----------
-    reflectance, absorbed
-        As given.
     """
 
     def __init__(self, reflectance: float, absorbed: str) -> None:

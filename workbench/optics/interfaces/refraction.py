@@ -22,11 +22,6 @@ class Refraction:
     absorption : float
         Of the medium before the face, per length: flux falls as exp(−absorption · path).
 
-    Attributes
-    ----------
-    law, reflected, absorption
-        As given.
-
     Notes
     -----
     Total reflection takes all of the flux and is called ``total_reflection`` in the account of any

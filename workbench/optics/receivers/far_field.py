@@ -26,8 +26,6 @@ class FarFieldReceiver:
 
     Attributes
     ----------
-    part : FarField
-        As given.
     upright : bool
         It is no plane.
     """

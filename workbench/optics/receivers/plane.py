@@ -21,11 +21,6 @@ class PlaneReceiver:
         z of the scene from which the path counts z.
     onwards : int
         1 for light to +z, -1 for light to -z, as it comes to an upright screen.
-
-    Attributes
-    ----------
-    part : Screen
-        As given.
     """
 
     def __init__(self, screen: Screen, datum: float, onwards: int = 1) -> None:

@@ -26,11 +26,6 @@ class PointEmitter:
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
         Of the exit face along x and y; see `workbench.optics.face_samples`.
-
-    Attributes
-    ----------
-    source, lens, samples
-        As given.
     """
 
     beside = 0.0

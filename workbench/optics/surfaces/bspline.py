@@ -38,11 +38,6 @@ class BSplineSurface:
         z of the scene near its mean height, by default the datum: what kernels count heights from,
         so that float32 keeps the digits that make the shape.
 
-    Attributes
-    ----------
-    net, subdivisions, outline, level
-        As given.
-
     Notes
     -----
     Rays that are the same object as for the last lens are the same: what depends on them alone is

@@ -21,11 +21,6 @@ class Plane:
         Where it is, counted from the datum of the path.
     outline : Outline
         What of the plane is glass.
-
-    Attributes
-    ----------
-    z, outline
-        As given.
     """
 
     kind = "plane"
