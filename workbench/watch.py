@@ -7,6 +7,9 @@ from typing import TypeVar
 T = TypeVar("T")
 Step = TypeVar("Step")
 
+Steps = Generator[float, None, T]
+"""Work step by step: it yields the part that is done, up to 1, and returns what it has found."""
+
 Watch = Callable[[float], None]
 """Called now and then with the part that is done, from 0 to 1."""
 
@@ -36,9 +39,7 @@ def of_equal(pieces: int, done: int, part: float) -> float:
     return (done + part) / pieces
 
 
-def within(
-    steps: Generator[float, None, T], part: Callable[[float], float]
-) -> Generator[float, None, T]:
+def within(steps: Steps[T], part: Callable[[float], float]) -> Steps[T]:
     """Take steps that yield the part of them that is done, as steps of something larger.
 
     Parameters

@@ -1,6 +1,6 @@
 """What the image by cells says of a lens, and how far random rays are from it."""
 
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,7 @@ from workbench.analysis.scatter import Unscattered
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.scene import AnyReceiver, Scene
-from workbench.watch import within
+from workbench.watch import Steps, within
 
 Array = npt.NDArray[np.float64]
 
@@ -158,7 +158,7 @@ def without_scatter(
     accuracy: float,
     pose: Pose | None,
     threads: int | None,
-) -> Generator[float, None, tuple[CellImage | None, Independent | None]]:
+) -> Steps[tuple[CellImage | None, Independent | None]]:
     """Find the image by cells, and independent ones where these tell its error more exactly.
 
     Parameters
@@ -167,15 +167,6 @@ def without_scatter(
         As for `imaging`.
     target : ndarray, shape (n_y, n_x)
         The target image in any scale.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1.
-
-    Returns
-    -------
-    tuple of (CellImage or None, Independent or None)
     """
     steps = imaging(scene, heights, accuracy, pose, threads)
     image = yield from within(steps, lambda part: part / 2)

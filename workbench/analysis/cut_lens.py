@@ -4,7 +4,7 @@ Ridges of a few micrometres lean by degrees: polishing takes them away, and this
 of the image depends on it.
 """
 
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from functools import partial
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.errors import Refused
 from workbench.geometry.tool_path import Raster
 from workbench.scene import Scene
-from workbench.watch import of_equal, within
+from workbench.watch import Steps, of_equal, within
 
 
 class CutLens(NamedTuple):
@@ -51,7 +51,7 @@ def tracing_cut(
     target: Array,
     raster: Raster,
     rays: int = 1_000_000,
-) -> Generator[float, None, CutLens]:
+) -> Steps[CutLens]:
     """Trace a lens whose exit face is as a cutter leaves it, in steps of a moment.
 
     Parameters
@@ -66,15 +66,6 @@ def tracing_cut(
         The cuts of the exit face.
     rays : int
         Rays to trace for the cut; four times as many for the lens as it was designed.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1.
-
-    Returns
-    -------
-    CutLens
 
     Raises
     ------
@@ -100,7 +91,7 @@ def tracing_cut(
     return CutLens(*found)
 
 
-def _imaging(train: OpticalTrain, shape: tuple[int, ...]) -> Generator[float, None, Array]:
+def _imaging(train: OpticalTrain, shape: tuple[int, ...]) -> Steps[Array]:
     tally = Tally(train.detector.images, train.detector.pixels)
     for number in range(BATCHES):
         for rays in train.source.batch(number):

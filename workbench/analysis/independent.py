@@ -6,7 +6,7 @@ see `Unscattered.of_pairs`.
 """
 
 import math
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from functools import partial
 from typing import NamedTuple
 
@@ -18,7 +18,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace
 from workbench.scene import Scene
-from workbench.watch import within
+from workbench.watch import Steps, within
 
 # Rays of all images at first, and at most: some ten seconds on two cores.
 _BEGIN, _MOST = 1 << 22, 1 << 24
@@ -46,7 +46,7 @@ def tracing_independently(
     accuracy: float,
     pose: Pose | None = None,
     threads: int | None = None,
-) -> Generator[float, None, Independent]:
+) -> Steps[Independent]:
     """Find the error of a lens from independent images; twice as many rays until it is exact.
 
     Parameters
@@ -57,15 +57,6 @@ def tracing_independently(
         The target image in any scale.
     accuracy : float
         How far the error may be off, unless that takes too many rays.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1, as far as that can be foreseen.
-
-    Returns
-    -------
-    Independent
     """
     images = np.zeros((BATCHES, *target.shape))
     rays, run, together = 0, 0, _BEGIN
@@ -82,7 +73,7 @@ def tracing_independently(
             return Independent(found, rays)
 
 
-def _image(trace: Trace, threads: int | None) -> Generator[float, None, Array]:
+def _image(trace: Trace, threads: int | None) -> Steps[Array]:
     """Flux in the pixels of all batches of a trace."""
     flux = np.zeros(1)
     for batch in trace.batches(threads):

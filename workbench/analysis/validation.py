@@ -8,7 +8,7 @@ its error without the scatter of rays, see `workbench.analysis.cells`; rays are 
 """
 
 import math
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -31,7 +31,7 @@ from workbench.errors import RunFailed
 from workbench.measured.light_unit import light_unit
 from workbench.optics.account import Account
 from workbench.scene import Scene
-from workbench.watch import Watch, finished, of_equal, unwatched, within
+from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
 Array = npt.NDArray[np.float64]
 Interval = tuple[float, float]
@@ -246,22 +246,13 @@ def validating(
     pose: Pose | None = None,
     threads: int | None = None,
     accuracy: float | None = None,
-) -> Generator[float, None, Validation]:
+) -> Steps[Validation]:
     """`validate` step by step, so that one can see how far it is and leave it.
 
     Parameters
     ----------
     scene, target, heights, rays, seed, screen_z, pose, threads, accuracy
         As for `validate`, and so is what is raised.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1.
-
-    Returns
-    -------
-    Validation
     """
     if screen_z is not None:
         scene.check_one_image("a check with the screen elsewhere")
@@ -289,7 +280,7 @@ def _of_one(
     pose: Pose | None,
     threads: int | None,
     accuracy: float | None,
-) -> Generator[float, None, Validation]:
+) -> Steps[Validation]:
     """`validating` with a scene of one image."""
     if target.max() > _HUGE:
         target = target / target.max()
@@ -342,7 +333,7 @@ def _of_one(
 
 def _traced(
     trace: Trace, target: Array, pixel_measure: float | Array, threads: int | None
-) -> Generator[float, None, tuple[Account, Array, list[float], Images]]:
+) -> Steps[tuple[Account, Array, list[float], Images]]:
     """Where the light of a trace goes, its image, and the distances of its batches' to the target.
 
     Where the batches are independent, their images too.
@@ -367,7 +358,7 @@ def _traced(
 
 def _by_other_rays(
     trace: Trace, image: Array, references: Sequence[Array], threads: int | None
-) -> Generator[float, None, list[Unscattered]]:
+) -> Steps[list[Unscattered]]:
     """An image's distance to each reference, from its products with those of other rays."""
     found: list[list[float]] = [[] for _ in references]
     for batch in trace.batches(threads):

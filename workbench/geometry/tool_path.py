@@ -5,7 +5,6 @@ places of the face at a distance r, across the axis, from there: the offset surf
 """
 
 import math
-from collections.abc import Generator
 from dataclasses import dataclass
 from functools import cached_property, partial
 
@@ -18,7 +17,7 @@ from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
-from workbench.watch import of_equal, within
+from workbench.watch import Steps, of_equal, within
 
 Array = npt.NDArray[np.float64]
 
@@ -160,7 +159,7 @@ class CutFace:
         hollow = self._shape[1]
         return min(_FITTING / hollow, largest) if hollow > 0 else largest
 
-    def rastering(self, radius: float, scallop: float, most: int) -> Generator[float, None, Raster]:
+    def rastering(self, radius: float, scallop: float, most: int) -> Steps[Raster]:
         """Find cuts so close that ridges between them are at most so high, in steps of a moment.
 
         Parameters
@@ -171,15 +170,6 @@ class CutFace:
             Largest height of ridges, scene units; exact on a plane across the axis.
         most : int
             Places that there may be.
-
-        Yields
-        ------
-        float
-            The part that is done, up to 1.
-
-        Returns
-        -------
-        Raster
 
         Raises
         ------
@@ -224,7 +214,7 @@ class CutFace:
             math.ceil(2 * r / s) + 1 for r, s in zip(ends, (apart / 2, apart), strict=True)
         ]
 
-    def _tips(self, x: Array, y: Array, radius: float) -> Generator[float, None, Array]:
+    def _tips(self, x: Array, y: Array, radius: float) -> Steps[Array]:
         """How far down a ball may go over a grid: Newton's method finds where it touches."""
         lowest, at = yield from within(self._start(x, y, radius), partial(of_equal, 2, 0))
         middle = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
@@ -261,9 +251,7 @@ class CutFace:
         height = self._beyond(at)[0] + np.sqrt(under.clip(0)) - radius
         return np.where(under >= 0, height, -np.inf)
 
-    def _start(
-        self, x: Array, y: Array, radius: float
-    ) -> Generator[float, None, tuple[Array, Array]]:
+    def _start(self, x: Array, y: Array, radius: float) -> Steps[tuple[Array, Array]]:
         """How high places of a coarse lattice hold balls up, and those that do most (…, 2).
 
         All balls see the same lattice, so that heights are products of matrices with few entries.

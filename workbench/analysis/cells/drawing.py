@@ -2,7 +2,6 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Generator
 from functools import partial
 from itertools import pairwise
 from threading import Event
@@ -16,6 +15,7 @@ from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.geometry.outlines import outline_of
 from workbench.scene import Scene
+from workbench.watch import Steps
 
 # Parts into which the work is divided whatever the number of threads: rounding depends on them.
 _PARTS = 16
@@ -55,7 +55,7 @@ class Drawing(ABC):
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
         """Add the light of one of the strips."""
 
-    def tracing(self, threads: int | None = None) -> Generator[float, None, Array]:
+    def tracing(self, threads: int | None = None) -> Steps[Array]:
         """Trace all of it; yields the part that is done now and then.
 
         Parameters

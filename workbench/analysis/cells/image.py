@@ -1,7 +1,7 @@
 """An image of a lens whose error is bounded: lattices refined until two of them agree."""
 
 import math
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 
@@ -18,7 +18,7 @@ from workbench.analysis.tracing.train import OpticalTrain
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Scene
-from workbench.watch import within
+from workbench.watch import Steps, within
 
 ACCURACY = 1e-3
 """Relative error of an image that is good enough for a check of a lens."""
@@ -70,7 +70,7 @@ def imaging(
     accuracy: float = ACCURACY,
     pose: Pose | None = None,
     threads: int | None = None,
-) -> Generator[float, None, CellImage | None]:
+) -> Steps[CellImage | None]:
     """Find the image of a lens by cells, step by step.
 
     Each level has cells of half the width of those before, and a source of some size has twice as
@@ -92,11 +92,6 @@ def imaging(
         How the lens stands; straight and centred by default.
     threads : int, optional
         How many trace; as many as there are cores by default.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1, as far as that can be foreseen.
 
     Returns
     -------

@@ -7,7 +7,7 @@ within the lens, and the optics of the camera itself.
 """
 
 import math
-from collections.abc import Generator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
@@ -27,7 +27,7 @@ from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.scene import Scene
-from workbench.watch import Watch, finished, of_equal, unwatched, within
+from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
 Array = npt.NDArray[np.float64]
 
@@ -134,7 +134,7 @@ def photographing(
     heights: Mapping[str, Array],
     light: Illuminant | None = None,
     threads: int | None = None,
-) -> Generator[float, None, Photo]:
+) -> Steps[Photo]:
     """`photograph` step by step, so that one can see how far it is and leave it.
 
     Parameters
@@ -143,15 +143,6 @@ def photographing(
         As for `photograph`, and so is what is raised.
     threads : int, optional
         How many trace; as many as there are cores by default.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1.
-
-    Returns
-    -------
-    Photo
     """
     scene.check_one_image("the predicted photo")
     check_body(scene, heights)
@@ -235,7 +226,7 @@ class _Tracer:
         self._level: int | None = None
         self.by_cells, self._traced = True, 0
 
-    def trace(self, scene: Scene) -> Generator[float, None, Array]:
+    def trace(self, scene: Scene) -> Steps[Array]:
         """Part of the emitted flux in each pixel, (n_y, n_x)."""
         levels = Levels(scene, self._heights)
         self.by_cells = levels.possible
@@ -246,7 +237,7 @@ class _Tracer:
             return (yield from levels.drawing(self._level).tracing(self._threads))
         return (yield from self._refined(levels))
 
-    def _refined(self, levels: Levels) -> Generator[float, None, Array]:
+    def _refined(self, levels: Levels) -> Steps[Array]:
         """By finer and finer cells, until that changes little."""
         last: Array | None = None
         for level in count():
@@ -260,7 +251,7 @@ class _Tracer:
             last = image
         return image
 
-    def _by_rays(self, scene: Scene) -> Generator[float, None, Array]:
+    def _by_rays(self, scene: Scene) -> Steps[Array]:
         n_x, n_y = scene.receiver.pixels
         # Other rays for each wavelength: their scatter is not that of the others.
         trace = Trace(scene, self._heights, min(_EACH * n_x * n_y, _MOST_RAYS), self._traced)

@@ -5,7 +5,7 @@ to -z is turned over about the y axis, and so is a mould. Programs are simulated
 written: the ball is swept over the rounded numbers, and what is left is compared with the face.
 """
 
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
@@ -14,7 +14,7 @@ import numpy.typing as npt
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.tool_path import CutFace, Raster
-from workbench.watch import finished
+from workbench.watch import Steps, finished
 
 Array = npt.NDArray[np.float64]
 
@@ -75,17 +75,8 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     )
 
 
-def planning(design: Design) -> Generator[float, None, CutPlan]:
+def planning(design: Design) -> Steps[CutPlan]:
     """Find the cuts of a design's face and simulate them, in steps of a moment.
-
-    Yields
-    ------
-    float
-        The part that is done, up to 1.
-
-    Returns
-    -------
-    CutPlan
 
     Raises
     ------
