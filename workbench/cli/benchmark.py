@@ -22,19 +22,6 @@ def benchmark(
 ) -> None:
     """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Which, as in `workbench.analysis.benchmark.names`.
-    folder : Path
-        Is made where it is missing; files of the same names are replaced.
-    iterations : int, optional
-        Upper limit of all designs, in place of their own.
-    against : Path, optional
-        JSON file of an earlier result, whose curves are drawn beside the new ones.
-    as_json : bool
-        Whether all figures are printed as one JSON object, instead of Markdown.
-
     Raises
     ------
     Refused
@@ -67,17 +54,6 @@ def benchmark(
 
 def draw_result(name: str, result: Path, folder: Path, against: Path | None) -> None:
     """Draw the picture of a benchmark that was measured before.
-
-    Parameters
-    ----------
-    name : str
-        Which, one with curves.
-    result : Path
-        The JSON file that it has written.
-    folder : Path
-        Where the picture goes; see `benchmark`.
-    against : Path, optional
-        As for `benchmark`.
 
     Raises
     ------

@@ -10,13 +10,6 @@ from workbench.files.session import open_design
 def bound(path: Path, as_json: bool) -> None:
     """Print the least error that a lens can reach with the source of a scene.
 
-    Parameters
-    ----------
-    path : Path
-        Scene or session.
-    as_json : bool
-        Whether figures are printed as JSON.
-
     Raises
     ------
     Refused

@@ -25,19 +25,6 @@ from workbench.system_memory import keep_freed_memory
 def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:
     """Run a design and write it, however the run ends.
 
-    Parameters
-    ----------
-    path : Path
-        Scene or session; one with a lens is continued, its locked control points stay.
-    output : Path
-        Session to write.
-    iterations : int, optional
-        Upper limit in place of the scene's.
-    seconds : float
-        Time limit.
-    as_json : bool
-        Whether figures are printed as JSON.
-
     Raises
     ------
     Refused

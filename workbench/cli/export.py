@@ -11,17 +11,6 @@ from workbench.files.export.write import export as write_all
 def export(path: Path, files: Sequence[Path], chord_error: float | None, cutting: Cutting) -> None:
     """Write the lens of a session and its light in the formats that the endings tell.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    files : sequence of Path
-        Files to write.
-    chord_error : float, optional
-        How far meshes may be from the exit face, scene units.
-    cutting : Cutting
-        How faces are cut, for G-code.
-
     Raises
     ------
     Refused

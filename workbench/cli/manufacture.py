@@ -22,18 +22,6 @@ _PLACES = 513
 def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) -> None:
     """Print what a shop asks of the lens of a session, and whether it keeps to limits.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    limits : Limits
-        What the shop can make; the task's own least thickness and ball cutter count where
-        none are given.
-    plot : Path, optional
-        PNG of the maps to write.
-    as_json : bool
-        Whether figures are printed as JSON.
-
     Raises
     ------
     Refused

@@ -16,18 +16,6 @@ from workbench.pictures import PICTURES, write_images
 def pictures(path: Path, folder: Path, stops: float | None = None, light: str = "") -> None:
     """Draw the lens of a session into a folder, which is made where it is missing.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    folder : Path
-        Gets irradiance.png, lens.png and loss.png, and irradiance-2.png and so on of further
-        images; where it is asked for, photo.png and so on.
-    stops : float, optional
-        Exposure of the predicted photo; none is made by default.
-    light : str
-        What the lens is lit by, one of `LIGHTS`; empty for what its source is likely to be.
-
     Raises
     ------
     Refused

@@ -17,17 +17,6 @@ def report(
 ) -> None:
     """Check the lens of a session and write all that is known of it.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    files : sequence of Path
-        HTML or PDF, by their endings.
-    rays : int
-        Rays of the check, at least.
-    tolerances : tuple[Tolerances, int], optional
-        How far lenses may be off, and how many are traced.
-
     Raises
     ------
     Refused

@@ -29,23 +29,6 @@ def sweep(
 ) -> None:
     """Design a lens for each scene and each combination of values, in one table.
 
-    Parameters
-    ----------
-    scenes : sequence of Path
-        Scenes or sessions; lenses of the latter play no part.
-    vary : sequence of str
-        Fields and their values, as `Variation.parse` reads them.
-    folder : Path
-        Gets sessions and table; is made where it is missing.
-    jobs : int, optional
-        Processes; one for each core by default.
-    dask : str, optional
-        Address of a cluster that works instead.
-    rays : int
-        Rays of the check of each lens, at least.
-    as_json : bool
-        Whether the table is printed as JSON.
-
     Raises
     ------
     Refused

@@ -22,21 +22,6 @@ def tolerances(
 ) -> None:
     """Perturb the lens of a session at random and print how its error is distributed.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    within : Tolerances
-        How far the lens may be off.
-    samples : int
-        How many perturbed lenses.
-    rays : int
-        Rays for each of them, at least.
-    plot : Path, optional
-        PNG of the distribution to write.
-    as_json : bool
-        Whether figures are printed as JSON, those of each lens included.
-
     Raises
     ------
     Refused

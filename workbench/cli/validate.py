@@ -37,23 +37,6 @@ def validate(
 ) -> None:
     """Trace the lens of a session anew, by cells and by random rays, and print what that shows.
 
-    Parameters
-    ----------
-    path : Path
-        Session with a lens.
-    rays : int
-        Rays to trace at least.
-    screen_z : float, optional
-        Where the screen is, in place of the scene's.
-    with_mitsuba : bool
-        Whether Mitsuba 3 traces the lens too, to be compared.
-    distances : sequence of float
-        Where else screens stand, to see the image through focus.
-    plot : Path, optional
-        PNG of the images there to write.
-    as_json : bool
-        Whether figures are printed as JSON.
-
     Raises
     ------
     Refused
