@@ -10,7 +10,7 @@ from workbench.analysis.cells import image
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.independent import tracing_independently
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.scatter import Unscattered
+from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
@@ -42,7 +42,7 @@ def test_pairs_find_the_distance_and_its_interval(rng):
     inside, found = 0, []
     for _ in range(40):
         images = true + 0.1 * rng.normal(size=(16, 20, 20))
-        pairs = Unscattered.of_pairs(images, wanted)
+        pairs = CorrectedDistance.of_pairs(images, wanted)
         low, high = pairs.interval
         inside += low <= exact <= high
         found.append(pairs.square)
@@ -54,7 +54,7 @@ def test_pairs_find_the_distance_and_its_interval(rng):
 
 def test_equal_images_have_their_distance_and_no_doubt(rng):
     wanted, other = rng.random((2, 6, 5))
-    found = Unscattered.of_pairs([other] * 16, wanted)
+    found = CorrectedDistance.of_pairs([other] * 16, wanted)
     assert found.distance == pytest.approx(relative_l2(other, wanted))
     assert found.off == pytest.approx(0, abs=1e-9)
 
@@ -123,7 +123,7 @@ def test_images_that_are_evener_than_independent_ones_do_not_prove_that_there_is
     target = np.ones((8, 8))
     scatter = np.random.default_rng(3).normal(0, 0.3, (BATCHES // 2, 8, 8))
     # Each image has another one with the opposite scatter, as parts of rays laid out evenly have.
-    found = Unscattered.of_pairs([*(1 + scatter), *(1 - scatter)], target)
+    found = CorrectedDistance.of_pairs([*(1 + scatter), *(1 - scatter)], target)
     low, high = found.interval
     assert found.square < 0 and found.distance == low == 0
     assert high**2 >= abs(found.square)

@@ -345,7 +345,7 @@ def test_round_lenses_on_any_base_are_perturbed(make_scene, changes):
 
 
 @pytest.mark.parametrize(
-    "tolerances, told",
+    "tolerances, message",
     [
         (Tolerances(tilt=-0.1), "tilt: -5.72958 degrees; at least 0"),
         (Tolerances(decentre=math.nan), "decentre: nan"),
@@ -355,7 +355,7 @@ def test_round_lenses_on_any_base_are_perturbed(make_scene, changes):
         (Tolerances(surface=(1e-3, 0.001)), "surface[1]: 0.001; from 0.008 to 2"),
     ],
 )
-def test_refusals(make_scene, tolerances, told):
+def test_refusals(make_scene, tolerances, message):
     with pytest.raises(Refused) as refused:
         tolerances.check(make_scene())
-    assert str(refused.value).startswith(told)
+    assert str(refused.value).startswith(message)

@@ -72,9 +72,9 @@ def test_too_many_rays_are_refused(lens):
 
 def test_the_watch_is_called_with_the_part_that_is_done(lens):
     scene, target, heights = lens
-    told = []
-    validate(*lens, RAYS, watch=told.append)
-    assert told == sorted(told) and told[-1] == pytest.approx(1, abs=1e-12)
-    told.clear()
-    list(focus_series(scene, target, heights, (3.0, 5.0), RAYS, told.append))
-    assert told == sorted(told) and told[-1] == pytest.approx(1, abs=1e-12)
+    parts_done = []
+    validate(*lens, RAYS, watch=parts_done.append)
+    assert parts_done == sorted(parts_done) and parts_done[-1] == pytest.approx(1, abs=1e-12)
+    parts_done.clear()
+    list(focus_series(scene, target, heights, (3.0, 5.0), RAYS, parts_done.append))
+    assert parts_done == sorted(parts_done) and parts_done[-1] == pytest.approx(1, abs=1e-12)

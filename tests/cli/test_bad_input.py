@@ -31,11 +31,11 @@ def refusal(freeform):
     """Runs a command that is refused; gives the reason."""
 
     def run(*arguments):
-        status, printed, told = freeform(*arguments)
-        assert (status, printed) == (2, "")
-        assert told.startswith("freeform: ")
-        assert told.count("\n") == 1
-        return told.removeprefix("freeform: ").rstrip("\n")
+        status, stdout, stderr = freeform(*arguments)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith("freeform: ")
+        assert stderr.count("\n") == 1
+        return stderr.removeprefix("freeform: ").rstrip("\n")
 
     return run
 
@@ -66,9 +66,9 @@ def session_file(tmp_path, make_scene):
     ],
 )
 def test_wrong_use(refusal, arguments, reason):
-    told = refusal(*arguments)
-    assert told.startswith("usage: ")
-    assert reason in told
+    stderr = refusal(*arguments)
+    assert stderr.startswith("usage: ")
+    assert reason in stderr
 
 
 class TestScene:
@@ -104,8 +104,8 @@ class TestScene:
 
     @pytest.mark.parametrize("iterations", [-1, 10**9])
     def test_impossible_iterations(self, refusal, scene_file, out, iterations):
-        told = refusal("design", scene_file, "-o", out, f"--iterations={iterations}")
-        assert told.startswith(f"run.iterations: {iterations} is too")
+        stderr = refusal("design", scene_file, "-o", out, f"--iterations={iterations}")
+        assert stderr.startswith(f"run.iterations: {iterations} is too")
 
 
 class TestTarget:
@@ -114,10 +114,10 @@ class TestTarget:
         def run(name):
             scene_data["target"] = {"image": name}
             scene_file.write_text(json.dumps(scene_data))
-            told = refusal("design", scene_file, "-o", out)
-            assert told.startswith("target.image: ")
-            assert name in told
-            return told
+            stderr = refusal("design", scene_file, "-o", out)
+            assert stderr.startswith("target.image: ")
+            assert name in stderr
+            return stderr
 
         return run
 
@@ -127,9 +127,9 @@ class TestTarget:
     def test_control_characters_are_printed_escaped(self, refusal, scene_file, scene_data, out):
         scene_data["target"] = {"image": "a\x1b[2J\u202e.png"}
         scene_file.write_text(json.dumps(scene_data))
-        told = refusal("design", scene_file, "-o", out)
-        assert told.isprintable()
-        assert r"a\x1b[2J\u202e.png" in told
+        stderr = refusal("design", scene_file, "-o", out)
+        assert stderr.isprintable()
+        assert r"a\x1b[2J\u202e.png" in stderr
 
     def test_folder(self, with_image, tmp_path):
         (tmp_path / "folder.png").mkdir()
@@ -162,21 +162,21 @@ class TestTarget:
 @pytest.mark.parametrize("command", ["design", "validate", "pictures"])
 class TestSession:
     @pytest.fixture
-    def told(self, refusal, session_file, out, tmp_path, command):
+    def stderr(self, refusal, session_file, out, tmp_path, command):
         def run():
             tail = {"design": ["-o", out], "validate": [], "pictures": [tmp_path / "folder"]}
             return refusal(command, session_file, *tail[command])
 
         return run
 
-    def test_truncated(self, told, session_file):
+    def test_truncated(self, stderr, session_file):
         session_file.write_bytes(session_file.read_bytes()[:-100])
-        assert told().startswith(f"{session_file}: is a damaged or incomplete zip")
+        assert stderr().startswith(f"{session_file}: is a damaged or incomplete zip")
 
-    def test_foreign_zip(self, told, session_file):
+    def test_foreign_zip(self, stderr, session_file):
         with zipfile.ZipFile(session_file, "w") as archive:
             archive.writestr("mimetype", "application/epub+zip")
-        assert told().startswith(f"{session_file}: session.json: is missing")
+        assert stderr().startswith(f"{session_file}: session.json: is missing")
 
 
 @pytest.mark.parametrize("command", [["validate"], ["pictures", "folder"]])
@@ -200,12 +200,12 @@ def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, 
 
 class TestOutput:
     def test_missing_folder(self, refusal, scene_file, tmp_path):
-        told = refusal("design", scene_file, "-o", tmp_path / "missing" / "lens.freeform")
-        assert told.endswith("cannot be written: its folder does not exist")
+        stderr = refusal("design", scene_file, "-o", tmp_path / "missing" / "lens.freeform")
+        assert stderr.endswith("cannot be written: its folder does not exist")
 
     def test_a_folder(self, refusal, scene_file, tmp_path):
-        told = refusal("design", scene_file, "-o", tmp_path)
-        assert told.endswith("cannot be written: a folder of that name is there")
+        stderr = refusal("design", scene_file, "-o", tmp_path)
+        assert stderr.endswith("cannot be written: a folder of that name is there")
 
     def test_the_scene_itself(self, refusal, scene_file):
         before = scene_file.read_bytes()
@@ -220,18 +220,18 @@ class TestOutput:
         before = os.geteuid()
         os.seteuid(before or 65534)  # root may write everywhere
         try:
-            told = refusal("design", folder / "scene.json", "-o", folder / "lens.freeform")
+            stderr = refusal("design", folder / "scene.json", "-o", folder / "lens.freeform")
         finally:
             os.seteuid(before)
             content = (folder / "lens.freeform").read_bytes()
             folder.chmod(0o755)
             shutil.rmtree(folder)
-        assert "cannot be written" in told
+        assert "cannot be written" in stderr
         assert content == b"old"
 
 
 def test_a_picture_folder_that_is_a_file(refusal, freeform, scene_file, out, fake_run):
     fake_run({})
     assert freeform("design", scene_file, "-o", out)[0] == 0
-    told = refusal("pictures", out, scene_file)
-    assert told == f"{scene_file}: cannot be made: File exists"
+    stderr = refusal("pictures", out, scene_file)
+    assert stderr == f"{scene_file}: cannot be made: File exists"

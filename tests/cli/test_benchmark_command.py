@@ -41,13 +41,13 @@ def fake_suite(monkeypatch):
 def test_table_picture_and_json_agree(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
     folder = tmp_path / "new" / "folder"
-    status, printed, told = freeform("benchmark", "kernels", "--output", folder)
+    status, stdout, stderr = freeform("benchmark", "kernels", "--output", folder)
     assert status == 0
     assert limits == [None]
-    assert "kernels: which way  soon" in told
+    assert "kernels: which way  soon" in stderr
     markdown = table("Ways", ROWS).to_markdown()
     assert (folder / "kernels.md").read_text("utf-8") == markdown
-    assert printed.rstrip().endswith(markdown.rstrip())
+    assert stdout.rstrip().endswith(markdown.rstrip())
     assert (folder / "kernels.png").read_bytes().startswith(b"\x89PNG")
     kept = json.loads((folder / "kernels.json").read_text("utf-8"))
     assert kept["Ways"] == table("Ways", ROWS).to_data()
@@ -57,10 +57,10 @@ def test_table_picture_and_json_agree(freeform, fake_suite, tmp_path):
 def test_json_is_one_object_and_last(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
     arguments = ("kernels", "--json", "--iterations", 7, "--output", tmp_path)
-    status, printed, _ = freeform("benchmark", *arguments)
+    status, stdout, _ = freeform("benchmark", *arguments)
     assert status == 0
     assert limits == [7]
-    data = json.loads(printed)
+    data = json.loads(stdout)
     assert data["machine"]["cores"] == len(os.sched_getaffinity(0))
     assert data["benchmarks"]["kernels"]["Ways"] == table("Ways", ROWS).to_data()
 
@@ -68,10 +68,10 @@ def test_json_is_one_object_and_last(freeform, fake_suite, tmp_path):
 def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
     fake_suite(ROWS[0], KeyboardInterrupt(), ROWS[1])
     arguments = ("kernels", "precision", "--json", "--output", tmp_path)
-    status, printed, told = freeform("benchmark", *arguments)
+    status, stdout, stderr = freeform("benchmark", *arguments)
     assert status == 130
-    assert f"interrupted; what was finished is in {tmp_path}" in told
-    data = json.loads(printed)
+    assert f"interrupted; what was finished is in {tmp_path}" in stderr
+    data = json.loads(stdout)
     assert data["benchmarks"]["kernels"]["Ways"] == table("Ways", ROWS[:1]).to_data()
     assert list(data["benchmarks"]) == ["kernels"]
     assert (tmp_path / "kernels.png").exists()
@@ -79,24 +79,24 @@ def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
 
 def test_ctrl_c_before_anything_is_finished(freeform, fake_suite, tmp_path):
     fake_suite(KeyboardInterrupt())
-    status, _, told = freeform("benchmark", "kernels", "--output", tmp_path)
-    assert status == 130 and "nothing was finished" in told
+    status, _, stderr = freeform("benchmark", "kernels", "--output", tmp_path)
+    assert status == 130 and "nothing was finished" in stderr
     assert list(tmp_path.iterdir()) == []
 
 
 def test_an_unknown_name_is_refused_with_those_there_are(freeform, tmp_path):
     folder = tmp_path / "untouched"
-    status, printed, told = freeform("benchmark", "kernels", "speed", "--output", folder)
-    assert (status, printed) == (2, "")
-    assert told == f"freeform: speed: is no benchmark; there are {', '.join(BENCHMARKS)}\n"
+    status, stdout, stderr = freeform("benchmark", "kernels", "speed", "--output", folder)
+    assert (status, stdout) == (2, "")
+    assert stderr == f"freeform: speed: is no benchmark; there are {', '.join(BENCHMARKS)}\n"
     assert not folder.exists()
 
 
 def test_a_file_in_the_way_is_refused(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
     (tmp_path / "taken").write_text("")
-    status, _, told = freeform("benchmark", "kernels", "--output", tmp_path / "taken")
-    assert status == 2 and "cannot be made" in told
+    status, _, stderr = freeform("benchmark", "kernels", "--output", tmp_path / "taken")
+    assert status == 2 and "cannot be made" in stderr
     assert limits == []
 
 
@@ -105,9 +105,9 @@ def test_help_lists_every_benchmark(capsys):
 
     with pytest.raises(SystemExit):
         main(["benchmark", "--help"])
-    printed = " ".join(capsys.readouterr().out.split())
+    stdout = " ".join(capsys.readouterr().out.split())
     for name, does in BENCHMARKS.items():
-        assert f" {name} {does} " in printed
+        assert f" {name} {does} " in stdout
 
 
 def test_without_a_name_the_quick_one_runs(monkeypatch):
@@ -154,9 +154,9 @@ def test_curves_of_an_earlier_result_are_drawn_beside_the_new_ones(freeform, bef
 def test_a_file_without_curves_is_refused(freeform, before, tmp_path, text):
     file, drawn = before
     file.write_text(text)
-    status, _, told = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path)
+    status, _, stderr = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path)
     assert (status, drawn) == (2, [])
-    assert f"{file}: has no curves" in told
+    assert f"{file}: has no curves" in stderr
 
 
 def test_an_earlier_result_is_neither_missing_nor_replaced(freeform, before, tmp_path):
@@ -166,16 +166,16 @@ def test_an_earlier_result_is_neither_missing_nor_replaced(freeform, before, tmp
         (missing, tmp_path, f"{missing}: cannot be read"),
         (file, folder, "is the earlier result itself"),
     ):
-        status, _, told = freeform(
+        status, _, stderr = freeform(
             "benchmark", "frontier", "--against", against, "--output", output
         )
-        assert (status, drawn) == (2, []) and said in told
+        assert (status, drawn) == (2, []) and said in stderr
 
 
 def test_a_benchmark_without_curves_takes_no_earlier_result(freeform, before):
     file, _ = before
-    status, _, told = freeform("benchmark", "kernels", "--against", file)
-    assert status == 2 and told.startswith("freeform: kernels: has no curves")
+    status, _, stderr = freeform("benchmark", "kernels", "--against", file)
+    assert status == 2 and stderr.startswith("freeform: kernels: has no curves")
 
 
 def test_two_results_make_one_picture_and_nothing_is_measured(
@@ -191,10 +191,10 @@ def test_two_results_make_one_picture_and_nothing_is_measured(
     benchmark = suite.SUITE["frontier"]._replace(measure=lambda *_: pytest.fail("measures"))
     monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
     folder = tmp_path / "both"
-    status, printed, _ = freeform(
+    status, stdout, _ = freeform(
         "benchmark", "frontier", "--result", new, "--against", old, "--output", folder
     )
-    assert (status, printed) == (0, f"{folder / 'frontier.png'}\n")
+    assert (status, stdout) == (0, f"{folder / 'frontier.png'}\n")
     ((auto, paper, earlier),) = drawn
     assert (auto.method, paper.method, earlier.method) == ("auto", "paper", "auto, before")
     assert auto.curve == [(1.0, 0.2)] and auto.own_curve == ((0.5, 0.3),)
@@ -204,8 +204,8 @@ def test_two_results_make_one_picture_and_nothing_is_measured(
 def test_a_result_has_the_curves_of_a_benchmark_that_has_some(freeform, before, tmp_path):
     file, drawn = before
     for name, said in (("kernels", "kernels: has no curves"), ("speed", "speed: has no curves")):
-        status, _, told = freeform(
+        status, _, stderr = freeform(
             "benchmark", name, "--result", file, "--output", tmp_path / "none"
         )
-        assert (status, drawn) == (2, []) and said in told
+        assert (status, drawn) == (2, []) and said in stderr
     assert not (tmp_path / "none").exists()

@@ -13,9 +13,9 @@ def extended(tmp_path, scene_data):
 
 
 def test_json_has_the_bound_and_its_assumptions(freeform, extended):
-    status, printed, told = freeform("bound", extended, "--json")
-    assert (status, told) == (0, "")
-    found = json.loads(printed)
+    status, stdout, stderr = freeform("bound", extended, "--json")
+    assert (status, stderr) == (0, "")
+    found = json.loads(stdout)
     assert 0 < found["relative_l2_bound"] <= found["relative_l2_reached"] < 1
     assert 0 < found["relative_l2_half_as_wide"] < found["relative_l2_bound"]
     assert 0 < found["on_target_bound"] <= found["efficiency_bound"] <= 1
@@ -23,26 +23,26 @@ def test_json_has_the_bound_and_its_assumptions(freeform, extended):
 
 
 def test_sentence_says_what_a_source_half_as_wide_would_allow(freeform, extended):
-    status, printed, told = freeform("bound", extended)
-    assert (status, told) == (0, "")
-    first, *rest = printed.splitlines()
+    status, stdout, stderr = freeform("bound", extended)
+    assert (status, stderr) == (0, "")
+    first, *rest = stdout.splitlines()
     assert first.startswith("No lens of this size can be below ")
     assert "a source half as wide would allow " in first
     assert "Assumptions" in rest
 
 
 def test_bound_of_a_point_is_zero_and_says_why(freeform, scene_file):
-    status, printed, _ = freeform("bound", scene_file, "--json")
-    assert (status, json.loads(printed)["relative_l2_bound"]) == (0, 0)
-    status, printed, _ = freeform("bound", scene_file)
+    status, stdout, _ = freeform("bound", scene_file, "--json")
+    assert (status, json.loads(stdout)["relative_l2_bound"]) == (0, 0)
+    status, stdout, _ = freeform("bound", scene_file)
     assert status == 0
-    assert printed.startswith("No size of this source")
+    assert stdout.startswith("No size of this source")
 
 
 def test_scene_that_cannot_be_read_is_refused_in_one_line(freeform, tmp_path):
     broken = tmp_path / "broken.json"
     broken.write_text("{")
     for path in (broken, tmp_path / "missing.json"):
-        status, printed, told = freeform("bound", path)
-        assert (status, printed) == (2, "")
-        assert told.startswith("freeform: ") and told.count("\n") == 1
+        status, stdout, stderr = freeform("bound", path)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith("freeform: ") and stderr.count("\n") == 1

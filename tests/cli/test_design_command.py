@@ -21,9 +21,9 @@ def fail(error):
 
 class TestDone:
     def test_the_lens_is_written_and_its_figures_are_printed(self, freeform, scene_file, out):
-        status, printed, progress = freeform("design", scene_file, "-o", out, "--json")
+        status, stdout, progress = freeform("design", scene_file, "-o", out, "--json")
         assert status == 0
-        figures = json.loads(printed.splitlines()[-1])
+        figures = json.loads(stdout.splitlines()[-1])
         assert sorted(figures) == [
             "efficiency",
             "ended",
@@ -62,10 +62,10 @@ class TestDone:
     ):
         scene_data["lens"]["height_range"] = [-0.01, 0.01]
         scene_file.write_text(json.dumps(scene_data))
-        status, printed, progress = freeform("design", scene_file, "-o", out, "--json")
+        status, stdout, progress = freeform("design", scene_file, "-o", out, "--json")
         assert status == 0
         assert "; ±0.01 cm is allowed: widen the height range" in progress.splitlines()[-1]
-        shortfall = json.loads(printed.splitlines()[-1])["shortfall"]
+        shortfall = json.loads(stdout.splitlines()[-1])["shortfall"]
         assert shortfall["cause"] == "height_range" and shortfall["allowed"] == [-0.01, 0.01]
         assert shortfall["needed"][1] > 0.05 and shortfall["share"] > 0.02
         kept = read_session(out).result.state.shortfall
@@ -103,11 +103,11 @@ class TestDone:
         assert "does not keep" in progress and "large.npy" in progress
 
     def test_without_json_a_line_for_people(self, freeform, scene_file, out):
-        status, printed, _ = freeform("design", scene_file, "-o", out)
+        status, stdout, _ = freeform("design", scene_file, "-o", out)
         assert status == 0
-        assert printed.count("\n") == 1
-        assert "after 10 iterations" in printed
-        assert printed.endswith("on the screen; all iterations are done\n")
+        assert stdout.count("\n") == 1
+        assert "after 10 iterations" in stdout
+        assert stdout.endswith("on the screen; all iterations are done\n")
 
     def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
         assert freeform("design", scene_file, "-o", out)[0] == 0
@@ -125,10 +125,10 @@ class TestDone:
     def test_a_session_is_continued(self, freeform, scene_file, out):
         freeform("design", scene_file, "-o", out)
         first = read_session(out).result
-        status, printed, _ = freeform("design", out, "-o", out, "--iterations", 5, "--json")
+        status, stdout, _ = freeform("design", out, "-o", out, "--iterations", 5, "--json")
         assert status == 0
         second = read_session(out).result
-        assert json.loads(printed)["iterations"] == second.iterations == 15
+        assert json.loads(stdout)["iterations"] == second.iterations == 15
         assert np.array_equal(second.losses[:10], first.losses)
         assert second.state.loss <= first.state.loss * 1.01
         assert second.seconds > first.seconds
@@ -187,10 +187,10 @@ class TestFailed:
         self, freeform, scene_file, out, fake_run
     ):
         fake_run({6: fail(RunFailed("stopped at iteration 6: no light"))})
-        status, printed, told = freeform("design", scene_file, "-o", out)
+        status, stdout, stderr = freeform("design", scene_file, "-o", out)
         assert status == 1
-        assert printed == ""
-        assert told.splitlines()[-1] == "freeform: stopped at iteration 6: no light"
+        assert stdout == ""
+        assert stderr.splitlines()[-1] == "freeform: stopped at iteration 6: no light"
         assert read_session(out).result.iterations == 5
 
     @pytest.mark.parametrize(
@@ -200,20 +200,20 @@ class TestFailed:
         self, freeform, scene_file, out, fake_run, error
     ):
         fake_run({6: fail(error)})
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 1
-        assert told.splitlines()[-2].startswith("5/10")
-        assert told.splitlines()[-1].startswith("freeform: ")
+        assert stderr.splitlines()[-2].startswith("5/10")
+        assert stderr.splitlines()[-1].startswith("freeform: ")
         assert read_session(out).result.iterations == 5
 
     @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU")
     def test_a_gpu_that_is_not_there(self, freeform, scene_file, scene_data, out):
         scene_data["run"]["device"] = "cuda"
         scene_file.write_text(json.dumps(scene_data))
-        status, printed, told = freeform("design", scene_file, "-o", out)
-        assert (status, printed) == (2, "")
-        assert told.startswith("freeform: run.device: 'cuda' needs")
-        assert told.count("\n") == 1
+        status, stdout, stderr = freeform("design", scene_file, "-o", out)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith("freeform: run.device: 'cuda' needs")
+        assert stderr.count("\n") == 1
         assert not out.exists()
 
 

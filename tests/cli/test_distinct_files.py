@@ -71,11 +71,11 @@ def refused(freeform, folder):
 
     def run(*arguments):
         before = contents()
-        status, printed, told = freeform(*arguments)
-        assert (status, printed) == (2, "")
-        assert told.count("\n") == 1
+        status, stdout, stderr = freeform(*arguments)
+        assert (status, stdout) == (2, "")
+        assert stderr.count("\n") == 1
         assert contents() == before
-        return told.removeprefix("freeform: ").rstrip("\n")
+        return stderr.removeprefix("freeform: ").rstrip("\n")
 
     return run
 
@@ -114,14 +114,14 @@ def test_pictures_do_not_replace_the_session(refused, session):
 def test_tables_of_a_sweep_do_not_replace_a_scene(refused, scene):
     for name in ("table.json", "table.csv"):
         shutil.copy(scene, name)
-        told = refused("sweep", scene, name, "-o", ".")
-        assert told == f"{name}: is a scene of the sweep itself; another file is needed"
+        stderr = refused("sweep", scene, name, "-o", ".")
+        assert stderr == f"{name}: is a scene of the sweep itself; another file is needed"
 
 
 def test_a_design_does_not_replace_its_scene_or_image(refused, scene, picture):
     assert "is the scene itself" in refused("design", scene, "-o", scene)
-    told = refused("design", scene, "-o", picture)
-    assert told == f"{picture}: is the target image of {scene}; another file is needed"
+    stderr = refused("design", scene, "-o", picture)
+    assert stderr == f"{picture}: is the target image of {scene}; another file is needed"
 
 
 def test_images_of_a_session_and_of_its_runs_are_not_replaced(
@@ -139,8 +139,8 @@ def test_images_of_a_session_and_of_its_runs_are_not_replaced(
 def test_a_file_is_written_once(refused, session, verb, lower):
     os.symlink(f"a.{lower}", f"link.{lower}")
     for other in (f"a.{lower}", f"./a.{lower}", f"link.{lower}"):
-        told = refused(verb, session, f"a.{lower}", other)
-        assert told == f"{Path(other)}: is named twice; each file is written once"
+        stderr = refused(verb, session, f"a.{lower}", other)
+        assert stderr == f"{Path(other)}: is named twice; each file is written once"
 
 
 @pytest.mark.parametrize("names", [("a.stl", "A.STL"), ("caf\u00e9.stl", "cafe\u0301.stl")])
@@ -162,8 +162,8 @@ def test_where_cases_are_one_file_a_second_name_is_refused(
     refused, session, verb, lower, monkeypatch
 ):
     monkeypatch.setattr("workbench.files.references._would_be_one", lambda path, other: True)
-    told = refused(verb, session, f"a.{lower}", f"A.{lower.upper()}")
-    assert told == f"A.{lower.upper()}: is named twice; each file is written once"
+    stderr = refused(verb, session, f"a.{lower}", f"A.{lower.upper()}")
+    assert stderr == f"A.{lower.upper()}: is named twice; each file is written once"
 
 
 def test_a_session_may_take_its_place_again(freeform, scene, fake_run, folder):

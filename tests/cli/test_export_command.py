@@ -30,9 +30,9 @@ def lens(make_scene, rng, tmp_path):
 
 def test_a_line_per_file_states_its_deviation(freeform, lens, tmp_path):
     step, mesh = tmp_path / "a.step", tmp_path / "a.stl"
-    status, printed, told = freeform("export", lens, step, mesh, "--chord-error", "0.001")
-    assert (status, told) == (0, "")
-    first, second = printed.splitlines()
+    status, stdout, stderr = freeform("export", lens, step, mesh, "--chord-error", "0.001")
+    assert (status, stderr) == (0, "")
+    first, second = stdout.splitlines()
     assert first == f"{step}: STEP solid, rounding 0 cm"
     assert second.startswith(f"{mesh}: STL mesh, chord error ")
     assert second.endswith(" cm, lengths in cm")
@@ -62,26 +62,26 @@ def test_a_smaller_chord_error_takes_more_triangles(freeform, lens, tmp_path):
 )
 def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     monkeypatch.chdir(tmp_path)
-    status, printed, told = freeform("export", lens, *arguments)
-    assert (status, printed) == (2, "")
-    assert reason in told
-    assert told.count("\n") == 1
+    status, stdout, stderr = freeform("export", lens, *arguments)
+    assert (status, stdout) == (2, "")
+    assert reason in stderr
+    assert stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == [lens]
 
 
 def test_a_scene_without_a_lens_is_refused(freeform, scene_file, tmp_path):
-    status, _, told = freeform("export", scene_file, tmp_path / "a.step")
+    status, _, stderr = freeform("export", scene_file, tmp_path / "a.step")
     assert status == 2
-    assert "is no session" in told
+    assert "is no session" in stderr
 
 
 def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_path):
     path = tmp_path / "a.nc"
     given = "--tool-radius", "0.05", "--scallop", "1e-3", "--rim", "0.1", "--feed", "250"
-    status, printed, told = freeform("export", lens, path, *given)
-    assert (status, told) == (0, "")
-    assert "G-code, simulated cut off by " in printed
-    assert "cutter radius 0.05," in printed
+    status, stdout, stderr = freeform("export", lens, path, *given)
+    assert (status, stderr) == (0, "")
+    assert "G-code, simulated cut off by " in stdout
+    assert "cutter radius 0.05," in stdout
     assert " F250\n" in path.read_text()
 
 

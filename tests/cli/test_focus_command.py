@@ -34,9 +34,9 @@ FEW = ("--rays", 20_000)
 def test_figures_and_plot(freeform, lens, tmp_path):
     plot = tmp_path / "focus.png"
     focus = ("--through-focus", "3:8:6", "--plot", plot)
-    status, printed, told = freeform("validate", lens, *FEW, *focus, "--json")
-    assert (status, told) == (0, "")
-    series = json.loads(printed)["through_focus"]
+    status, stdout, stderr = freeform("validate", lens, *FEW, *focus, "--json")
+    assert (status, stderr) == (0, "")
+    series = json.loads(stdout)["through_focus"]
     assert [each["z"] for each in series] == [3, 4, 5, 6, 7, 8]
     # Parallel light behind a flat lens is the same everywhere.
     assert [each["efficiency"] for each in series] == pytest.approx([0.96**2] * 6, rel=1e-9)
@@ -45,8 +45,8 @@ def test_figures_and_plot(freeform, lens, tmp_path):
 
 
 def test_for_people(freeform, lens):
-    printed = freeform("validate", lens, *FEW, "--through-focus", "4:6:3")[1]
-    assert [line.split()[0] for line in printed.splitlines()[-3:]] == ["4", "5", "6"]
+    stdout = freeform("validate", lens, *FEW, "--through-focus", "4:6:3")[1]
+    assert [line.split()[0] for line in stdout.splitlines()[-3:]] == ["4", "5", "6"]
     assert "through_focus" not in json.loads(freeform("validate", lens, *FEW, "--json")[1])
 
 
@@ -62,13 +62,13 @@ def test_for_people(freeform, lens):
     ],
 )
 def test_refusals(freeform, lens, arguments, reason):
-    status, printed, told = freeform("validate", lens, *arguments)
-    assert (status, printed) == (2, "")
-    assert told.startswith(f"freeform: {reason}")
+    status, stdout, stderr = freeform("validate", lens, *arguments)
+    assert (status, stdout) == (2, "")
+    assert stderr.startswith(f"freeform: {reason}")
 
 
 def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
     focus = ("--through-focus", "4:6:3", "--plot", tmp_path / "missing" / "a.png")
-    status, printed, told = freeform("validate", lens, *focus)
-    assert (status, printed) == (2, "")
-    assert "its folder does not exist" in told
+    status, stdout, stderr = freeform("validate", lens, *focus)
+    assert (status, stdout) == (2, "")
+    assert "its folder does not exist" in stderr

@@ -28,9 +28,9 @@ def test_help_fits_on_one_screen_and_shows_what_to_type(help_of, verb):
 
 
 def test_the_first_help_names_every_verb(help_of):
-    told = help_of()
+    stderr = help_of()
     for name in VERBS:
-        assert f"\n  {name} " in told
+        assert f"\n  {name} " in stderr
 
 
 def test_the_version_is_printed(capsys):

@@ -45,12 +45,12 @@ def test_ctrl_c_keeps_the_best_lens_and_ends_with_130(scene_file, out):
         first = next(line for line in process.stderr if "compiling" not in line)
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=60)
+        stdout, stderr = process.communicate(timeout=60)
     assert first.startswith("0/1000000  loss ")
     assert process.returncode == 130
-    assert told.splitlines()[-1] == f"freeform: interrupted; the best lens so far is in {out}"
+    assert stderr.splitlines()[-1] == f"freeform: interrupted; the best lens so far is in {out}"
     result = read_session(out).result
-    assert json.loads(printed)["iterations"] == result.iterations > 0
+    assert json.loads(stdout)["iterations"] == result.iterations > 0
     assert result.state.loss <= result.losses.min()
 
 

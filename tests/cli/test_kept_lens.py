@@ -67,9 +67,9 @@ class TestSignals:
         self, freeform, scene_file, out, fake_run
     ):
         fake_run({0: sent(signal.SIGINT)})
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 130 and read_session(out).result.iterations == 0
-        last = told.splitlines()[-1]
+        last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the lens before its first iteration is in {out}"
 
     def test_without_a_lens_no_file_is_named(self, freeform, scene_file, out, monkeypatch):
@@ -79,21 +79,21 @@ class TestSignals:
             return "all iterations are done"
 
         monkeypatch.setattr("workbench.design.run.run", run)
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 130 and not out.exists()
-        last = told.splitlines()[-1]
+        last = stderr.splitlines()[-1]
         assert last == "freeform: interrupted; there was no lens yet, and nothing is written"
 
     @pytest.mark.parametrize("number", SIGNALS)
     def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run, number):
         fake_run({4: sent(number)})
         before = [signal.getsignal(each) for each in SIGNALS]
-        status, printed, told = freeform("design", scene_file, "-o", out)
+        status, stdout, stderr = freeform("design", scene_file, "-o", out)
         assert status == 128 + number
         assert [signal.getsignal(each) for each in SIGNALS] == before
-        assert "after 4 iterations" in printed
+        assert "after 4 iterations" in stdout
         assert read_session(out).result.iterations == 4
-        last = told.splitlines()[-1]
+        last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
 
     @pytest.mark.parametrize("number", SIGNALS)
@@ -112,10 +112,10 @@ class TestSignals:
             raise AssertionError("the iteration went on")
 
         fake_run({4: press_twice})
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 130
         assert read_session(out).result.iterations == 3
-        assert told.splitlines()[-1] == "freeform: interrupted"
+        assert stderr.splitlines()[-1] == "freeform: interrupted"
 
     def test_ctrl_c_ends_long_work_within_an_iteration(self, freeform, scene_file, out, fake_run):
         def interrupted():
@@ -172,9 +172,9 @@ class TestRescue:
         monkeypatch.setenv("HOME", str(tmp_path / "home"))
         return folder
 
-    def rescued(self, told):
+    def rescued(self, stderr):
         """Last line before its end, and the session that it names."""
-        reason, place = told.splitlines()[-1].split("; the lens is in ")
+        reason, place = stderr.splitlines()[-1].split("; the lens is in ")
         return reason, Path(place)
 
     def test_a_disk_that_is_full_at_the_end(
@@ -182,9 +182,9 @@ class TestRescue:
     ):
         out.write_bytes(b"old")
         fake_run({9: lambda: monkeypatch.setattr("os.fsync", at_first(os.fsync))})
-        status, printed, told = freeform("design", scene_file, "-o", out)
-        assert (status, printed) == (2, "")
-        reason, place = self.rescued(told)
+        status, stdout, stderr = freeform("design", scene_file, "-o", out)
+        assert (status, stdout) == (2, "")
+        reason, place = self.rescued(stderr)
         assert reason == f"freeform: {out}: cannot be written: No space left on device"
         assert elsewhere in place.parents
         assert read_session(place).result.iterations == 10
@@ -197,9 +197,9 @@ class TestRescue:
         folder = tmp_path / "folder"
         folder.mkdir()
         fake_run({6: lambda: shutil.rmtree(folder)})
-        status, printed, told = freeform("design", scene_file, "-o", folder / "lens.freeform")
-        assert (status, printed) == (2, "")
-        reason, place = self.rescued(told)
+        status, stdout, stderr = freeform("design", scene_file, "-o", folder / "lens.freeform")
+        assert (status, stdout) == (2, "")
+        reason, place = self.rescued(stderr)
         assert reason.endswith("cannot be written: its folder does not exist")
         assert read_session(place).result.iterations == 10
 
@@ -215,8 +215,8 @@ class TestRescue:
             folder.rmdir()
 
         fake_run({6: disaster})
-        told = freeform("design", scene_file, "-o", folder / "lens.freeform")[2]
-        _, place = self.rescued(told)
+        stderr = freeform("design", scene_file, "-o", folder / "lens.freeform")[2]
+        _, place = self.rescued(stderr)
         assert home in place.parents
         assert read_session(place).result.iterations == 10
 
@@ -224,12 +224,12 @@ class TestRescue:
         self, freeform, scene_file, out, fake_run, monkeypatch, often
     ):
         fake_run({9: lambda: monkeypatch.setattr("os.fsync", full)})
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 2
         left = out.with_name("lens.checkpoint.freeform")
-        last = told.splitlines()[-1]
+        last = stderr.splitlines()[-1]
         assert last.endswith(f"No space left on device; an earlier lens of this run is in {left}")
-        assert told.count("no checkpoint is kept") == 1
+        assert stderr.count("no checkpoint is kept") == 1
         assert read_session(left).result.iterations == 8
 
 
@@ -264,9 +264,9 @@ class TestCheckpoint:
         left = out.with_name("lens.checkpoint.freeform")
         left.write_bytes(b"precious")
         fake_run({4: lambda: read_session(out.with_name("lens.checkpoint-2.freeform"))})
-        status, _, told = freeform("design", scene_file, "-o", out)
+        status, _, stderr = freeform("design", scene_file, "-o", out)
         assert status == 0
-        assert told.startswith(f"{left} is what a run left that was cut off; ")
+        assert stderr.startswith(f"{left} is what a run left that was cut off; ")
         assert left.read_bytes() == b"precious"
         assert sorted(os.listdir(out.parent)) == [left.name, "lens.freeform", "scene.json"]
 
@@ -291,9 +291,9 @@ class TestCheckpoint:
         left = out.with_name("lens.checkpoint.freeform")
         fake_run({})
         assert freeform("design", scene_file, "-o", left)[0] == 0
-        status, _, told = freeform("design", left, "-o", out)
+        status, _, stderr = freeform("design", left, "-o", out)
         assert status == 0
-        assert "cut off" not in told
+        assert "cut off" not in stderr
         assert read_session(out).result.iterations == 20
         assert left.exists()
 
@@ -326,11 +326,11 @@ def test_sigterm_ends_the_program_with_143_and_the_best_lens(endless, out):
         begun = next(line for line in process.stderr if "compiling" not in line)
         assert re.match(r"0/1000000  loss ", begun)
         process.terminate()
-        told = process.communicate(timeout=60)[1]
+        stderr = process.communicate(timeout=60)[1]
     assert process.returncode == 143
     done = read_session(out).result.iterations
     lens = "the best lens so far" if done else "the lens before its first iteration"
-    assert told.splitlines()[-1] == f"freeform: interrupted; {lens} is in {out}"
+    assert stderr.splitlines()[-1] == f"freeform: interrupted; {lens} is in {out}"
 
 
 @pytest.mark.parametrize("number", SIGNALS)
@@ -340,8 +340,8 @@ def test_other_commands_end_at_once(freeform, out, monkeypatch, number):
         raise Refused(str(path), "was read on")
 
     monkeypatch.setattr("workbench.cli.designed.read_session", terminated)
-    status, printed, told = freeform("validate", out)
-    assert (status, printed, told) == (128 + number, "", "freeform: interrupted\n")
+    status, stdout, stderr = freeform("validate", out)
+    assert (status, stdout, stderr) == (128 + number, "", "freeform: interrupted\n")
 
 
 def test_ctrl_c_while_a_library_loads_is_not_reported_as_a_missing_library(
@@ -363,5 +363,5 @@ def test_ctrl_c_while_a_library_loads_is_not_reported_as_a_missing_library(
     monkeypatch.setattr("workbench.system_libraries.missing", lambda libraries: ())
     fake_run({})
     assert freeform("design", scene_file, "-o", out)[0] == 0
-    status, printed, told = freeform("validate", out, "--with", "mitsuba")
-    assert (status, printed, told) == (130, "", "freeform: interrupted\n")
+    status, stdout, stderr = freeform("validate", out, "--with", "mitsuba")
+    assert (status, stdout, stderr) == (130, "", "freeform: interrupted\n")

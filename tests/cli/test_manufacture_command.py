@@ -46,42 +46,42 @@ def bowl(make_scene, tmp_path):
 
 
 def test_figures(freeform, bowl):
-    status, printed, told = freeform("manufacture", bowl, "--json")
-    assert (status, told) == (0, "")
-    found = json.loads(printed)
+    status, stdout, stderr = freeform("manufacture", bowl, "--json")
+    assert (status, stderr) == (0, "")
+    found = json.loads(stdout)
     assert found["unit"] == "cm"
     assert [(v["limit"], v["state"]) for v in found["limits"]] == [(0.05, "met")]  # the scene's
     assert found["thickest"]["value"] == pytest.approx(0.7)
     assert found["tightest_convex"]["value"] is found["tightest_convex"]["bound"] is None
     assert found["draft"] == pytest.approx(90 - math.degrees(math.atan(0.4)), abs=1.0)
-    status, printed, _ = freeform("manufacture", bowl)
+    status, stdout, _ = freeform("manufacture", bowl)
     assert status == 0
-    assert "convex radius     -\n" in printed
+    assert "convex radius     -\n" in stdout
 
 
 def test_limits(freeform, bowl, tmp_path):
     plot = tmp_path / "maps.png"
     given = "manufacture", bowl, "--min-thickness", 0.45, "--max-slope", 10
-    status, printed, told = freeform(*given, "--plot", plot)
+    status, stdout, stderr = freeform(*given, "--plot", plot)
     assert status == 1
-    assert told.startswith("freeform: slope 21")
-    assert told.endswith("at most 10° wanted\n")
-    assert "thickness at least 0.45 cm: met\n" in printed
-    assert "slope at most 10°: NOT MET\n" in printed
+    assert stderr.startswith("freeform: slope 21")
+    assert stderr.endswith("at most 10° wanted\n")
+    assert "thickness at least 0.45 cm: met\n" in stdout
+    assert "slope at most 10°: NOT MET\n" in stdout
     assert plot.read_bytes().startswith(b"\x89PNG")
-    status, printed, _ = freeform(*given, "--json")
+    status, stdout, _ = freeform(*given, "--json")
     assert status == 1
-    assert [v["state"] for v in json.loads(printed)["limits"]] == ["met", "broken"]
-    status, _, told = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
-    assert (status, told) == (0, "")
+    assert [v["state"] for v in json.loads(stdout)["limits"]] == ["met", "broken"]
+    status, _, stderr = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
+    assert (status, stderr) == (0, "")
 
 
 def test_a_ball_cutter_that_does_not_fit(freeform, bowl):
     radius = json.loads(freeform("manufacture", bowl, "--json")[1])["tool_radius"]["value"]
-    status, printed, told = freeform("manufacture", bowl, "--min-tool-radius", 1.01 * radius)
+    status, stdout, stderr = freeform("manufacture", bowl, "--min-tool-radius", 1.01 * radius)
     assert status == 1
-    assert "\nball cutter up to " in printed
-    assert told.startswith(f"freeform: ball cutter {radius:.4g} cm, at least ")
+    assert "\nball cutter up to " in stdout
+    assert stderr.startswith(f"freeform: ball cutter {radius:.4g} cm, at least ")
 
 
 @pytest.fixture
@@ -100,10 +100,10 @@ def moved(bowl):
 
 
 def test_the_least_thickness_of_the_scene_is_a_limit(freeform, moved):
-    status, printed, told = freeform("manufacture", moved(-0.46))
+    status, stdout, stderr = freeform("manufacture", moved(-0.46))
     assert status == 1
-    assert "thickness at least 0.05 cm: NOT MET\n" in printed
-    assert told.startswith("freeform: thickness 0.043")
+    assert "thickness at least 0.05 cm: NOT MET\n" in stdout
+    assert stderr.startswith("freeform: thickness 0.043")
 
 
 @pytest.mark.parametrize(
@@ -114,20 +114,20 @@ def test_a_lens_that_is_no_body_has_figures_but_is_not_checked_or_exported(
     freeform, moved, by, flaw, tmp_path
 ):
     lens, solid = moved(by), tmp_path / "lens.step"
-    status, printed, told = freeform("manufacture", lens)
+    status, stdout, stderr = freeform("manufacture", lens)
     assert status == 1
-    assert "thinnest" in printed
-    assert flaw in told
+    assert "thinnest" in stdout
+    assert flaw in stderr
     for arguments in (("validate", lens, "--rays", 1000), ("export", lens, solid)):
-        status, printed, told = freeform(*arguments)
-        assert (status, printed) == (2, "")
-        assert told.startswith("freeform: lens: its exit face is at z = ")
-        assert flaw in told
+        status, stdout, stderr = freeform(*arguments)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith("freeform: lens: its exit face is at z = ")
+        assert flaw in stderr
     assert not solid.exists()
 
 
 @pytest.mark.parametrize("value", ["0", "-1", "inf", "thin"])
 def test_impossible_limits_are_refused(freeform, bowl, value):
-    status, _, told = freeform("manufacture", bowl, "--min-radius", value)
+    status, _, stderr = freeform("manufacture", bowl, "--min-radius", value)
     assert status == 2
-    assert told.count("\n") == 1
+    assert stderr.count("\n") == 1

@@ -31,9 +31,9 @@ def lens(make_scene, tmp_path):
 
 class TestValidate:
     def test_figures(self, freeform, lens):
-        status, printed, told = freeform("validate", lens, "--rays", 100_000, "--json")
-        assert (status, told) == (0, "")
-        figures = json.loads(printed)
+        status, stdout, stderr = freeform("validate", lens, "--rays", 100_000, "--json")
+        assert (status, stderr) == (0, "")
+        figures = json.loads(stdout)
         assert sorted(figures) == [
             "contrast",
             "correlation",
@@ -89,94 +89,97 @@ class TestValidate:
         assert exact["optimiser_difference"] < 0.06
 
     def test_another_distance(self, freeform, lens):
-        status, printed, _ = freeform("validate", lens, "--screen-z", 8.0, "--json")
+        status, stdout, _ = freeform("validate", lens, "--screen-z", 8.0, "--json")
         assert status == 0
-        figures = json.loads(printed)
+        figures = json.loads(stdout)
         assert figures["optimiser_difference"] is None
         assert "optimiser_difference" not in figures["deterministic"]
-        status, _, told = freeform("validate", lens, "--screen-z", 0.6)
+        status, _, stderr = freeform("validate", lens, "--screen-z", 0.6)
         assert status == 2
-        assert told.startswith("freeform: screen.z: 0.6 may touch the lens")
+        assert stderr.startswith("freeform: screen.z: 0.6 may touch the lens")
 
     def test_ctrl_c_ends_a_check_that_would_take_an_hour(self, freeform, lens, monkeypatch):
         def press(progress, part):
             os.kill(os.getpid(), signal.SIGINT)
 
         monkeypatch.setattr("workbench.cli.progress.PartProgress.show", press)
-        status, printed, told = freeform("validate", lens, "--rays", MOST_RAYS)
-        assert (status, printed, told) == (130, "", "freeform: interrupted\n")
+        status, stdout, stderr = freeform("validate", lens, "--rays", MOST_RAYS)
+        assert (status, stdout, stderr) == (130, "", "freeform: interrupted\n")
 
     @pytest.mark.parametrize("verb", ["validate", "report", "tolerances", "sweep"])
     def test_too_many_rays_are_refused_before_anything_is_read(self, freeform, verb):
         option = "--validate-rays" if verb == "sweep" else "--rays"
-        status, printed, told = freeform(verb, "missing", option, MOST_RAYS + 1)
-        assert (status, printed) == (2, "")
-        assert f"argument {option}: '10000000001' are too many; at most 10000000000" in told
-        assert told.count("\n") == 1
+        status, stdout, stderr = freeform(verb, "missing", option, MOST_RAYS + 1)
+        assert (status, stdout) == (2, "")
+        assert f"argument {option}: '10000000001' are too many; at most 10000000000" in stderr
+        assert stderr.count("\n") == 1
 
     def test_a_bar_shows_how_far_a_long_check_is(self, freeform, lens, monkeypatch):
         monkeypatch.setattr("sys.stderr.isatty", lambda: True)
         monkeypatch.setattr("workbench.cli.progress._DELAY", 0)
         monkeypatch.setenv("COLUMNS", "80")
-        status, _, told = freeform("validate", lens, "--rays", 10_000, "--through-focus", "4:6:2")
+        status, _, stderr = freeform("validate", lens, "--rays", 10_000, "--through-focus", "4:6:2")
         assert status == 0
-        assert "\rthrough focus  " in told
-        assert re.search(r"\rcheck  .*\d+ %  .* left", told)
+        assert "\rthrough focus  " in stderr
+        assert re.search(r"\rcheck  .*\d+ %  .* left", stderr)
 
     def test_lines_elsewhere_than_on_a_terminal(self, freeform, lens, monkeypatch):
         monkeypatch.setattr("workbench.cli.progress._LINES", -1.0)
-        status, _, told = freeform("validate", lens, "--rays", 10_000)
+        status, _, stderr = freeform("validate", lens, "--rays", 10_000)
         assert status == 0
-        assert told.splitlines()[-1] == "check  100 %"
+        assert stderr.splitlines()[-1] == "check  100 %"
 
     def test_for_people(self, freeform, lens):
-        status, printed, _ = freeform("validate", lens, "--rays", 10_000)
+        status, stdout, _ = freeform("validate", lens, "--rays", 10_000)
         assert status == 0
-        assert printed.startswith("verified error ")
-        assert "cells, without random rays\n" in printed
-        assert re.search(r"\noff the cells +0\.\d+  \(\d\.\d\d times their noise; ", printed)
-        assert "\nrelative L2 " in printed
-        assert "total reflection  0.00000\n" in printed
+        assert stdout.startswith("verified error ")
+        assert "cells, without random rays\n" in stdout
+        assert re.search(r"\noff the cells +0\.\d+  \(\d\.\d\d times their noise; ", stdout)
+        assert "\nrelative L2 " in stdout
+        assert "total reflection  0.00000\n" in stdout
 
     def test_with_mitsuba(self, freeform, lens, monkeypatch):
         pytest.importorskip("mitsuba")
         monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
         given = "validate", lens, "--rays", 50_000, "--with", "mitsuba"
-        status, printed, told = freeform(*given, "--json")
-        assert (status, told) == (0, "")
-        found = json.loads(printed)["cross_check"]
+        status, stdout, stderr = freeform(*given, "--json")
+        assert (status, stderr) == (0, "")
+        found = json.loads(stdout)["cross_check"]
         assert found["difference"] == pytest.approx(found["noise"], rel=0.2)
         assert found["mitsuba"]["efficiency"] == pytest.approx(0.96**2, rel=0.01)
-        status, printed, _ = freeform(*given, "--screen-z", 6.0)
+        status, stdout, _ = freeform(*given, "--screen-z", 6.0)
         assert status == 0
-        assert "\nMitsuba 3, with " in printed
+        assert "\nMitsuba 3, with " in stdout
 
     def test_without_mitsuba(self, freeform, lens, monkeypatch):
         monkeypatch.setitem(sys.modules, "mitsuba", None)
-        status, printed, told = freeform("validate", lens, "--with", "mitsuba")
-        assert (status, printed) == (2, "")
-        assert told.startswith("freeform: --with: 'mitsuba' needs Mitsuba 3, which pip install")
+        status, stdout, stderr = freeform("validate", lens, "--with", "mitsuba")
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith("freeform: --with: 'mitsuba' needs Mitsuba 3, which pip install")
 
 
 def test_pictures(freeform, lens, tmp_path):
     folder = tmp_path / "new" / "folder"
-    status, printed, told = freeform("pictures", lens, folder)
-    assert (status, printed, told) == (0, "", "")
+    status, stdout, stderr = freeform("pictures", lens, folder)
+    assert (status, stdout, stderr) == (0, "", "")
     for name in ("irradiance.png", "lens.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
 
 
 def test_a_predicted_photo(freeform, lens, tmp_path, monkeypatch):
     monkeypatch.setattr("workbench.cli.pictures.PICTURES", {})
-    status, printed, told = freeform("pictures", lens, tmp_path, "--photo", "--exposure", "-1")
-    assert (status, told) == (0, "")
-    assert printed == "photo: daylight (D65), no dispersion known, by cells\n"
+    status, stdout, stderr = freeform("pictures", lens, tmp_path, "--photo", "--exposure", "-1")
+    assert (status, stderr) == (0, "")
+    assert stdout == "photo: daylight (D65), no dispersion known, by cells\n"
     with Image.open(tmp_path / "photo.png") as photo:
         assert (photo.size, photo.mode) == ((32, 32), "RGB")
         # The plate spreads the light of a disc, 0.6 wide, over all of the screen: half of 28 %.
         assert photo.getpixel((16, 16)) == (105, 105, 105)
-    status, _, told = freeform("pictures", lens, tmp_path, "--light", "led")
-    assert (status, told) == (2, "freeform: usage: --light is of the photo; give --photo as well\n")
+    status, _, stderr = freeform("pictures", lens, tmp_path, "--light", "led")
+    assert (status, stderr) == (
+        2,
+        "freeform: usage: --light is of the photo; give --photo as well\n",
+    )
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="about Mesa")
@@ -192,6 +195,6 @@ def test_pictures_keep_no_shaders_where_a_full_disk_would_end_the_process(lens, 
 
 def test_a_picture_that_cannot_be_written_is_reported(freeform, lens, tmp_path):
     (tmp_path / "irradiance.png").mkdir()
-    status, printed, told = freeform("pictures", lens, tmp_path)
-    assert (status, printed) == (2, "")
-    assert told.endswith("irradiance.png: cannot be written: a folder of that name is there\n")
+    status, stdout, stderr = freeform("pictures", lens, tmp_path)
+    assert (status, stdout) == (2, "")
+    assert stderr.endswith("irradiance.png: cannot be written: a folder of that name is there\n")

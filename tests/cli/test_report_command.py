@@ -262,9 +262,9 @@ def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkey
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("workbench.report.html.to_png", full)
-    status, _, told = freeform("report", lens, old, *RAYS)
+    status, _, stderr = freeform("report", lens, old, *RAYS)
     assert status == 2
-    assert "No space left on device" in told
+    assert "No space left on device" in stderr
     assert old.read_text() == "old"
     assert [path.name for path in tmp_path.glob("*.tmp")] == []
 
@@ -281,7 +281,7 @@ def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkey
 )
 def test_refusals(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     monkeypatch.chdir(tmp_path)
-    status, printed, told = freeform("report", lens, *arguments)
-    assert (status, printed) == (2, "")
-    assert told.startswith(f"freeform: {reason}")
+    status, stdout, stderr = freeform("report", lens, *arguments)
+    assert (status, stdout) == (2, "")
+    assert stderr.startswith(f"freeform: {reason}")
     assert not list(tmp_path.glob("a.*"))

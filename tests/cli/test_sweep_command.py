@@ -51,19 +51,19 @@ def here(monkeypatch):
 @pytest.mark.usefixtures("here")
 class TestTable:
     def test_for_scripts(self, freeform, scene_file, folder):
-        status, printed, told = freeform(
+        status, stdout, stderr = freeform(
             "sweep", scene_file, "--vary", "run.seed=0..1", "-o", folder, *FEW, "--json"
         )
         assert status == 0
-        points = json.loads(printed)["points"]
+        points = json.loads(stdout)["points"]
         assert [point["changes"] for point in points] == [{"run.seed": "0"}, {"run.seed": "1"}]
         assert all((folder / point["session"]).is_file() for point in points)
         assert json.loads((folder / "table.json").read_text())["points"] == points
-        assert told.splitlines()[0].startswith("1/2  hat run.seed=0: error ")
+        assert stderr.splitlines()[0].startswith("1/2  hat run.seed=0: error ")
 
     def test_figures_are_those_of_the_check(self, freeform, scene_file, folder):
-        printed = freeform("sweep", scene_file, "-o", folder, *FEW, "--json")[1]
-        (point,) = json.loads(printed)["points"]
+        stdout = freeform("sweep", scene_file, "-o", folder, *FEW, "--json")[1]
+        (point,) = json.loads(stdout)["points"]
         session = folder / point["session"]
         check = json.loads(freeform("validate", session, "--rays", FEW[1], "--json")[1])
         for name in ("loss", "relative_l2", "relative_l2_corrected", "efficiency"):
@@ -72,8 +72,8 @@ class TestTable:
     def test_for_people(self, freeform, scene_file, folder):
         other = scene_file.with_name("cap.json")
         other.write_text(scene_file.read_text())
-        status, printed, _ = freeform("sweep", scene_file, other, "-o", folder, *FEW)
-        head, *lines = printed.splitlines()
+        status, stdout, _ = freeform("sweep", scene_file, other, "-o", folder, *FEW)
+        head, *lines = stdout.splitlines()
         assert status == 0
         assert head.split()[:2] == ["scene", "error"]
         assert [line.split()[0] for line in lines] == ["hat", "cap"]
@@ -90,26 +90,26 @@ class TestTable:
             )
 
         monkeypatch.setattr("workbench.analysis.validation.validate", noisy)
-        status, printed, told = freeform("sweep", scene_file, "-o", folder, *FEW)
+        status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *FEW)
         assert status == 0
-        assert told.splitlines()[0] == "1/1  hat: error < 0.35 %"
-        assert "< 0.35 %" in printed
-        assert "0.00" not in printed
+        assert stderr.splitlines()[0] == "1/1  hat: error < 0.35 %"
+        assert "< 0.35 %" in stdout
+        assert "0.00" not in stdout
 
     def test_another_sweep_in_the_folder_is_refused(self, freeform, scene_file, folder):
         with Store(folder).locked():
-            status, printed, told = freeform("sweep", scene_file, "-o", folder, *FEW)
-        assert (status, printed) == (2, "")
-        assert told.startswith(f"freeform: {folder}: another sweep is at work in this folder; ")
+            status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *FEW)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith(f"freeform: {folder}: another sweep is at work in this folder; ")
         assert freeform("sweep", scene_file, "-o", folder, *FEW)[0] == 0
 
     def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
         vary = ("--vary", "lens.control_points=3,12")
-        status, printed, told = freeform("sweep", scene_file, *vary, "-o", folder, *FEW)
+        status, stdout, stderr = freeform("sweep", scene_file, *vary, "-o", folder, *FEW)
         assert status == 1
-        assert told.endswith("freeform: 1 of 2 points have no lens; the table tells why\n")
-        assert "3                    lens.control_points[0]: 3 is too few" in printed
-        assert "hat-lens.control_points=12-" in printed
+        assert stderr.endswith("freeform: 1 of 2 points have no lens; the table tells why\n")
+        assert "3                    lens.control_points[0]: 3 is too few" in stdout
+        assert "hat-lens.control_points=12-" in stdout
 
     def test_ctrl_c_keeps_what_is_finished(self, freeform, scene_file, folder, monkeypatch):
         from workbench.sweep import sweep
@@ -120,12 +120,12 @@ class TestTable:
                 raise KeyboardInterrupt
 
         monkeypatch.setattr("workbench.cli.sweep.sweep_all", interrupted)
-        status, printed, told = freeform(
+        status, stdout, stderr = freeform(
             "sweep", scene_file, "--vary", "run.seed=0..2", "-o", folder, *FEW, "--json"
         )
         assert status == 130
-        assert len(json.loads(printed)["points"]) == 1
-        assert "interrupted; 1 of 3 points are finished" in told
+        assert len(json.loads(stdout)["points"]) == 1
+        assert "interrupted; 1 of 3 points are finished" in stderr
 
 
 @pytest.mark.parametrize(
@@ -138,9 +138,9 @@ class TestTable:
     ],
 )
 def test_refusals(freeform, scene_file, folder, arguments, reason):
-    status, printed, told = freeform("sweep", scene_file, "-o", folder, *arguments)
-    assert (status, printed) == (2, "")
-    assert told.startswith(f"freeform: {reason}")
+    status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *arguments)
+    assert (status, stdout) == (2, "")
+    assert stderr.startswith(f"freeform: {reason}")
     assert not folder.exists()
 
 
@@ -188,9 +188,9 @@ def test_a_killed_sweep_resumes_where_it_was(scene_file, folder):
     before = finished(folder)
     assert 1 <= len(before) < 4
     with start(scene_file, folder) as process:
-        printed, _ = process.communicate(timeout=120)
+        stdout, _ = process.communicate(timeout=120)
     assert process.returncode == 0
-    assert len(json.loads(printed)["points"]) == 4
+    assert len(json.loads(stdout)["points"]) == 4
     assert before.items() <= finished(folder).items()
     assert len(list(folder.glob("*.freeform"))) == 4
 
@@ -202,10 +202,10 @@ def test_ctrl_c_ends_its_processes_and_keeps_what_is_finished(scene_file, folder
         process.stderr.readline()
         workers = children(process)
         process.send_signal(signal.SIGINT)
-        printed, told = process.communicate(timeout=60)
+        stdout, stderr = process.communicate(timeout=60)
     assert workers
     assert ends(workers)
     assert process.returncode == 130
-    points = json.loads(printed)["points"]
+    points = json.loads(stdout)["points"]
     assert 1 <= len(points) == len(finished(folder)) < 4
-    assert f"interrupted; {len(points)} of 4 points are finished and kept in" in told
+    assert f"interrupted; {len(points)} of 4 points are finished and kept in" in stderr

@@ -33,11 +33,11 @@ FEW = ("--samples", 4, "--rays", 10_000)
 
 def test_figures_and_plot(freeform, lens, tmp_path):
     plot = tmp_path / "errors.png"
-    status, printed, told = freeform(
+    status, stdout, stderr = freeform(
         "tolerances", lens, *FEW, "--decentre", 0.3, "--tilt", 2, "--plot", plot, "--json"
     )
-    assert (status, told) == (0, "")
-    figures = json.loads(printed)
+    assert (status, stderr) == (0, "")
+    figures = json.loads(stdout)
     assert sorted(figures) == ["mean", "nominal", "percentiles", "samples", "worst"]
     errors = [each["relative_l2"] for each in figures["samples"]]
     assert len(errors) == 4
@@ -50,21 +50,21 @@ def test_figures_and_plot(freeform, lens, tmp_path):
 
 
 def test_the_source_is_off_too(freeform, lens):
-    status, printed, told = freeform(
+    status, stdout, stderr = freeform(
         "tolerances", lens, *FEW, "--source-tilt", 2, "--decentre", 0.1, "--json"
     )
-    assert (status, told) == (0, "")
-    off = [each["source_tilt"] for each in json.loads(printed)["samples"]]
+    assert (status, stderr) == (0, "")
+    off = [each["source_tilt"] for each in json.loads(stdout)["samples"]]
     assert all(0 < sum(x * x for x in each) <= 4 for each in off)
-    status, _, told = freeform("tolerances", lens, *FEW, "--source-shift", 0.1)
+    status, _, stderr = freeform("tolerances", lens, *FEW, "--source-shift", 0.1)
     assert status == 2
-    assert "source_shift: 0.1 changes nothing" in told
+    assert "source_shift: 0.1 changes nothing" in stderr
 
 
 def test_for_people(freeform, lens):
-    status, printed, told = freeform("tolerances", lens, *FEW, "--surface", 0.01, 0.3)
-    assert (status, told) == (0, "")
-    lines = printed.splitlines()
+    status, stdout, stderr = freeform("tolerances", lens, *FEW, "--surface", 0.01, 0.3)
+    assert (status, stderr) == (0, "")
+    lines = stdout.splitlines()
     assert lines[0] == "relative L2 without ray noise"
     assert [line[:18].rstrip() for line in lines[1:]] == [
         "as designed",
@@ -85,10 +85,10 @@ def test_ctrl_c_keeps_what_is_finished(freeform, lens, monkeypatch):
             yield each
 
     monkeypatch.setattr("workbench.cli.tolerances.perturbed", interrupted)
-    status, printed, told = freeform("tolerances", lens, *FEW, "--index", 0.01, "--json")
+    status, stdout, stderr = freeform("tolerances", lens, *FEW, "--index", 0.01, "--json")
     assert status == 130
-    assert len(json.loads(printed)["samples"]) == 2
-    assert told == "freeform: interrupted; 2 of 4 lenses were traced\n"
+    assert len(json.loads(stdout)["samples"]) == 2
+    assert stderr == "freeform: interrupted; 2 of 4 lenses were traced\n"
 
 
 @pytest.mark.parametrize(
@@ -102,14 +102,14 @@ def test_ctrl_c_keeps_what_is_finished(freeform, lens, monkeypatch):
     ],
 )
 def test_refusals(freeform, lens, arguments, reason):
-    status, printed, told = freeform("tolerances", lens, *arguments)
-    assert (status, printed) == (2, "")
-    assert told.startswith(f"freeform: {reason}")
+    status, stdout, stderr = freeform("tolerances", lens, *arguments)
+    assert (status, stdout) == (2, "")
+    assert stderr.startswith(f"freeform: {reason}")
 
 
 def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
-    status, printed, told = freeform(
+    status, stdout, stderr = freeform(
         "tolerances", lens, "--tilt", 1, "--plot", tmp_path / "missing" / "errors.png"
     )
-    assert (status, printed) == (2, "")
-    assert "cannot be written" in told
+    assert (status, stdout) == (2, "")
+    assert "cannot be written" in stderr

@@ -59,8 +59,8 @@ def test_the_other_task_is_named_with_what_differs(designed):
 
 
 def test_only_some_differences_are_named(designed):
-    told = origin(moved(moved(designed, z=7.0, half_width=(2.0, 2.0)), "filter", alpha=2.0))
-    assert "screen.z" in told and "screen.half_width" in told
+    message = origin(moved(moved(designed, z=7.0, half_width=(2.0, 2.0)), "filter", alpha=2.0))
+    assert "screen.z" in message and "screen.half_width" in message
     other = moved(moved(designed, z=7.0), "source", rays=(9, 9))
     other = moved(moved(other, half_width=(2.0, 2.0)), "target", padding=0.1)
     assert origin(other).endswith(", …")

@@ -48,8 +48,8 @@ def assert_result(result, figures, arrays):
     assert result.state.loss == figures["loss"]
     for name in ("iterations", "seconds"):
         assert getattr(result, name) == figures[name]
-    told = result.state.account.to_data()
-    assert {name: told[name] for name in figures["ledger"]} == figures["ledger"]
+    message = result.state.account.to_data()
+    assert {name: message[name] for name in figures["ledger"]} == figures["ledger"]
 
 
 def test_all_golden_files_are_there():

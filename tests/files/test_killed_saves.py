@@ -50,21 +50,21 @@ def export_all(session, folder):
         pass
 
 
-def save_for_ever(write, sessions, folder, told):
+def save_for_ever(write, sessions, folder, message):
     """Save one after the other again and again; tell how long the first round took."""
     begin = time.monotonic()
     for round_ in itertools.count():
         for session in sessions:
             write(session, folder)
         if round_ == 0:
-            told.send(time.monotonic() - begin)
+            message.send(time.monotonic() - begin)
 
 
 def kill(write, sessions, folder, part):
     """Let a process save, and kill it in a part of a round; the temporary files that it left."""
     context = multiprocessing.get_context("fork")
-    hears, told = context.Pipe(duplex=False)
-    process = context.Process(target=save_for_ever, args=(write, sessions, folder, told))
+    hears, message = context.Pipe(duplex=False)
+    process = context.Process(target=save_for_ever, args=(write, sessions, folder, message))
     process.start()
     assert hears.poll(60)
     time.sleep(part * hears.recv())  # by its own clock, however loaded the machine is
@@ -72,7 +72,7 @@ def kill(write, sessions, folder, part):
     process.join()
     assert process.exitcode == -9  # and not by an error of its own
     hears.close()
-    told.close()
+    message.close()
     return {name for name in os.listdir(folder) if name.endswith(".tmp")}
 
 

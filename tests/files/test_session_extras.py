@@ -163,8 +163,8 @@ class TestPicture:
             assert archive.namelist()[-1] == "target_image"
 
     def test_a_picture_beside_a_builtin_shape_is_refused(self, forge):
-        told = refused(forge({"target_image.png": b"x"}))
-        assert told == ": 'target_image.png': does not belong into this session"
+        message = refused(forge({"target_image.png": b"x"}))
+        assert message == ": 'target_image.png': does not belong into this session"
 
     def test_a_picture_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
         write_session(drawn, path)
@@ -174,8 +174,8 @@ class TestPicture:
 
 def test_a_start_beside_a_result_is_refused(forge, path):
     np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
-    told = refused(forge({"start.npy": path.with_suffix(".npy").read_bytes()}))
-    assert "start.npy" in told
+    message = refused(forge({"start.npy": path.with_suffix(".npy").read_bytes()}))
+    assert "start.npy" in message
 
 
 class TestWithScene:
@@ -212,7 +212,7 @@ class TestNotWritten:
             replace(session.runs[0], name=name)
 
     @pytest.mark.parametrize(
-        "view, told",
+        "view, message",
         [
             ({"x": float("nan")}, "cannot be kept as JSON: "),
             ({"x": object()}, "cannot be kept as JSON: "),
@@ -221,11 +221,11 @@ class TestNotWritten:
             ({"x": json.loads("[" * 16 + "]" * 16)}, "is nested too deeply; at most 16 levels"),
         ],
     )
-    def test_a_view_that_could_not_be_read(self, session, path, view, told):
+    def test_a_view_that_could_not_be_read(self, session, path, view, message):
         with pytest.raises(Refused) as caught:
             write_session(replace(session, view=view), path)
         assert caught.value.path == f"{path}: view"
-        assert caught.value.reason.startswith(told)
+        assert caught.value.reason.startswith(message)
         assert "\n" not in caught.value.reason
         assert not path.exists()
 
@@ -249,19 +249,19 @@ class TestRefused:
     def test_locks_of_another_net(self, forge, path):
         other = np.zeros((4, 5), bool)
         np.save(path.with_suffix(".npy"), other)
-        told = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
-        assert told == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
+        message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
+        assert message == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
 
     def test_locks_that_are_numbers(self, forge, path):
         np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
-        told = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
-        assert told == ": locked.npy: holds float64; bool is needed"
+        message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
+        assert message == ": locked.npy: holds float64; bool is needed"
 
     def test_a_lock_that_is_neither_0_nor_1_is_refused(self, session, forge, path):
         np.save(path.with_suffix(".npy"), session.locked["exit"])
         content = path.with_suffix(".npy").read_bytes()
-        told = refused(forge({"locked.npy": content[:-1] + b"\2"}))
-        assert told.startswith(": locked.npy: holds a value that is neither 0 nor 1")
+        message = refused(forge({"locked.npy": content[:-1] + b"\2"}))
+        assert message.startswith(": locked.npy: holds a value that is neither 0 nor 1")
 
     @pytest.mark.parametrize("interval", [[0.1], [-0.1, 0.2], [0.1, None]])
     def test_an_impossible_verified_error_is_refused(self, forge, session, path, interval):
@@ -269,14 +269,14 @@ class TestRefused:
         with zipfile.ZipFile(path) as archive:
             runs = json.loads(archive.read("session.json"))["runs"]
         runs[0]["verified"]["relative_l2_corrected_interval"] = interval
-        told = refused(forge(runs=runs))
-        assert told.startswith(": session.json: runs[0].verified.relative_l2_corrected_interval")
+        message = refused(forge(runs=runs))
+        assert message.startswith(": session.json: runs[0].verified.relative_l2_corrected_interval")
 
     @pytest.mark.parametrize("starts", [[9], [-1], [3, 2], [10**30]])
     def test_stages_that_began_outside_the_run_are_refused(self, forge, session, starts):
         figures = Figures.of(session.result).model_dump(exclude_none=True)
-        told = refused(forge(result=figures | {"stage_starts": starts}))
-        assert told.startswith(": loss.npy: has 8 losses; stages cannot have begun after (")
+        message = refused(forge(result=figures | {"stage_starts": starts}))
+        assert message.startswith(": loss.npy: has 8 losses; stages cannot have begun after (")
 
     def test_a_run_without_its_arrays(self, forge):
         assert refused(forge({"runs/1/loss.npy": None})).startswith(": runs/1/loss.npy: is missing")
@@ -295,8 +295,8 @@ class TestRefused:
     def test_too_many_runs(self, forge, session):
         data = session.scene.to_data()
         figures = Figures.of(session.result).model_dump(exclude_none=True)
-        told = refused(forge(runs=[{"name": "x", "scene": data, "result": figures}] * 65))
-        assert told == ": session.json: runs: 65 are given; at most 64 are kept"
+        message = refused(forge(runs=[{"name": "x", "scene": data, "result": figures}] * 65))
+        assert message == ": session.json: runs: 65 are given; at most 64 are kept"
 
     @pytest.mark.parametrize("view", [3, [], "x"])
     def test_a_view_that_is_no_object(self, forge, view):

@@ -318,8 +318,8 @@ class TestRefused:
         write_session(session, path)
         irradiance = session.result.state.irradiance.copy()
         irradiance[5, 2] = value
-        told = refused(forge({"irradiance.npy": npy(irradiance)}))
-        assert told == (
+        message = refused(forge({"irradiance.npy": npy(irradiance)}))
+        assert message == (
             f": irradiance.npy[5, 2]: {value:.5g} is more than all light of the source in this "
             "pixel; 10.5 would be all of it"
         )
@@ -329,8 +329,8 @@ class TestRefused:
         write_session(session, path)
         heights = session.result.state.heights["exit"].copy()
         heights[1, 2] = height
-        told = refused(forge({"control_points.npy": npy(heights)}))
-        assert told == (
+        message = refused(forge({"control_points.npy": npy(heights)}))
+        assert message == (
             f": control_points.npy[1, 2]: {height:.5g} is no height of this lens; at most 5000 cm "
             "from the entrance face are possible"
         )
@@ -351,9 +351,9 @@ class TestRefused:
     def test_a_wrong_array(self, session, path, forge, name, change, reason):
         write_session(session, path)
         array = np.load(io.BytesIO(entries_of(path)[name]))
-        told = refused(forge({name: npy(change(array))}))
-        assert told.startswith(f": {name}: ")
-        assert reason in told
+        message = refused(forge({name: npy(change(array))}))
+        assert message.startswith(f": {name}: ")
+        assert reason in message
 
     def test_fortran_order(self, session, forge):
         array = np.asfortranarray(session.target)
@@ -365,8 +365,8 @@ class TestRefused:
 
     @pytest.mark.parametrize("change", [lambda c: c[:-8], lambda c: c + bytes(8)])
     def test_an_array_of_the_wrong_length(self, session, forge, change):
-        told = refused(forge({"target.npy": change(npy(session.target))}))
-        assert "shape (6, 7) needs 336" in told
+        message = refused(forge({"target.npy": change(npy(session.target))}))
+        assert "shape (6, 7) needs 336" in message
 
     @pytest.mark.parametrize("peak", [1.7e308, 1e-310])
     def test_only_ratios_of_a_huge_or_tiny_target_count(self, forge, session, peak):
@@ -380,7 +380,7 @@ class TestRefused:
         assert "some light is needed" in refused(forge({"target.npy": npy(target)}))
 
     @pytest.mark.parametrize(
-        "changes, told",
+        "changes, message",
         [
             ({"format": "freeform-scene"}, ": session.json: format: 'freeform-scene'"),
             ({"format": None}, ": session.json: format: missing"),
@@ -395,8 +395,8 @@ class TestRefused:
             ({"program": 3}, ": session.json: program: 3 is not text"),
         ],
     )
-    def test_a_wrong_header(self, forge_header, changes, told):
-        assert refused(forge_header(changes)).startswith(told)
+    def test_a_wrong_header(self, forge_header, changes, message):
+        assert refused(forge_header(changes)).startswith(message)
 
     @pytest.mark.parametrize("text", [b"", b"{", b"\xff\xfe", b"[]", b"NaN"])
     def test_a_header_that_is_no_object(self, forge, text):
@@ -405,8 +405,8 @@ class TestRefused:
     def test_an_impossible_scene(self, forge_header, session):
         data = session.scene.to_data()
         data["lens"]["control_points"] = [3, 4]
-        told = refused(forge_header({"scene": data}))
-        assert told == (
+        message = refused(forge_header({"scene": data}))
+        assert message == (
             ": session.json: lens.control_points[0]: 3 is too few for degree 3; at least 4"
         )
 
@@ -414,15 +414,15 @@ class TestRefused:
     def test_an_impossible_figure(self, session, path, forge_header, name, value):
         write_session(session, path)
         figures = json.loads(entries_of(path)["session.json"])["result"]
-        told = refused(forge_header({"result": figures | {name: value}}))
-        assert told.startswith(f": session.json: result.{name}: ")
+        message = refused(forge_header({"result": figures | {name: value}}))
+        assert message.startswith(f": session.json: result.{name}: ")
 
     def test_an_unknown_part_of_the_account(self, session, path, forge_header):
         write_session(session, path)
         figures = json.loads(entries_of(path)["session.json"])["result"]
         figures["ledger"]["lost"] = 0.0
-        told = refused(forge_header({"result": figures}))
-        assert told.startswith(": session.json: result.ledger.lost: unknown field")
+        message = refused(forge_header({"result": figures}))
+        assert message.startswith(": session.json: result.ledger.lost: unknown field")
 
     def test_a_scene_file(self, path, make_scene):
         path.write_text(make_scene().to_json())

@@ -7,9 +7,9 @@ import pytest
 from PIL import Image
 
 from workbench.analysis.benchmark import experiments
-from workbench.analysis.benchmark.bounds import Reached
+from workbench.analysis.benchmark.bounds import BoundedDesign
 from workbench.analysis.benchmark.comparison import Measured
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.names import BENCHMARKS
 from workbench.analysis.benchmark.precision import Difference
@@ -29,7 +29,7 @@ MEASURED = [
     Measured("how far", "near", 1.0, 1.0, 1000, None),
 ]
 DIFFERENCES = [Difference("flame", 1e-6, 1e-7, 1e-5), Difference("ball", 2e-6, 2e-7, 2e-5)]
-REACHED = [Reached("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
+BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +41,7 @@ def designs():
         "screen": {"pixels": [16, 16]},
         "run": {"iterations": 3},
     }
-    example = Example.of("flame-x3", **small)
+    example = BenchmarkTask.of("flame-x3", **small)
     design = experiments.design(example, "auto", 5000, lambda case, state: None)
     refused = dataclasses.replace(design, result=None, failure="refused: too bold", error=None)
     return design, refused
@@ -59,7 +59,7 @@ def test_every_benchmark_has_a_picture():
 
 @pytest.mark.parametrize(
     ("name", "rows"),
-    [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES), ("bound", REACHED)],
+    [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES), ("bound", BOUNDED)],
 )
 def test_writes_a_png(name, rows):
     file = BytesIO()

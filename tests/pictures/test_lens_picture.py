@@ -10,7 +10,7 @@ from workbench.optics.paths import ray_paths
 from workbench.pictures.exploded import exploded
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
-from workbench.scene import Drawn
+from workbench.scene import DrawnTarget
 
 
 @pytest.fixture
@@ -144,7 +144,7 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     far = {"screen": {"z": 40.0, "half_width": [1, 1], "pixels": [8, 8]}, "target": {"image": "a"}}
     scene = make_scene({"screen.pixels": [8, 8], "further_images": [far]})
     even = np.ones((8, 8))
-    image = scene.further_images[0].drawn_as(Drawn(even))
+    image = scene.further_images[0].drawn_as(DrawnTarget(even))
     scene = scene.model_copy(update={"further_images": (image,)})
     picture = LensPicture(plotter, scene, even, explode=explode)
     picture.fit("axis")

@@ -50,7 +50,7 @@ def test_a_net_that_is_not_chosen_yet_has_no_numbers(make_scene):
 
 
 @pytest.mark.parametrize(
-    ("value", "told"),
+    ("value", "message"),
     [
         ("fine", "lens.control_points: 'fine': two whole numbers or 'auto' are needed"),
         (["auto", 8], "lens.control_points[0]: 'auto' is not a whole number"),
@@ -58,10 +58,10 @@ def test_a_net_that_is_not_chosen_yet_has_no_numbers(make_scene):
         (8, "lens.control_points: 8 is not a list"),
     ],
 )
-def test_other_values_are_refused(make_scene, value, told):
+def test_other_values_are_refused(make_scene, value, message):
     with pytest.raises(Refused) as refused:
         make_scene({"lens.control_points": value})
-    assert str(refused.value).startswith(told)
+    assert str(refused.value).startswith(message)
 
 
 def test_a_choice_is_checked_against_the_degree(make_scene):

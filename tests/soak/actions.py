@@ -78,9 +78,9 @@ def press(window: MainWindow, rng: Random, folder: Path) -> str:
     if not buttons:
         return "no button"
     button = rng.choice(buttons)
-    told = button.text() or button.accessibleName() or button.toolTip() or button.objectName()
+    reported = button.text() or button.accessibleName() or button.toolTip() or button.objectName()
     QTest.mouseClick(button, _LEFT)
-    return f"{told!r}"
+    return f"{reported!r}"
 
 
 def command(window: MainWindow, rng: Random, folder: Path) -> str:

@@ -60,9 +60,9 @@ def _press(box: QMessageBox, rng: Random, calm: bool) -> str:
         name = "Recover"
     elif calm:
         name = next((sure for sure in _SURE if sure in buttons), name)
-    told = box.text().replace("\n", " ")
+    reported = box.text().replace("\n", " ")
     buttons[name].click()
-    return f"{name!r} to {told!r}"
+    return f"{name!r} to {reported!r}"
 
 
 def _choose_file(dialog: QFileDialog, rng: Random, folder: Path) -> str:

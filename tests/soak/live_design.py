@@ -168,15 +168,15 @@ def memory() -> float:
 
 def many(desk: Desk, count: int, z: float) -> list[str]:
     """Edit again and again, as soon as there is a lens; the memory after every hundredth."""
-    told = []
+    reported = []
     for number in range(count + 1):
         if number % 100 == 0:
-            told.append(f"{number} edits: {memory():.0f} MB")
+            reported.append(f"{number} edits: {memory():.0f} MB")
         place = z * (1 + 0.01 * (number % 7))
         desk.frames.clear()
         desk.move(place)
         desk.lens(place, np.inf, 60.0)
-    return told
+    return reported
 
 
 def main() -> None:
@@ -192,7 +192,7 @@ def main() -> None:
     compile_all()
     QApplication.setQuitOnLastWindowClosed(False)
     app._application()
-    rows, drags, told = [], [], []
+    rows, drags, reported = [], [], []
     for name in options.examples:
         with tempfile.TemporaryDirectory() as folder:
             settings = QSettings(str(Path(folder) / "s.ini"), QSettings.Format.IniFormat)
@@ -211,13 +211,13 @@ def main() -> None:
             drags.append(drag(desk, name, z, options.seconds))
             if options.edits:
                 desk.rest()
-                told += [f"{name}, {line}" for line in many(desk, options.edits, z)]
+                reported += [f"{name}, {line}" for line in many(desk, options.edits, z)]
             window.discard_and_close()
             del window, desk
     print(Machine.here().to_markdown())
     print(Table("Edits followed by lenses", _COLUMNS, rows).to_markdown())
     print(Table("A value dragged", _DRAG_COLUMNS, drags).to_markdown())
-    print("\n".join(told))
+    print("\n".join(reported))
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ from workbench.design.loss import relative_error
 
 _EXAMPLE = "flame-point"
 _FIELD = "Index"
-_LOOK_MS, _TOLD_MS = 100, 500
+_LOOK_MS, _REPORT_MS = 100, 500
 _EVENT = 0.016  # seconds from one event of the mouse to the next
 _CIRCLE = 40  # pixels, the diameter of the way of the mouse
 _TURN = 64  # events for one round
@@ -55,7 +55,7 @@ class Watch(QObject):
         self._look = QTimer(self, interval=_LOOK_MS)
         self._look.timeout.connect(self._find)
         self._look.start()
-        self._tell = QTimer(self, interval=_TOLD_MS)
+        self._tell = QTimer(self, interval=_REPORT_MS)
         self._tell.timeout.connect(self._tell_waits)
 
     def _find(self) -> None:
@@ -110,7 +110,7 @@ def _task(scene: Any) -> str:
     return f"{scene.optic.index:.6g} {scene.source.place}"
 
 
-class Told:
+class ReportedEvents:
     """What the program has written down so far."""
 
     def __init__(self, file: Path) -> None:
@@ -168,24 +168,24 @@ _COLUMNS = (
 _GOOD = 0.02
 
 
-def type_indices(hand: Hand, told: Told, count: int, seconds: float) -> Row:
+def type_indices(hand: Hand, reported: ReportedEvents, count: int, seconds: float) -> Row:
     """Type indices, each when the lens for the one before is good, or after some seconds."""
     field = hand.wait(_FIELD, kind="NumberEditor")
     before, place = float(field["text"]), middle(field["place"])
-    _flag(told.file).touch()
-    time.sleep(2 * _TOLD_MS / 1000)
+    _flag(reported.file).touch()
+    time.sleep(2 * _REPORT_MS / 1000)
     begun = time.monotonic()
     first, errors, good = [], [], []
     for number in range(count):
         asked = time.monotonic()
         hand.click_at(*place, times=3)
         hand.type(f"{before * (1 + 0.002 * (number + 1)):.6g}")
-        edit = hand.until(lambda at=asked: told.since(at, "edit"), "edit")[-1]
+        edit = hand.until(lambda at=asked: reported.since(at, "edit"), "edit")[-1]
 
         def lenses(most: float, edit: Any = edit) -> list[dict[str, Any]]:
             return [
                 each
-                for each in told.since(edit["at"], "lens")
+                for each in reported.since(edit["at"], "lens")
                 if each["task"] == edit["task"] and each["step"] and each["error"] <= most
             ]
 
@@ -196,7 +196,7 @@ def type_indices(hand: Hand, told: Told, count: int, seconds: float) -> Row:
         while not (found := lenses(_GOOD)) and time.monotonic() < give_up:
             time.sleep(0.05)
         good.append(found[0]["at"] - edit["at"] if found else math.inf)
-    time.sleep(2 * _TOLD_MS / 1000)
+    time.sleep(2 * _REPORT_MS / 1000)
     return Row(
         "index typed",
         count,
@@ -205,13 +205,13 @@ def type_indices(hand: Hand, told: Told, count: int, seconds: float) -> Row:
         float(np.median(errors)),
         float(np.median(good)) if np.isfinite(np.median(good)) else None,
         None,
-        *told.waits(begun),
+        *reported.waits(begun),
     )
 
 
-def drag_source(hand: Hand, screen: Screen, told: Told, seconds: float) -> Row:
+def drag_source(hand: Hand, screen: Screen, reported: ReportedEvents, seconds: float) -> Row:
     """Drag the source round and round in the 3D scene."""
-    x, y = told.since(0.0, "waits")[-1]["at_source"]
+    x, y = reported.since(0.0, "waits")[-1]["at_source"]
     screen.do("mousemove", x, y)
     time.sleep(0.3)
     screen.do("mousedown", 1)
@@ -229,20 +229,20 @@ def drag_source(hand: Hand, screen: Screen, told: Told, seconds: float) -> Row:
         screen.do(*way)
     screen.do("mouseup", 1)
     let_go = time.monotonic()
-    time.sleep(2 * _TOLD_MS / 1000)
-    edits = told.since(begun, "edit")
+    time.sleep(2 * _REPORT_MS / 1000)
+    edits = reported.since(begun, "edit")
     last = edits[-1]
 
     def of_last() -> list[dict[str, Any]]:
-        lenses = told.since(last["at"], "lens")
+        lenses = reported.since(last["at"], "lens")
         return [each for each in lenses if each["task"] == last["task"] and each["step"]]
 
     lens = hand.until(of_last, "lens of the last task", _PATIENCE)[0]
     errors: dict[str, float] = {}  # of the first lens of each task
-    for each in told.since(begun, "lens"):
+    for each in reported.since(begun, "lens"):
         if each["step"]:
             errors.setdefault(each["task"], each["error"])
-    seen_tasks = {each["task"] for each in told.since(begun, "lens") if each["at"] < let_go}
+    seen_tasks = {each["task"] for each in reported.since(begun, "lens") if each["at"] < let_go}
     rest = max(lens["at"] - let_go, 0.0)
     return Row(
         "source dragged; first lens after letting go",
@@ -252,7 +252,7 @@ def drag_source(hand: Hand, screen: Screen, told: Told, seconds: float) -> Row:
         float(np.median(list(errors.values()))),
         None,
         len(seen_tasks) / (let_go - begun),
-        *told.waits(begun),
+        *reported.waits(begun),
     )
 
 
@@ -262,37 +262,37 @@ def memory(process: int) -> float:
     return int(text.split("VmRSS:")[1].split()[0]) / 1024
 
 
-def rest(hand: Hand, told: Told) -> None:
+def rest(hand: Hand, reported: ReportedEvents) -> None:
     """Wait until nothing follows any more."""
 
     def still() -> bool:
-        words = told.since(time.monotonic() - 2.5 * _TOLD_MS / 1000, "waits")
+        words = reported.since(time.monotonic() - 2.5 * _REPORT_MS / 1000, "waits")
         return len(words) > 1 and not any(each["text"] for each in words)
 
     hand.until(still, "a rest", _PATIENCE)
 
 
-def use(hand: Hand, screen: Screen, told: Told, options: argparse.Namespace) -> None:
+def use(hand: Hand, screen: Screen, reported: ReportedEvents, options: argparse.Namespace) -> None:
     """Edit by keyboard, then by mouse; print what that was like."""
-    hand.until(lambda: told.since(0.0, "waits"), "the program", _PATIENCE)
+    hand.until(lambda: reported.since(0.0, "waits"), "the program", _PATIENCE)
     hand.fill_screen("Freeform")
     hand.focus("Freeform")
-    rest(hand, told)
+    rest(hand, reported)
     hand.picture("opened")
-    rows = [type_indices(hand, told, options.moves, options.patience)]
-    rest(hand, told)
+    rows = [type_indices(hand, reported, options.moves, options.patience)]
+    rest(hand, reported)
     hand.picture("typed")
     hand.press("alt+m")
     time.sleep(1.0)
     hand.picture("tool")
     memories, edits, begun = [f"0 edits: {memory(hand.program.pid):.0f} MB"], 0, time.monotonic()
     while True:
-        rows.append(drag_source(hand, screen, told, options.seconds))
-        edits = len(told.since(begun, "edit"))
+        rows.append(drag_source(hand, screen, reported, options.seconds))
+        edits = len(reported.since(begun, "edit"))
         memories.append(f"{edits} edits: {memory(hand.program.pid):.0f} MB")
         if edits >= options.edits:
             break
-    rest(hand, told)
+    rest(hand, reported)
     hand.picture("rested")
     memories.append(f"at rest: {memory(hand.program.pid):.0f} MB")
     print(Machine.here().to_markdown())
@@ -327,13 +327,13 @@ def main() -> None:
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     with virtual_screen(options.folder) as screen:
-        file = options.folder / "told.jsonl"
+        file = options.folder / "reported.jsonl"
         file.unlink(missing_ok=True)
         shipped = resources.path("examples", f"{options.example}.json")
         example = shipped if shipped.exists() else Path(options.example)
         hand = Hand(screen, options.folder, program=("tests.soak.live_hand", file, example))
         try:
-            use(hand, screen, Told(file), options)
+            use(hand, screen, ReportedEvents(file), options)
         finally:
             hand.close()
 

@@ -128,11 +128,11 @@ class Monkey(QObject):
         rng = Random(f"{self._seed}/{self.steps}/{self._answers}")
         self._answers += 1
         try:
-            told = answer(dialog, rng, self._files, self._calm or self._answers > 20)
+            reported = answer(dialog, rng, self._files, self._calm or self._answers > 20)
         except Exception:
             sys.excepthook(*sys.exc_info())
         else:
-            self.log(f"{self.steps}.{self._answers} answer {told}")
+            self.log(f"{self.steps}.{self._answers} answer {reported}")
 
     def _play(self) -> Generator[int, None, None]:
         """All that it does, with the milliseconds to wait after each step."""
@@ -159,11 +159,11 @@ class Monkey(QObject):
         name = f"{self.steps} {action.__name__}"
         self.log(name)
         try:
-            told = action(window, rng, self._files)
+            reported = action(window, rng, self._files)
         except Exception:
             sys.excepthook(*sys.exc_info())
         else:
-            self.log(f"{name} {told}")
+            self.log(f"{name} {reported}")
 
     def _rest(self) -> Generator[int, None, None]:
         """Close what is open but one window with the first example; then measure memory."""

@@ -28,23 +28,23 @@ def do(job: str, hand: Hand) -> dict[str, float]:
     hand.click(job)
     hand.picture("1-chosen")
     hand.until(lambda: not hand.having("Computing what"), "what can be expected", _PATIENCE)
-    told = {"prospect": time.monotonic() - begun}
+    reported = {"prospect": time.monotonic() - begun}
     hand.picture("2-prospect")
     begun = time.monotonic()
     hand.click("Begin", "QPushButton")
     hand.until(lambda: not hand.find(_PAGE), "the window behind the page")
     hand.picture("3-begun")
     hand.until(lambda: "error" in hand.having("Following"), "first lens", _PATIENCE)
-    told["first lens"] = time.monotonic() - begun
+    reported["first lens"] = time.monotonic() - begun
     hand.picture("4-first")
     still = 0
     give_up = begun + _PATIENCE
     while still < _STILL and time.monotonic() < give_up:
         time.sleep(0.1)
         still = 0 if hand.having("ollowing") else still + 1
-    told["good lens"] = time.monotonic() - begun
+    reported["good lens"] = time.monotonic() - begun
     hand.picture("5-good")
-    return told
+    return reported
 
 
 def main() -> None:
@@ -62,8 +62,8 @@ def main() -> None:
         with virtual_screen(folder, tuple(options.size)) as screen:
             hand = Hand(screen, folder, options.scale, options.theme)
             try:
-                told = do(job, hand)
-                figures = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in told.items())
+                reported = do(job, hand)
+                figures = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in reported.items())
                 print(f"{job}: {figures}; {hand.having('Error ')}", flush=True)
             finally:
                 hand.close()

@@ -91,8 +91,8 @@ def virtual_screen(folder: Path, size: tuple[int, int] = SIZE) -> Iterator[Scree
     )
     os.close(tell)
     try:
-        with os.fdopen(ready) as told:
-            display = told.readline().strip()
+        with os.fdopen(ready) as reported:
+            display = reported.readline().strip()
         assert display, "Xvfb did not start"
         yield Screen(f":{display}", folder / "Xvfb_screen0")
     finally:

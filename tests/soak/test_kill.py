@@ -56,12 +56,12 @@ def _folder(path: Path) -> Path:
 def _live_and_die(folder: Path, life: int, seconds: float, environment: dict[str, str]) -> float:
     """Start the program, play, and kill it; when that was."""
     play = [sys.executable, "-m", "tests.soak.monkey", folder]
-    with (folder / "told.txt").open("a") as told:
+    with (folder / "reported.txt").open("a") as reported:
         process = subprocess.Popen(
             [*play, "--seed", str(1000 * _SEED + life), "--keep-every-ms", str(int(1000 * _EVERY))],
             env=environment,
-            stdout=told,
-            stderr=told,
+            stdout=reported,
+            stderr=reported,
         )
         with pytest.raises(subprocess.TimeoutExpired):
             process.wait(seconds)

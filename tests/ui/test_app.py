@@ -53,10 +53,10 @@ def test_missing_system_libraries_are_named_with_their_packages(monkeypatch, cap
         system_libraries, "missing", lambda: [("libxcb-cursor.so.0", "libxcb-cursor0")]
     )
     assert app.main([]) == 1
-    told = capsys.readouterr().err
-    assert "libxcb-cursor.so.0" in told
-    assert "apt-get install libxcb-cursor0" in told
-    assert told.count("\n") == 1
+    received = capsys.readouterr().err
+    assert "libxcb-cursor.so.0" in received
+    assert "apt-get install libxcb-cursor0" in received
+    assert received.count("\n") == 1
 
 
 def test_a_window_can_open_on_no_display_where_qt_draws_off_screen(monkeypatch):
@@ -93,9 +93,9 @@ def test_a_signal_closes_the_window_in_the_midst_of_loading_with_status_0(number
     )
     assert process.stdout.readline() == "shown\n"
     process.send_signal(number)
-    _, told = process.communicate(timeout=120)
-    assert process.returncode == 0, told
-    assert "Traceback" not in told
+    _, received = process.communicate(timeout=120)
+    assert process.returncode == 0, received
+    assert "Traceback" not in received
 
 
 @pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs a display")
@@ -135,9 +135,9 @@ for thread in threads:
     thread.join()
 libc.malloc_info(0, ctypes.c_void_p(file := libc.tmpfile()))
 libc.rewind(ctypes.c_void_p(file))
-told = ctypes.create_string_buffer(1 << 20)
-length = libc.fread(told, 1, len(told), ctypes.c_void_p(file))
-print(told.raw[:length].count(b"<heap nr="))
+text = ctypes.create_string_buffer(1 << 20)
+length = libc.fread(text, 1, len(text), ctypes.c_void_p(file))
+print(text.raw[:length].count(b"<heap nr="))
 """
 
 
@@ -152,6 +152,6 @@ def test_the_window_keeps_no_shaders_where_a_full_disk_would_end_it():
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="arenas are glibc's")
 def test_threads_share_what_memory_was_freed():
-    told = subprocess.run([sys.executable, "-c", _ARENAS], capture_output=True, text=True)
-    assert told.stderr == ""
-    assert 1 <= int(told.stdout) <= 2
+    received = subprocess.run([sys.executable, "-c", _ARENAS], capture_output=True, text=True)
+    assert received.stderr == ""
+    assert 1 <= int(received.stdout) <= 2

@@ -113,11 +113,11 @@ def test_a_lens_is_designed_and_saved_by_hand(scene, screen, tmp_path):
         wait_for(saved.exists, "the file")
         screen.focus(TITLE)
         screen.do("key", "ctrl+q")
-        told, _ = process.communicate(timeout=60)
+        received, _ = process.communicate(timeout=60)
     finally:
         process.kill()
         process.wait()
-    assert (process.returncode, told) == (0, "")
+    assert (process.returncode, received) == (0, "")
     session = read_session(saved)
     assert session.scene.target.radius == 0.45
     assert 0 < session.result.iterations < SCENE["run"]["iterations"]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _HIGH = 160  # logical pixels of a picture: two of them are compared
 
 
-class Finder(QObject):
+class ProspectFinder(QObject):
     """Draws the target of the latest job and finds what can be expected of it.
 
     Attributes

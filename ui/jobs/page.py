@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from ui.files.dialogs import FileDialogs
 from ui.jobs.drawing import SideDrawing
 from ui.jobs.form import JobForm
-from ui.jobs.outlook import Finder, Outlook
+from ui.jobs.outlook import Outlook, ProspectFinder
 from ui.panels.source import light_files
 from ui.panels.target import image_files
 from ui.words import tr
@@ -54,7 +54,7 @@ class StartPage(QDialog):
         self._dialogs = dialogs
         self._session: Session | None = None  # of the job as it is now
         self._begins = False  # as soon as there is one
-        self._finder = Finder(self)
+        self._finder = ProspectFinder(self)
         self._drawing, self._outlook = SideDrawing(), Outlook()
         self._jobs = QListWidget()
         self._jobs.setAccessibleName(tr("Jobs"))

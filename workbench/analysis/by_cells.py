@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.cells.image import CellImage, imaging
-from workbench.analysis.independent import Independent, tracing_independently
+from workbench.analysis.independent import IndependentError, tracing_independently
 from workbench.analysis.metrics import paper_loss, relative_l2, root
-from workbench.analysis.scatter import Unscattered
+from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.scene import AnyReceiver, Scene
@@ -43,11 +43,11 @@ class ByCells:
         ‖R − I‖ / ‖I‖ of the image R of random rays.
     noise : float
         What that would be by the scatter of the rays alone.
-    unscattered : Unscattered
+    unscattered : CorrectedDistance
         The same difference without their scatter.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
-    independent : Independent, optional
+    independent : IndependentError, optional
         Where the error is from independent images of random rays, as these are more exact.
     """
 
@@ -60,9 +60,9 @@ class ByCells:
     cells: tuple[int, int]
     difference: float
     noise: float
-    unscattered: Unscattered
+    unscattered: CorrectedDistance
     irradiance: Array
-    independent: Independent | None = None
+    independent: IndependentError | None = None
 
     @classmethod
     def of(
@@ -71,8 +71,8 @@ class ByCells:
         target: Array,
         receiver: AnyReceiver,
         of_rays: Array,
-        unscattered: Unscattered,
-        independent: Independent | None = None,
+        unscattered: CorrectedDistance,
+        independent: IndependentError | None = None,
     ) -> "ByCells":
         """Compare an image with the target and with one of random rays.
 
@@ -84,9 +84,9 @@ class ByCells:
             The target and the image of random rays, in any scale.
         receiver : AnyReceiver
             What the images are on.
-        unscattered : Unscattered
+        unscattered : CorrectedDistance
             Distance of these two without the scatter of the rays.
-        independent : Independent, optional
+        independent : IndependentError, optional
             What has the error, in place of the image by cells.
         """
         irradiance = image.irradiance
@@ -158,7 +158,7 @@ def without_scatter(
     accuracy: float,
     pose: Pose | None,
     threads: int | None,
-) -> Steps[tuple[CellImage | None, Independent | None]]:
+) -> Steps[tuple[CellImage | None, IndependentError | None]]:
     """Find the image by cells, and independent ones where these tell its error more exactly.
 
     Parameters

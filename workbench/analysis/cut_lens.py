@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.analysis.scatter import Unscattered
+from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
@@ -27,14 +27,14 @@ class CutLens(NamedTuple):
 
     Attributes
     ----------
-    designed : Unscattered
+    designed : CorrectedDistance
         Relative L2 error of the lens as it was designed.
-    cut : Unscattered
+    cut : CorrectedDistance
         The same as the cutter leaves it.
     """
 
-    designed: Unscattered
-    cut: Unscattered
+    designed: CorrectedDistance
+    cut: CorrectedDistance
 
     @property
     def sentence(self) -> str:
@@ -87,7 +87,7 @@ def tracing_cut(
         for which, each in enumerate((designed, cut)):
             part = partial(of_equal, 2 * BATCHES, 2 * number + which)
             images[which].append((yield from within(_imaging(each, target.shape), part)))
-    found = (Unscattered.of_pairs(each, target) for each in images)
+    found = (CorrectedDistance.of_pairs(each, target) for each in images)
     return CutLens(*found)
 
 

@@ -2,7 +2,7 @@
 
 Cells of a source of some size have to be fine, and lit from many origins, until nothing of them is
 left in the error. Images of random rays have nothing but scatter, which pairs of them do without;
-see `Unscattered.of_pairs`.
+see `CorrectedDistance.of_pairs`.
 """
 
 import math
@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workbench.analysis.scatter import Unscattered
+from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
@@ -24,18 +24,18 @@ from workbench.watch import Steps, within
 _BEGIN, _MOST = 1 << 22, 1 << 24
 
 
-class Independent(NamedTuple):
+class IndependentError(NamedTuple):
     """What independent images of random rays say of a lens.
 
     Attributes
     ----------
-    unscattered : Unscattered
+    unscattered : CorrectedDistance
         Relative L2 distance of the lens's image to a target.
     rays : int
         Rays of all images together.
     """
 
-    unscattered: Unscattered
+    unscattered: CorrectedDistance
     rays: int
 
 
@@ -46,7 +46,7 @@ def tracing_independently(
     accuracy: float,
     pose: Pose | None = None,
     threads: int | None = None,
-) -> Steps[Independent]:
+) -> Steps[IndependentError]:
     """Find the error of a lens from independent images; twice as many rays until it is exact.
 
     Parameters
@@ -67,10 +67,10 @@ def tracing_independently(
             image = yield from within(_image(trace, threads), partial(_done, run, number))
             images[number] += image.reshape(target.shape)
             rays += trace.rays
-        found = Unscattered.of_pairs(list(images), target)
+        found = CorrectedDistance.of_pairs(list(images), target)
         run, together = run + 1, 2 * together
         if found.off <= accuracy or together > _MOST:
-            return Independent(found, rays)
+            return IndependentError(found, rays)
 
 
 def _image(trace: Trace, threads: int | None) -> Steps[Array]:

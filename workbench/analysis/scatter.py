@@ -19,7 +19,7 @@ STUDENT_T = 2.131
 """Student's t for 95 % and as many batches, of which one degree of freedom goes to their mean."""
 
 
-class Unscattered(NamedTuple):
+class CorrectedDistance(NamedTuple):
     """A distance of an image of random rays to another one, without the scatter of the rays.
 
     Attributes
@@ -39,7 +39,7 @@ class Unscattered(NamedTuple):
     square: float
 
     @classmethod
-    def of(cls, products: Sequence[float]) -> "Unscattered":
+    def of(cls, products: Sequence[float]) -> "CorrectedDistance":
         """From the products with each batch of the second image; see `metrics.product`."""
         square = float(np.mean(products))
         # The scatter of the second image shows in the products. That of the first, which has more
@@ -50,7 +50,7 @@ class Unscattered(NamedTuple):
     @classmethod
     def of_pairs(
         cls, images: Sequence[npt.NDArray[np.floating]], reference: Array
-    ) -> "Unscattered":
+    ) -> "CorrectedDistance":
         """From images of other rays each, as many: all pairs of two scatter independently.
 
         The mean of ⟨I_r − T, I_s − T⟩ over all pairs has no scatter in it. How it varies where one
@@ -76,7 +76,7 @@ class Unscattered(NamedTuple):
         return cls._of(square, spread)
 
     @classmethod
-    def _of(cls, square: float, spread: float) -> "Unscattered":
+    def _of(cls, square: float, spread: float) -> "CorrectedDistance":
         # A square below 0 by more than its spread tells that images are evener together than ones
         # that are independent, as parts of a file whose rays are laid out evenly: by so much the
         # true one may be above 0 as well.

@@ -17,10 +17,10 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.by_cells import ByCells, without_scatter
-from workbench.analysis.independent import Independent
+from workbench.analysis.independent import IndependentError
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
 from workbench.analysis.regions import RegionLight, light_of_regions
-from workbench.analysis.scatter import FEWER, STUDENT_T, Unscattered
+from workbench.analysis.scatter import FEWER, STUDENT_T, CorrectedDistance
 from workbench.analysis.shading import Shading, shading_of
 from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.tracing.pose import Pose
@@ -59,7 +59,7 @@ class Validation:
         Where it lies for other rays, as many: at least 95 % confidence.
     relative_l2_corrected : float
         The same error without the scatter of the rays, by a second image of a quarter as many
-        other rays; see `Unscattered`.
+        other rays; see `CorrectedDistance`.
     relative_l2_corrected_interval : tuple[float, float]
         Where the lens's error lies: at least 95 % confidence.
     efficiency : float
@@ -112,12 +112,12 @@ class Validation:
         return (self, *self.further)
 
     @property
-    def verified(self) -> "Validation | ByCells | Together":
+    def verified(self) -> "Validation | ByCells | CombinedError":
         """What has the error of the lens itself: cells, or else random rays.
 
         That of several images is the root of the weighted mean of their squares, as for a design.
         """
-        return Together.of(self.images) if self.further else self.by_cells or self
+        return CombinedError.of(self.images) if self.further else self.by_cells or self
 
     @property
     def loss_corrected(self) -> float:
@@ -148,7 +148,7 @@ class Validation:
         }
 
 
-class Together(NamedTuple):
+class CombinedError(NamedTuple):
     """The error of several images.
 
     Attributes
@@ -161,7 +161,7 @@ class Together(NamedTuple):
     relative_l2_corrected_interval: Interval
 
     @classmethod
-    def of(cls, images: Sequence[Validation]) -> "Together":
+    def of(cls, images: Sequence[Validation]) -> "CombinedError":
         """The root of the weighted mean of the squares of their errors."""
         each = [image.by_cells or image for image in images]
         weights = [image.weight for image in images]
@@ -298,8 +298,8 @@ def _of_one(
     )
     references = [target] if image is None else [target, image.irradiance]
     if trace.sampled:
-        unscattered = [Unscattered.of_pairs(batches, reference) for reference in references]
-        independent = Independent(unscattered[0], trace.rays)
+        unscattered = [CorrectedDistance.of_pairs(batches, reference) for reference in references]
+        independent = IndependentError(unscattered[0], trace.rays)
     else:
         second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
         unscattered = yield from within(
@@ -358,7 +358,7 @@ def _traced(
 
 def _by_other_rays(
     trace: Trace, image: Array, references: Sequence[Array], threads: int | None
-) -> Steps[list[Unscattered]]:
+) -> Steps[list[CorrectedDistance]]:
     """An image's distance to each reference, from its products with those of other rays."""
     found: list[list[float]] = [[] for _ in references]
     for batch in trace.batches(threads):
@@ -368,7 +368,7 @@ def _by_other_rays(
                 products.append(product(image, other, reference))
         del batch
         yield trace.part
-    return [Unscattered.of(products) for products in found]
+    return [CorrectedDistance.of(products) for products in found]
 
 
 def _account(tally: Tally) -> Account:

@@ -21,7 +21,7 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import Freedom, Mask
+from workbench.design.heights import FreeHeights, Mask
 from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import finest_image
 from workbench.design.loss import check_gradient
@@ -164,7 +164,7 @@ def _evaluated(
     x: Tensor,
     parameters: Mapping[str, Tensor],
     *,
-    free: Freedom,
+    free: FreeHeights,
     smoothness: Smoothness | None,
 ) -> Evaluation[Step]:
     """What a descent minimises over x, from which parameters come."""

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from workbench.design.picture import picture_of
 from workbench.errors import Refused
-from workbench.scene import Drawn, Scene
+from workbench.scene import DrawnTarget, Scene
 
 
 def with_targets(scene: Scene, folder: Path) -> Scene:
@@ -37,12 +37,12 @@ def with_targets(scene: Scene, folder: Path) -> Scene:
             except Refused as refused:
                 path = f"further_images[{number}].{refused.path}"
                 raise Refused(path, refused.reason) from None
-            image = image.drawn_as(Drawn(light, picture))
+            image = image.drawn_as(DrawnTarget(light, picture))
         images.append(image)
     return scene.model_copy(update={"further_images": tuple(images)})
 
 
 def without_targets(scene: Scene) -> Scene:
     """The scene with the targets of its further images yet to be drawn, from their files."""
-    images = tuple(image.drawn_as(Drawn()) for image in scene.further_images)
+    images = tuple(image.drawn_as(DrawnTarget()) for image in scene.further_images)
     return scene.model_copy(update={"further_images": images}) if images else scene

@@ -96,7 +96,7 @@ class HeightRange:
         return torch.as_tensor(_inside(heights, lower, upper), device=self.lower.device)
 
 
-class Freedom:
+class FreeHeights:
     """The ranges of all freeform faces of a lens; parameters and heights by the names of faces.
 
     Parameters

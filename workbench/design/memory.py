@@ -30,7 +30,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Corners
-from workbench.optics.ways import beam_kernel_of
+from workbench.optics.tracers import beam_kernel_of
 from workbench.scene import Scene
 from workbench.system_memory import as_bytes, available_memory
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import torch
 
 from workbench.design.aim import first_lens
-from workbench.design.heights import Freedom, HeightRange, Mask
+from workbench.design.heights import FreeHeights, HeightRange, Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First
@@ -85,10 +85,10 @@ class Room:
             for face, each in self.limits.items()
         }
 
-    def height_range(self, device: torch.device | str = "cpu") -> Freedom:
+    def height_range(self, device: torch.device | str = "cpu") -> FreeHeights:
         """The ranges of a run that optimises: finite, locked control points left out."""
         start = self.start or {}
-        return Freedom(
+        return FreeHeights(
             HeightRange.within(limits, device, face).keeping(self.locked.get(face), start.get(face))
             for face, limits in HeightLimits.of_faces(self._ranged).items()
         )

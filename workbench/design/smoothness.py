@@ -44,7 +44,7 @@ class Smoothness:
 
     Attributes
     ----------
-    faces : dict of str to FaceBends
+    faces : dict of str to FaceCurvature
         The freeform faces by their names.
     """
 
@@ -54,7 +54,9 @@ class Smoothness:
         # An entrance face bends away from a plane, whose place does not matter.
         bases = {optic.face: optic.base.height_at(x[:, None], y[None, :])}
         self.faces = {
-            face: FaceBends(net, bases.get(face, np.zeros(net.shape)), device, optic.outwards(face))
+            face: FaceCurvature(
+                net, bases.get(face, np.zeros(net.shape)), device, optic.outwards(face)
+            )
             for face, net in nets.items()
         }
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
@@ -110,7 +112,7 @@ class Smoothness:
         return step._replace(merit=merit.item())
 
 
-class FaceBends:
+class FaceCurvature:
     """How much a face bends, and how sharply.
 
     Parameters

@@ -18,7 +18,7 @@ from workbench.files.figures import AccountFigures, Figures
 from workbench.files.npy import Array
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import Drawn, Scene
+from workbench.scene import DrawnTarget, Scene
 
 _TARGET = "target.npy"
 # Of further images, by their numbers from 1.
@@ -102,7 +102,7 @@ def with_read_targets(entries: Entries, folder: str, scene: Scene) -> Scene:
         zip(scene.single[1:], scene.further_images, strict=True), start=1
     ):
         light = _read_target(entries, folder + _FURTHER_TARGET.format(number), alone)
-        images.append(image.drawn_as(Drawn(light, _read_picture(entries, pictures[number]))))
+        images.append(image.drawn_as(DrawnTarget(light, _read_picture(entries, pictures[number]))))
     return scene.model_copy(update={"further_images": tuple(images)})
 
 

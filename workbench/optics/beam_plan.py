@@ -20,7 +20,7 @@ from workbench.optics.reference import Reference
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 from workbench.optics.source_beams import between_origins, light_apart
-from workbench.optics.ways import beam_kernel_of
+from workbench.optics.tracers import beam_kernel_of
 from workbench.scene import Scene
 
 _NEARLY_ALL = 0.999

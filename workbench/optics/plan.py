@@ -12,7 +12,7 @@ from workbench.optics.kernels.locked import Mask
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
-from workbench.optics.ways import Ways
+from workbench.optics.tracers import Tracers
 from workbench.scene import Filter, Scene
 
 
@@ -66,8 +66,8 @@ class Plan:
         fine = dtype is None and needed == torch.float64
         self._redrawn = scene.source.redrawn
         path = Path.of(scene, net, dtype or needed, device_of(scene), samples)
-        self._ways = Ways(path, mirrored, locked)
-        kind = self._ways.kind
+        self._tracers = Tracers(path, mirrored, locked)
+        kind = self._tracers.kind
         self._choice = Choice(path, None if kind is None else kind.name, fused, fine)
 
     def trace(self, heights: Mapping[str, Tensor]) -> Light:
@@ -91,14 +91,14 @@ class Plan:
     def next_iteration(self) -> None:
         """Take new rays, if the source is to have fresh ones for each iteration."""
         if self._redrawn:
-            self._ways.path.redraw()
+            self._tracers.path.redraw()
 
     def flux(self, heights: Mapping[str, Tensor]) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
-        return self._ways.reference.flux(heights, self._filter)
+        return self._tracers.reference.flux(heights, self._filter)
 
     def _tracer(self) -> Tracer:
-        return self._ways.kernel if self._choice.compiled else self._ways.reference
+        return self._tracers.kernel if self._choice.compiled else self._tracers.reference
 
 
 def device_of(scene: Scene) -> torch.device:

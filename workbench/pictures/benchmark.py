@@ -31,7 +31,7 @@ _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 _ERRORS = (("sharp", "s"), ("bound", "|"), ("light", "o"), ("lens", "^"))
 
 
-class DrawnCourse(Protocol):
+class CourseRow(Protocol):
     """Verified error of a method over time."""
 
     @property
@@ -55,7 +55,7 @@ class DrawnCourse(Protocol):
         """Time and the method's own error after each iteration."""
 
 
-class DrawnTime(Protocol):
+class TimeRow(Protocol):
     """Time of a variant."""
 
     @property
@@ -75,7 +75,7 @@ class DrawnTime(Protocol):
         """Times the first variant of the question."""
 
 
-class DrawnDifference(Protocol):
+class DifferenceRow(Protocol):
     """Float32 against float64."""
 
     @property
@@ -95,7 +95,7 @@ class DrawnDifference(Protocol):
         """The same of the gradient."""
 
 
-class DrawnReached(Protocol):
+class BoundRow(Protocol):
     """Errors of a lens and of what it could be."""
 
     @property
@@ -134,7 +134,7 @@ def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
     _DRAWN[name](rows).savefig(file, format="png", dpi=_DPI)
 
 
-def courses(rows: Sequence[DrawnCourse]) -> Figure:
+def courses(rows: Sequence[CourseRow]) -> Figure:
     """Error over time, a panel for each scene."""
     scenes = list(dict.fromkeys(row.scene for row in rows))
     figure, panels = _panels(len(scenes), width=4.2, height=3.2)
@@ -175,7 +175,7 @@ def courses(rows: Sequence[DrawnCourse]) -> Figure:
     return figure
 
 
-def comparisons(rows: Sequence[DrawnTime]) -> Figure:
+def comparisons(rows: Sequence[TimeRow]) -> Figure:
     """Times as bars, a panel for each question."""
     questions = [(name, list(each)) for name, each in groupby(rows, lambda row: row.question)]
     figure, panels = _panels(len(questions), width=4.6, height=2.2)
@@ -197,12 +197,12 @@ def comparisons(rows: Sequence[DrawnTime]) -> Figure:
     return figure
 
 
-def differences(rows: Sequence[DrawnDifference]) -> Figure:
+def differences(rows: Sequence[DifferenceRow]) -> Figure:
     """Relative differences as marks on one logarithmic scale."""
     return _marks(rows, _KINDS, "relative difference of float32 from float64")
 
 
-def reached(rows: Sequence[DrawnReached]) -> Figure:
+def bounds(rows: Sequence[BoundRow]) -> Figure:
     """Errors of lenses beside their bounds as marks on one logarithmic scale."""
     return _marks(rows, _ERRORS, "relative L2 error")
 
@@ -250,6 +250,6 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "kernels": comparisons,
     "precision": differences,
     "skips": comparisons,
-    "bound": reached,
+    "bound": bounds,
     "paper": page,
 }

@@ -36,7 +36,7 @@ _LANDS, _LOST = "#c47a00", "#c81e1e"
 _STYLES = {"paper": "-", "auto": "--"}
 
 
-class DrawnDesign(Protocol):
+class DesignRow(Protocol):
     """A designed lens, or why there is none."""
 
     @property
@@ -100,7 +100,7 @@ class DerivativeShown(Protocol):
         """Sum over what moves."""
 
 
-def page(rows: Sequence[DrawnDesign | DerivativeShown]) -> Figure:
+def page(rows: Sequence[DesignRow | DerivativeShown]) -> Figure:
     """Loss curves, derivative maps, and of each lens image, error, height field and rays."""
     maps: list[Any] = [row for row in rows if hasattr(row, "map")]
     designs: list[Any] = [row for row in rows if not hasattr(row, "map")]
@@ -121,7 +121,7 @@ def page(rows: Sequence[DrawnDesign | DerivativeShown]) -> Figure:
     return figure
 
 
-def _curves(part: SubFigure, designs: Sequence[DrawnDesign]) -> None:
+def _curves(part: SubFigure, designs: Sequence[DesignRow]) -> None:
     """Loss over iterations, and below it over time, a column for each group of experiments."""
     groups = list(dict.fromkeys(each.group for each in designs))
     panels: Any = part.subplots(2, len(groups), squeeze=False)
@@ -162,14 +162,14 @@ def _maps(part: SubFigure, maps: Sequence[DerivativeShown]) -> None:
         axes.set_title(said, fontsize=_FONT + 1)
 
 
-def _blocks(part: SubFigure, designs: Sequence[DrawnDesign]) -> None:
+def _blocks(part: SubFigure, designs: Sequence[DesignRow]) -> None:
     rows = -(-len(designs) // _BLOCKS)
     blocks: Any = part.subfigures(rows, _BLOCKS, squeeze=False)
     for block, each in zip(blocks.flatten(), designs, strict=False):
         _block(block, each)
 
 
-def _block(block: SubFigure, design: DrawnDesign) -> None:
+def _block(block: SubFigure, design: DesignRow) -> None:
     said = f"{design.name}, {design.method}"
     if design.error is not None and design.efficiency is not None:
         said += f": verified error {design.error:.1%}, {design.efficiency:.0%} on the screen"

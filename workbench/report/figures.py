@@ -3,7 +3,7 @@
 import math
 
 from workbench.analysis.by_cells import ByCells
-from workbench.analysis.independent import Independent
+from workbench.analysis.independent import IndependentError
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.shading import Shading
@@ -66,7 +66,7 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     )
 
 
-def _independent_rows(found: Independent | None) -> tuple[Fact, ...]:
+def _independent_rows(found: IndependentError | None) -> tuple[Fact, ...]:
     """What has the error where cells do not tell it as exactly."""
     if found is None:
         return ()

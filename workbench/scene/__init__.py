@@ -13,7 +13,7 @@ from workbench.scene.entrance import FlatEntrance, FreeformEntrance
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
-from workbench.scene.further_image import Drawn, FurtherImage, WantedImage
+from workbench.scene.further_image import DrawnTarget, FurtherImage, WantedImage
 from workbench.scene.grid_source import GridSource
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
@@ -57,7 +57,7 @@ __all__ = [
     "Base",
     "BoxFilter",
     "CollimatedSource",
-    "Drawn",
+    "DrawnTarget",
     "EllipseRegion",
     "ExactMethod",
     "FarField",

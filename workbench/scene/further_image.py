@@ -23,7 +23,7 @@ Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Drawn:
+class DrawnTarget:
     """A target as it was drawn; one that has yet to be drawn is like any.
 
     Attributes
@@ -38,7 +38,7 @@ class Drawn:
     picture: bytes | None = None
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Drawn):
+        if not isinstance(other, DrawnTarget):
             return NotImplemented
         if self.light is None or other.light is None or self.light is other.light:
             return True
@@ -88,7 +88,7 @@ class FurtherImage(Part):
             le=1e6,
         ),
     ] = 1.0
-    _drawn: Drawn = PrivateAttr(default_factory=Drawn)
+    _drawn: DrawnTarget = PrivateAttr(default_factory=DrawnTarget)
 
     @property
     def receiver(self) -> AnyReceiver:
@@ -109,11 +109,11 @@ class FurtherImage(Part):
         return self._drawn.light
 
     @property
-    def drawn(self) -> Drawn:
+    def drawn(self) -> DrawnTarget:
         """Its target as it was drawn, if it was."""
         return self._drawn
 
-    def drawn_as(self, drawn: Drawn) -> Self:
+    def drawn_as(self, drawn: DrawnTarget) -> Self:
         """The same with its target drawn."""
         copy = self.model_copy()
         copy._drawn = drawn
@@ -128,7 +128,7 @@ class FurtherImage(Part):
                 return self.drawn_as(other.drawn)
         file = self.target.file
         pictures = (each.drawn.picture for each in others if file and each.target.file == file)
-        return self.drawn_as(Drawn(picture=next(pictures, None)))
+        return self.drawn_as(DrawnTarget(picture=next(pictures, None)))
 
     @property
     def _drawing(self) -> tuple[object, ...]:

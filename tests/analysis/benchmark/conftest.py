@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.targets import load_target
 
 
@@ -11,13 +11,13 @@ def make_example(make_scene, tmp_path):
 
     def make(changes=None, name="small"):
         scene = make_scene(changes)
-        return Example(name, "Small", scene, load_target(scene, tmp_path))
+        return BenchmarkTask(name, "Small", scene, load_target(scene, tmp_path))
 
     return make
 
 
 @pytest.fixture
-def told():
+def progress():
     """Gathers what a benchmark tells of its progress."""
     lines = []
 

@@ -1,7 +1,7 @@
 """Lenses for the sun and their bounds."""
 
-from workbench.analysis.benchmark.bounds import reached, table
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.bounds import compare_with_bound, table
+from workbench.analysis.benchmark.examples import BenchmarkTask
 
 
 def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
@@ -10,10 +10,10 @@ def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
         "lens": {"control_points": [32, 32]},
         "source": {"angular_diameter": 5.0},
     }
-    told = []
-    example = Example.of("sun-plate", run={"iterations": 4}, **small)
-    found = reached("photo", example, lambda case, state: told.append((case, state)))
+    progress = []
+    example = BenchmarkTask.of("sun-plate", run={"iterations": 4}, **small)
+    found = compare_with_bound("photo", example, lambda case, state: progress.append((case, state)))
     assert 0 < found.bound <= found.light < found.lens < found.sharp
     assert found.ratio == found.lens / found.bound
-    assert told[0] == ("photo", "its bound") and told[-1] == ("photo", "iteration 4")
+    assert progress[0] == ("photo", "its bound") and progress[-1] == ("photo", "iteration 4")
     assert "| photo | " in table([found]).to_markdown()

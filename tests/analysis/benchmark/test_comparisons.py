@@ -108,12 +108,15 @@ def test_a_skip_leaves_the_image_unchanged(question):
 
 
 @pytest.mark.slow
-def test_every_comparison_gives_rows(monkeypatch, told):
+def test_every_comparison_gives_rows(monkeypatch, progress):
     for module in (kernels, skips):
         monkeypatch.setattr(module, "_SECONDS", 0.01)
-    for rows in (list(kernels.measurements(None, told)), list(skips.measurements(None, told))):
+    for rows in (
+        list(kernels.measurements(None, progress)),
+        list(skips.measurements(None, progress)),
+    ):
         questions = {row.question for row in rows}
-        assert questions <= {case for case, _ in told.lines}
+        assert questions <= {case for case, _ in progress.lines}
         for row in rows:
             assert row.milliseconds > 0 and row.rays > 0
-    assert len(list(differences(None, told))) >= 5
+    assert len(list(differences(None, progress))) >= 5

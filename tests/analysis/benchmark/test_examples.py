@@ -3,7 +3,7 @@ import pytest
 import torch
 
 import resources
-from workbench.analysis.benchmark.examples import Example, wavy
+from workbench.analysis.benchmark.examples import BenchmarkTask, wavy
 from workbench.design.heights import HeightRange
 from workbench.errors import Refused
 from workbench.files.session import open_design
@@ -14,7 +14,7 @@ from workbench.targets import load_target
 
 
 def test_reads_what_ships():
-    example = Example.of("flame")
+    example = BenchmarkTask.of("flame")
     (shipped,) = (each for each in resources.EXAMPLES if each.name == "flame")
     assert example.group == shipped.group
     assert example.scene.screen.pixels == (256, 256)
@@ -22,7 +22,11 @@ def test_reads_what_ships():
 
 
 def test_the_photograph_is_drawn_at_any_size_as_it_ships():
-    shipped, same, finer = Example.of("photo"), Example.photo(256), Example.photo(512)
+    shipped, same, finer = (
+        BenchmarkTask.of("photo"),
+        BenchmarkTask.photo(256),
+        BenchmarkTask.photo(512),
+    )
     np.testing.assert_allclose(same.target, shipped.target, atol=0.5 / 255 + 1e-9)
     assert same.scene == shipped.scene
     assert finer.target.shape == (512, 512) and finer.scene.screen.pixels == (512, 512)
@@ -31,8 +35,8 @@ def test_the_photograph_is_drawn_at_any_size_as_it_ships():
 
 
 def test_the_cloud_has_detail_of_every_size():
-    image = Example.cloud().target
-    np.testing.assert_array_equal(image, Example.cloud().target)
+    image = BenchmarkTask.cloud().target
+    np.testing.assert_array_equal(image, BenchmarkTask.cloud().target)
     assert image.min() == 0 and image.max() == 1 and image.shape == (256, 256)
     frequency = np.hypot(np.fft.fftfreq(256)[:, None], np.fft.rfftfreq(256))
     waves = np.abs(np.fft.rfft2(image))
@@ -51,7 +55,7 @@ def test_a_saved_example_is_the_same_task(make_example, tmp_path):
 
 
 def test_changes_are_merged_and_other_kinds_replace():
-    example = Example.of(
+    example = BenchmarkTask.of(
         "tophat",
         lens={"control_points": [8, 9]},
         source={"kind": "point", "position": [0, 0, -5], "rays": 10},
@@ -67,12 +71,12 @@ def test_changes_are_merged_and_other_kinds_replace():
 
 def test_impossible_changes_are_refused():
     with pytest.raises(Refused, match="control_points"):
-        Example.of("tophat", lens={"control_points": [2, 2]})
+        BenchmarkTask.of("tophat", lens={"control_points": [2, 2]})
 
 
 @pytest.mark.parametrize("name", ["tophat", "flame-x1", "ball-x5", "flame-point"])
 def test_the_wavy_lens_is_allowed_and_bends_light(name):
-    scene = Example.of(name, lens={"control_points": [16, 16]}).scene
+    scene = BenchmarkTask.of(name, lens={"control_points": [16, 16]}).scene
     heights = wavy(scene)
     free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
     assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()

@@ -3,7 +3,7 @@ import pytest
 
 import resources
 from workbench.analysis.benchmark import experiments
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.experiments import (
     DERIVATIVES,
     DESIGNS,
@@ -23,9 +23,9 @@ def test_every_listed_benchmark_is_in_the_suite():
     assert DEFAULT in BENCHMARKS
 
 
-def test_a_design_is_judged_by_the_independent_check(make_example, told):
+def test_a_design_is_judged_by_the_independent_check(make_example, progress):
     example = make_example({"run.iterations": 5, "run.method": "paper"})
-    found = design(example, "paper", RAYS, told)
+    found = design(example, "paper", RAYS, progress)
     light = validate(example.scene, example.target, found.result.state.heights, RAYS)
     assert (found.error, found.noise) == (light.relative_l2, light.noise)
     assert found.efficiency == light.efficiency
@@ -35,20 +35,20 @@ def test_a_design_is_judged_by_the_independent_check(make_example, told):
     assert found.milliseconds_an_iteration * 5 / 1e3 == pytest.approx(
         found.times[-1] - found.times[0]
     )
-    assert told.lines[-1] == ("small, paper", "verifying")
+    assert progress.lines[-1] == ("small, paper", "verifying")
 
 
-def test_a_run_that_fails_is_a_row_that_says_why(impossible, told):
-    found = design(impossible, "paper", RAYS, told)
+def test_a_run_that_fails_is_a_row_that_says_why(impossible, progress):
+    found = design(impossible, "paper", RAYS, progress)
     assert "no light reaches the screen" in found.failure
     assert found.result is None and found.error is None and found.loss is None
     row, _ = tables([found])
     assert "no light reaches the screen" in row.to_markdown()
 
 
-def test_a_refused_run_is_a_row_that_says_why(make_example, told):
+def test_a_refused_run_is_a_row_that_says_why(make_example, progress):
     example = make_example({"filter": {"kind": "box"}, "run.method": "paper"})
-    found = design(example, "paper", RAYS, told)
+    found = design(example, "paper", RAYS, progress)
     assert found.failure.startswith("filter.kind")
 
 
@@ -69,7 +69,7 @@ def test_the_paper_takes_a_thousand_iterations_and_keeps_the_stages():
 
 
 def test_fewer_iterations_shrink_the_stages_too():
-    example = experiments._limited(Example.of("flame-stages"), 6)
+    example = experiments._limited(BenchmarkTask.of("flame-stages"), 6)
     assert [part.run.iterations for part in example.scene.parts()] == [4, 2]
     assert experiments._limited(example, None) is example
 
@@ -77,7 +77,7 @@ def test_fewer_iterations_shrink_the_stages_too():
 def test_derivatives_move_light_and_make_none():
     found = []
     for name in DERIVATIVES:
-        example = Example.of(name, source={"rays": [96, 96]}, screen={"pixels": [32, 32]})
+        example = BenchmarkTask.of(name, source={"rays": [96, 96]}, screen={"pixels": [32, 32]})
         found.append(derivative(example))
     a, b, c = found
     for each in found:

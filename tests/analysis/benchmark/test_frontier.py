@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.analysis.benchmark import frontier
-from workbench.analysis.benchmark.fresh import Fresh
+from workbench.analysis.benchmark.fresh import FreshRun
 from workbench.analysis.benchmark.frontier import (
     Course,
     Effort,
@@ -30,7 +30,7 @@ def processes(monkeypatch):
 
     def fresh_design(example, iterations, times):
         asked.append((example.name, iterations, times))
-        return Fresh(7.5, 300_000_000)
+        return FreshRun(7.5, 300_000_000)
 
     monkeypatch.setattr(frontier, "fresh_design", fresh_design)
     return asked
@@ -62,10 +62,10 @@ def scripted(monkeypatch, make_example):
     return put
 
 
-def test_errors_are_those_of_the_independent_check(scripted, told):
+def test_errors_are_those_of_the_independent_check(scripted, progress):
     script = [(0.01, 0.0), (0.02, 0.3), (0.3, 0.02), (0.4, 0.3), (0.9, 0.04), (1.0, 0.05)]
     effort, verified = scripted({"one": script})
-    (course,) = courses(effort, told)
+    (course,) = courses(effort, progress)
     # From 0.05 s on in steps of two, and the last one.
     assert course.times == (0.01, 0.3, 0.9, 1.0)
     last = verified(0.05, 1e-3)
@@ -78,16 +78,16 @@ def test_errors_are_those_of_the_independent_check(scripted, told):
     assert course.own_curve == tuple(script)
     assert course.own == 0.05 and course.own_over_verified == 0.05 / course.error
     assert course.sooner == 1.0
-    assert told.lines[-1] == ("small, one", "verifying 4 of 4")
+    assert progress.lines[-1] == ("small, one", "verifying 4 of 4")
 
 
-def test_speed_up_counts_from_the_slowest_method(scripted, told):
+def test_speed_up_counts_from_the_slowest_method(scripted, progress):
     slow = [(1.0, 0.3), (8.0, 0.0)]
     fast = [(0.5, 0.3), (1.0, 0.0), (2.0, 0.001)]
     never = [(0.5, 0.3)]
     effort, verified = scripted({"slow": slow, "fast": fast, "never": never})
     assert verified(0.0, 5e-3).error < verified(0.3, 5e-3).error
-    assert [course.sooner for course in courses(effort, told)] == [1.0, 8.0, None]
+    assert [course.sooner for course in courses(effort, progress)] == [1.0, 8.0, None]
 
 
 def test_cells_and_random_rays_verify_the_same(make_example, monkeypatch):
@@ -108,9 +108,9 @@ def test_cells_and_random_rays_verify_the_same(make_example, monkeypatch):
     assert rays.bound != cells.bound
 
 
-def test_auto_says_what_it_is_verified_to_be_and_what_a_user_waits(effort, told, processes):
+def test_auto_says_what_it_is_verified_to_be_and_what_a_user_waits(effort, progress, processes):
     effort = replace(effort, methods=("paper", "transport", "auto"))
-    paper, transport, auto = courses(effort, told)
+    paper, transport, auto = courses(effort, progress)
     assert processes == [("small", 4, 1)]
     assert auto.waited == 7.5 and auto.megabytes == 300.0 and paper.waited is None
     assert auto.own_over_verified == pytest.approx(1, abs=0.05)
@@ -118,8 +118,8 @@ def test_auto_says_what_it_is_verified_to_be_and_what_a_user_waits(effort, told,
     assert transport.own_curve == () and transport.own is None
 
 
-def test_every_method_runs_and_gets_better(effort, told, processes):
-    found = list(courses(effort, told))
+def test_every_method_runs_and_gets_better(effort, progress, processes):
+    found = list(courses(effort, progress))
     assert [course.method for course in found] == list(METHODS)
     assert found[0].method == "paper on torch"
     for course in found:
@@ -130,7 +130,7 @@ def test_every_method_runs_and_gets_better(effort, told, processes):
         assert course.times[-1] == course.seconds
 
 
-def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypatch):
+def test_a_failed_method_is_reported_and_the_others_run(scripted, progress, monkeypatch):
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
@@ -140,7 +140,7 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, told, monkeypa
     methods = {"first": dark, **frontier.METHODS}
     monkeypatch.setattr(frontier, "METHODS", methods)
     effort = replace(effort, methods=tuple(methods))
-    failed, fine = courses(effort, told)
+    failed, fine = courses(effort, progress)
     assert failed.failure == "no light"
     assert failed.error is None and failed.sooner is None
     assert fine.failure == "" and fine.error > 0 and fine.sooner is None

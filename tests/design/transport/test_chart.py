@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.design.transport.chart import Chart, between
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 
 CELLS = 64
 
@@ -12,7 +12,9 @@ CELLS = 64
 @pytest.fixture
 def view(make_scene):
     """Of a screen whose coordinates go from -1 to 1."""
-    return View.of(make_scene({"lens.half_width": [1.0, 1.0], "screen.half_width": [1.0, 1.0]}))
+    return ReceiverView.of(
+        make_scene({"lens.half_width": [1.0, 1.0], "screen.half_width": [1.0, 1.0]})
+    )
 
 
 def _bends(cell, to):
@@ -24,7 +26,7 @@ def _bends(cell, to):
 
 def test_a_chart_has_places_by_their_slopes_and_finds_them_again(view):
     wanted = np.full((CELLS, CELLS), CELLS**-2.0)
-    begins = View.grid(CELLS)
+    begins = ReceiverView.grid(CELLS)
     chart = Chart.of(view, wanted, _bends, begins)
     u, v = view.seen(CELLS)
     # What is linear in the place that light comes from, here that of the cell itself, is left out.
@@ -54,7 +56,7 @@ def test_values_between_cells_are_linear():
 def test_transport_in_a_chart_keeps_all_light(view):
     wanted = np.random.default_rng(1).random((CELLS, CELLS))
     wanted /= wanted.sum()
-    chart = Chart.of(view, wanted, _bends, View.grid(CELLS))
+    chart = Chart.of(view, wanted, _bends, ReceiverView.grid(CELLS))
     even = np.full((CELLS, CELLS), CELLS**-2.0)
     transport = chart.transport(even, wanted)
     u, v = chart.places(transport)

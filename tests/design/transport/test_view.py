@@ -5,7 +5,7 @@ import pytest
 
 from workbench.design.transport import first_of
 from workbench.design.transport.start import first_error
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 
 LEANING = {
     "version": 2,
@@ -27,13 +27,13 @@ BASE = {"shape": "flat", "height": 0.1}
 
 
 def test_an_upright_screen_is_seen_as_it_is(make_scene):
-    view = View.of(make_scene({}))
+    view = ReceiverView.of(make_scene({}))
     assert not view.leans
     assert view.half_extent == view.scene.receiver.half_extent
 
 
 def test_the_light_of_a_leaning_screen_lies_where_lines_of_sight_meet_it(leaning):
-    view, n = View.of(leaning), 64
+    view, n = ReceiverView.of(leaning), 64
     image = np.zeros((n, n))
     image[8:12, 40:44] = 1.0  # up, where it is far, and to the right
     seen = view.wanted(image, n)
@@ -51,7 +51,7 @@ def test_the_light_of_a_leaning_screen_lies_where_lines_of_sight_meet_it(leaning
 
 def test_no_light_is_lost_on_the_way_to_a_leaning_screen(leaning):
     image = np.random.default_rng(5).random((40, 40))
-    assert View.of(leaning).wanted(image, 128).sum() == pytest.approx(image.sum(), rel=2e-3)
+    assert ReceiverView.of(leaning).wanted(image, 128).sum() == pytest.approx(image.sum(), rel=2e-3)
 
 
 def test_a_first_lens_sends_light_to_its_place_on_a_screen_that_leans_and_is_near(leaning):

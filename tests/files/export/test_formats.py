@@ -40,8 +40,8 @@ def test_every_ending_is_written(make_session, tmp_path, ending):
 
 def test_files_of_one_face_tell_which_of_two_they_hold(make_session, tmp_path):
     paths = [tmp_path / name for name in ("lens.dat", "lens.entrance.dat", "lens.step")]
-    told = [written.format for written in export(make_session(TWO_FACES), paths)]
-    assert told == [
+    message = [written.format for written in export(make_session(TWO_FACES), paths)]
+    assert message == [
         "OpticStudio grid sag, exit face (*.entrance.dat is for the entrance face)",
         "OpticStudio grid sag, entrance face",
         "STEP solid",
@@ -69,18 +69,18 @@ class TestNothingIsWritten:
         return str(caught.value)
 
     def test_if_one_ending_is_unknown(self, session, tmp_path):
-        told = self.refused(session, [tmp_path / "lens.step", tmp_path / "lens.dwg"])
-        assert "lens.dwg: has no ending" in told
+        message = self.refused(session, [tmp_path / "lens.step", tmp_path / "lens.dwg"])
+        assert "lens.dwg: has no ending" in message
         assert list(tmp_path.iterdir()) == []
 
     def test_if_one_folder_is_missing(self, session, tmp_path):
-        told = self.refused(session, [tmp_path / "lens.step", tmp_path / "missing" / "lens.stl"])
-        assert told.endswith("cannot be written: its folder does not exist")
+        message = self.refused(session, [tmp_path / "lens.step", tmp_path / "missing" / "lens.stl"])
+        assert message.endswith("cannot be written: its folder does not exist")
         assert list(tmp_path.iterdir()) == []
 
     def test_for_an_entrance_face_that_is_flat(self, session, tmp_path):
-        told = self.refused(session, [tmp_path / "lens.dat", tmp_path / "lens.entrance.dat"])
-        assert told.endswith("lens.entrance.dat: the entrance face is flat, so it has no file")
+        message = self.refused(session, [tmp_path / "lens.dat", tmp_path / "lens.entrance.dat"])
+        assert message.endswith("lens.entrance.dat: the entrance face is flat, so it has no file")
         assert list(tmp_path.iterdir()) == []
 
     def test_without_a_lens(self, session, tmp_path):

@@ -49,10 +49,10 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     assert rows(figures) == named(
         (*check_rows(found, 0.0321), *account_rows(found.account, designed.scene.receiver))
     )
-    told = rows(figures)
-    assert told["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
-    assert told["Off the optimiser's image"] == "3.210 %"
-    assert told["On the screen"] == told["Efficiency"] == f"{100 * found.efficiency:.3f} %"
+    received = rows(figures)
+    assert received["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
+    assert received["Off the optimiser's image"] == "3.210 %"
+    assert received["On the screen"] == received["Efficiency"] == f"{100 * found.efficiency:.3f} %"
     table = figures._table
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
@@ -78,11 +78,11 @@ def test_figures_of_each_image_are_listed(figures, make_scene, designed, tmp_pat
     found = validate(session.scene, session.target, heights, RAYS)
     own = found.further[0].irradiance
     figures.show_check(CheckedLens(session, heights, further=(own,)), found, 0.0321)
-    told = rows(figures)
+    received = rows(figures)
     for number, image in enumerate(found.images, start=1):
-        assert told[f"Image {number}: relative L2 error"] == percent(image.relative_l2)
-    assert told["Image 1: off the optimiser's image"] == "3.210 %"
-    assert told["Image 2: off the optimiser's image"] == percent(0.0)
+        assert received[f"Image {number}: relative L2 error"] == percent(image.relative_l2)
+    assert received["Image 1: off the optimiser's image"] == "3.210 %"
+    assert received["Image 2: off the optimiser's image"] == percent(0.0)
     errors = [image.relative_l2_corrected for image in found.images]
     together = np.sqrt((errors[0] ** 2 + 2 * errors[1] ** 2) / 3)
     assert found.verified.relative_l2_corrected == pytest.approx(together)
@@ -153,12 +153,12 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     qtbot.waitUntil(lambda: figures.text != "", timeout=60_000)
     qtbot.waitUntil(lambda: not figures._table.visibleRegion().isEmpty())
     own = window.loaded.check._shown.snapshot.state.irradiance
-    told = named(check_rows(found, relative_l2(found.irradiance, own)))
-    assert told.items() <= rows(figures).items()
+    received = named(check_rows(found, relative_l2(found.irradiance, own)))
+    assert received.items() <= rows(figures).items()
     assert figures._hint.isHidden()
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures._table.isEnabled(), timeout=60_000)
-    assert told.items() <= rows(figures).items()
+    assert received.items() <= rows(figures).items()
 
 
 def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):

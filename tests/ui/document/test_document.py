@@ -99,12 +99,12 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
 
 
 def test_a_signal_says_when_the_dirty_state_changes(document, tmp_path, qtbot):
-    with qtbot.waitSignal(document.dirty_changed) as told:
+    with qtbot.waitSignal(document.dirty_changed) as received:
         move_screen(document, 6)
-    assert told.args == [True]
-    with qtbot.waitSignal(document.dirty_changed) as told:
+    assert received.args == [True]
+    with qtbot.waitSignal(document.dirty_changed) as received:
         document.save(tmp_path / "a.freeform")
-    assert told.args == [False]
+    assert received.args == [False]
 
 
 def test_another_screen_loads_the_target_for_its_pixels(document):

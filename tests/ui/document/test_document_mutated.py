@@ -28,26 +28,26 @@ def state(document):
 
 
 def check(document, folder, seeds):
-    told, opened = [], 0
-    document.session_changed.connect(told.append)
-    document.path_changed.connect(lambda: told.append(document.path))
-    document.dirty_changed.connect(told.append)
+    received, opened = [], 0
+    document.session_changed.connect(received.append)
+    document.path_changed.connect(lambda: received.append(document.path))
+    document.dirty_changed.connect(received.append)
     path = folder / "mutated.freeform"
     for seed in seeds:
         path.write_bytes(mutated(WHOLE[seed % len(WHOLE)], seed))
         before = state(document)
-        told.clear()
+        received.clear()
         try:
             document.open(path)
         except Refused:
             assert state(document) == before, f"seed {seed}"
-            assert told == []
+            assert received == []
         else:
             opened += 1
             assert document.path == path
             assert not document.dirty
             assert document.undo_stack.count() == 0
-            assert document.session in told
+            assert document.session in received
     assert 0 < opened < len(seeds)
 
 

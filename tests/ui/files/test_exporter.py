@@ -27,10 +27,10 @@ def test_a_file_is_written_and_its_deviation_shown(window, name, tmp_path, qtbot
     path = tmp_path / name
     export(window, path, qtbot, monkeypatch)
     assert path.stat().st_size > 0
-    told = window.messages.text
-    assert told.startswith(f"{path}: ")
-    assert re.search(r"\d", told.removeprefix(str(path)))
-    assert window.log.toPlainText().endswith(told)
+    received = window.messages.text
+    assert received.startswith(f"{path}: ")
+    assert re.search(r"\d", received.removeprefix(str(path)))
+    assert window.log.toPlainText().endswith(received)
 
 
 @pytest.mark.parametrize("name", ["lens.docx", "no/lens.stl"])

@@ -30,12 +30,12 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     shown = irradiance._content.image.artists[0]
     qtbot.waitUntil(lambda: shown.get_cmap().name == "cividis")
     assert settings.value("view/colours") == "cividis"
-    other, told = QMainWindow(), []
+    other, received = QMainWindow(), []
     qtbot.addWidget(other)
     commands = Commands(other)
-    commands.connect_choices({"colours_cividis": lambda: told.append("cividis")})
+    commands.connect_choices({"colours_cividis": lambda: received.append("cividis")})
     keep_colours(settings, commands)
-    assert told == ["cividis"] and commands["colours_cividis"].isChecked()
+    assert received == ["cividis"] and commands["colours_cividis"].isChecked()
 
 
 def test_colours_that_are_not_known_are_left_out(settings, qtbot):

@@ -194,26 +194,26 @@ def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
         raise Refused(str(path), "No space left on device")
 
     monkeypatch.setattr("ui.files.recovery.write_session", full)
-    recovery, told = keeping(), []
-    recovery.failed.connect(told.append)
+    recovery, received = keeping(), []
+    recovery.failed.connect(received.append)
     for z in (7, 8):
         move_screen(document, z)
         assert not recovery.keep_now()
-    qtbot.waitUntil(lambda: bool(told))
-    assert len(told) == 1 and "No space left" in told[0]
+    qtbot.waitUntil(lambda: bool(received))
+    assert len(received) == 1 and "No space left" in received[0]
 
 
 def test_a_read_only_folder_is_reported_once_and_blocks_nothing(document, keeping, tmp_path, qtbot):
     (tmp_path / "recovery").write_text("no folder")  # removing in it fails for any user
-    told = []
+    received = []
     recovery = Recovery(document, tmp_path / "recovery")
-    recovery.failed.connect(told.append)
+    recovery.failed.connect(received.append)
     recovery.start()
     recovery.keep()  # nothing is unsaved
     move_screen(document, 7)
     assert not recovery.keep_now()
     recovery.close(leave=True)
-    assert len(told) == 1
+    assert len(received) == 1
 
 
 def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeypatch):
@@ -272,17 +272,17 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, button
     recovery.keep_now()
     crash(recovery)
     (work,) = left_behind.find(recovery.folder)
-    told = []
+    received = []
 
     def answer():
         box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
-        told.append(box.text())
+        received.append(box.text())
         buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
         qtbot.mouseClick(buttons[button], Qt.MouseButton.LeftButton)
 
     QTimer.singleShot(200, answer)
     assert left_behind.ask(work, window) is choice
-    assert "small" in told[0] and "not closed" in told[0]
+    assert "small" in received[0] and "not closed" in received[0]
     work.remove()
 
 
@@ -352,12 +352,12 @@ AGAIN = (
     "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
     "l.ask = lambda work, window: l.RecoveryChoice.RECOVER\n"
     "recover = m.FileActions.recover\n"
-    "def told(self, *a):\n"
+    "def report(self, *a):\n"
     "    done = recover(self, *a)\n"
     "    document = self._document\n"
     "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
     "    return done\n"
-    "m.FileActions.recover = told\n"
+    "m.FileActions.recover = report\n"
     "sys.exit(ui.app.main([]))"
 )
 

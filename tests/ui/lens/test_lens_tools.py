@@ -389,7 +389,7 @@ def hold_key(view, key, times, as_repeats=True):
             QApplication.sendEvent(view._plotter, event)
 
 
-@pytest.mark.parametrize("as_repeats", [True, False], ids=["told as repeats", "as on X11"])
+@pytest.mark.parametrize("as_repeats", [True, False], ids=["received as repeats", "as on X11"])
 def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     tools, view, document = sculpting, sculpting.view, sculpting.document
     tools.commands["brush_smaller"]()

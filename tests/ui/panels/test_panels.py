@@ -266,8 +266,8 @@ def test_a_sphere_brings_its_fields(forms, document, qtbot):
 
 @pytest.mark.parametrize("elsewhere", [False, True])
 def test_text_typed_into_a_field_that_disappears_is_dropped(forms, document, qtbot, elsewhere):
-    collimated, told = document.session, []
-    forms.message.connect(told.append)
+    collimated, received = document.session, []
+    forms.message.connect(received.append)
     choose(forms, "source.kind", "grid")
     half = editor(forms, "source.half_width[1]")
     if elsewhere:
@@ -276,7 +276,7 @@ def test_text_typed_into_a_field_that_disappears_is_dropped(forms, document, qtb
         fill(qtbot, half, "0.3", key=None)
     document.change(collimated, "back to collimated light")
     forms.commit()
-    assert document.session is collimated and told == []
+    assert document.session is collimated and received == []
 
 
 def test_a_refused_edit_goes_with_the_kind_of_its_field(forms, document, qtbot):
@@ -335,13 +335,13 @@ def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, 
     image, text = tmp_path / "target.png", tmp_path / "notes.txt"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     text.write_text("no image")
-    told = []
-    forms.file_refused.connect(told.append)
+    received = []
+    forms.file_refused.connect(received.append)
     for count, first in enumerate((None, image)):
         if first is not None:
             forms.choose_image(first)
         forms.choose_image(text)
-        assert "notes.txt" in told[count]
+        assert "notes.txt" in received[count]
         assert not forms.refused and not any(each.refusal for each in rows(forms))
         assert document.undo_stack.count() == count
     assert row(forms, "target.image").editor.text() == str(image)
@@ -356,15 +356,15 @@ def test_a_refusal_unfolds_its_panel(forms, qtbot):
 
 
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
-    session, told = document.session, []
-    forms.postponed.connect(told.append)
+    session, received = document.session, []
+    forms.postponed.connect(received.append)
     forms.set_running(True)
     enter(qtbot, forms, "screen.z", "7")
     choose(forms, "source.kind", "point")
     enter(qtbot, forms, "source.position[2]", "-9")  # a field of the source to come
     assert document.session is session
     assert editor(forms, "screen.z").text() == "7" and forms.postponed_edits == 3
-    assert "change of screen at z" in told[0] and "source kind" in told[-1]
+    assert "change of screen at z" in received[0] and "source kind" in received[-1]
     forms.set_running(False)
     forms.make_postponed_edits()
     scene = document.session.scene
@@ -521,11 +521,11 @@ def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     forms.choose_image(image)
     Image.fromarray(np.full((8, 8), 255, np.uint8)).save(image)
-    told, session = [], document.session
-    forms.file_refused.connect(told.append)
+    received, session = [], document.session
+    forms.file_refused.connect(received.append)
     forms.set_running(True)
     forms.choose_image(image)
-    assert document.session is session and "Stop the run first" in told[0]
+    assert document.session is session and "Stop the run first" in received[0]
     forms.set_running(False)
     forms.choose_image(image)
     assert document.session is not session

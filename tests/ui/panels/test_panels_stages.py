@@ -49,10 +49,10 @@ TWO = {"iterations": 100, "stages": [{"iterations": 10}, {"iterations": 20}]}
 
 def test_what_follows_the_stages_is_never_cut_off(begin, qtbot):
     _, forms = begin()
-    told = next(row for row in rows(forms) if row.path == "run.stages")._rest
+    received = next(row for row in rows(forms) if row.path == "run.stages")._rest
     for width in (forms.minimumWidth(), 900, forms.minimumWidth()):
         forms.resize(width, 900)
-        qtbot.waitUntil(lambda: told.height() >= told.heightForWidth(told.width()) > 0)
+        qtbot.waitUntil(lambda: received.height() >= received.heightForWidth(received.width()) > 0)
 
 
 def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):

@@ -62,11 +62,11 @@ def test_a_dialog_that_is_cancelled_keeps_the_source(forms, document):
 def test_a_damaged_file_is_refused_and_marks_no_field(forms, document, tmp_path):
     damaged = tmp_path / "damaged.ies"
     damaged.write_text("TILT=NONE\n1 2 3")
-    told = []
-    forms.file_refused.connect(told.append)
+    received = []
+    forms.file_refused.connect(received.append)
 
     forms.choose_light(damaged)
 
-    assert len(told) == 1 and "is cut off" in told[0]
+    assert len(received) == 1 and "is cut off" in received[0]
     assert document.session.scene.source.kind == "point"
     assert not forms.refused

@@ -79,8 +79,8 @@ def test_a_run_can_be_exported(running, qtbot, tmp_path):
 
 def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qtbot, tmp_path):
     assert carried.commands["export"].isEnabled() and carried.commands["report"].isEnabled()
-    told = "designed for another task (Run 1: flat): screen.z 5.0, now 7.0"
-    assert told in carried.commands["export"].toolTip()
+    received = "designed for another task (Run 1: flat): screen.z 5.0, now 7.0"
+    assert received in carried.commands["export"].toolTip()
     shown = carried._lens.session
     np.testing.assert_array_equal(
         shown.result.state.heights["exit"], designed.result.state.heights["exit"]
@@ -88,7 +88,7 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     assert shown.scene.screen.z == 7
     carried.exporter.export(tmp_path / "lens.irradiance.npy")
     qtbot.waitUntil(lambda: not carried.exporter._background.busy, timeout=60_000)
-    assert told in carried.messages.text
+    assert received in carried.messages.text
     np.testing.assert_array_equal(
         np.load(tmp_path / "lens.irradiance.npy"), shown.result.state.irradiance
     )

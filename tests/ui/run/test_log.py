@@ -122,8 +122,8 @@ def test_pausing_and_stopping_are_logged(window, as_run, qtbot):
     window.commands["pause"].trigger()
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
-    told = [re.sub(r" (at|after) iteration.*", "", text) for text in sentences(window.log)]
-    assert told == [
+    received = [re.sub(r" (at|after) iteration.*", "", text) for text in sentences(window.log)]
+    assert received == [
         "Run begins: small, method auto",
         "Run paused",
         "Run resumed",

@@ -21,10 +21,10 @@ def unexpected(qapp):
 
 
 @pytest.fixture
-def told(unexpected):
-    told = []
-    unexpected.happened.connect(lambda sentence, details: told.append((sentence, details)))
-    return told
+def received(unexpected):
+    received = []
+    unexpected.happened.connect(lambda sentence, details: received.append((sentence, details)))
+    return received
 
 
 def fail(text="odd"):
@@ -39,26 +39,26 @@ def meet(kind=ValueError, text="odd"):
         sys.excepthook(kind, error, error.__traceback__)
 
 
-def test_an_error_is_shown_with_all_that_a_report_needs(told, capsys):
+def test_an_error_is_shown_with_all_that_a_report_needs(received, capsys):
     meet()
-    ((sentence, details),) = told
+    ((sentence, details),) = received
     assert "ValueError: odd" in sentence and "save it" in sentence
     assert "Traceback" in details and "test_unexpected_errors.py" in details
     assert "Workbench" in details and "Qt 6" in details
     assert "ValueError: odd" in capsys.readouterr().err
 
 
-def test_a_kind_of_error_is_shown_once_and_printed_each_time(told, capsys):
+def test_a_kind_of_error_is_shown_once_and_printed_each_time(received, capsys):
     for text in ("one", "two"):
         meet(text=text)
     meet(KeyError)
-    assert len(told) == 2
-    assert "one" in told[0][0] and "KeyError" in told[1][0]
+    assert len(received) == 2
+    assert "one" in received[0][0] and "KeyError" in received[1][0]
     assert capsys.readouterr().err.count("Traceback") == 3
 
 
 @pytest.mark.qt_no_exception_capture
-def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(told, qtbot, capsys):
+def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(received, qtbot, capsys):
     class Odd(QWidget):
         def paintEvent(self, event):
             raise RuntimeError("painting")
@@ -71,9 +71,9 @@ def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(told, qtbot, c
     QTimer.singleShot(0, thread.start)
     QTimer.singleShot(50, lambda: after.append(True))
     odd.show()
-    qtbot.waitUntil(lambda: bool(after) and len(told) == 2)  # both of fail are of one kind
+    qtbot.waitUntil(lambda: bool(after) and len(received) == 2)  # both of fail are of one kind
     thread.join()
-    assert any("painting" in sentence for sentence, _ in told)
+    assert any("painting" in sentence for sentence, _ in received)
 
 
 def test_a_message_of_qt_is_shown_once_and_printed_each_time(unexpected, capsys):

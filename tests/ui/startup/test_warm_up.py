@@ -11,16 +11,16 @@ def warmed_up(qtbot, monkeypatch):
     """Imports modules, and gives what was compiled and what was told."""
 
     def do(modules):
-        compiled, told = [], []
+        compiled, received = [], []
         monkeypatch.setattr(warm_up, "_SLOW", modules)
         monkeypatch.setattr(kernels, "compile_all", lambda goes_on: compiled.append(goes_on()))
         warming = warm_up.WarmUp()
-        warming.imported.connect(lambda: told.append("imported"))
-        warming.failed.connect(told.append)
+        warming.imported.connect(lambda: received.append("imported"))
+        warming.failed.connect(received.append)
         warming.start()
         qtbot.waitUntil(lambda: not warming._background.running)
         warming.wait()
-        return compiled, told
+        return compiled, received
 
     return do
 

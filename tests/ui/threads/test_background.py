@@ -30,10 +30,10 @@ class Asked:
 
     def __init__(self, **options):
         self.gate = threading.Semaphore(0)
-        self.begun, self.told, self.progress, self.threads = [], [], [], []
+        self.begun, self.received, self.progress, self.threads = [], [], [], []
         self.ended, self.worked_in = [], []
         self.background = Background("turning round", None, **options)
-        self.background.progressed.connect(lambda *told: self.progress.append(told))
+        self.background.progressed.connect(lambda *received: self.progress.append(received))
         self.background.done.connect(self._hear)
         self.background.failed.connect(self._hear)
 
@@ -55,7 +55,7 @@ class Asked:
         self.background.close()
 
     def _hear(self, request, outcome):
-        self.told.append((request, outcome))
+        self.received.append((request, outcome))
         self.threads.append(QThread.currentThread())
 
 
@@ -63,9 +63,9 @@ def test_results_arrive_with_their_request_in_the_main_thread(asked, qtbot, qapp
     asked.ask("abc")
     assert asked.background.busy and asked.background.running
     asked.gate.release()
-    qtbot.waitUntil(lambda: bool(asked.told))
+    qtbot.waitUntil(lambda: bool(asked.received))
     assert asked.progress == [("abc", "abc?")]
-    assert asked.told == [("abc", "cba")] and asked.threads == [qapp.thread()]
+    assert asked.received == [("abc", "cba")] and asked.threads == [qapp.thread()]
     assert asked.worked_in == ["turning round"]
     assert not asked.background.busy and not asked.background.running
 
@@ -76,9 +76,9 @@ def test_only_the_latest_request_is_answered_and_earlier_ones_never_begin(asked,
     qtbot.waitUntil(lambda: bool(asked.begun))
     assert asked.begun[0][1].stopped
     asked.gate.release(2)
-    qtbot.waitUntil(lambda: bool(asked.told))
+    qtbot.waitUntil(lambda: bool(asked.received))
     assert [request for request, _ in asked.begun] == ["aa", "ee"]
-    assert asked.told == [("ee", "ee")] and asked.progress == [("ee", "ee?")]
+    assert asked.received == [("ee", "ee")] and asked.progress == [("ee", "ee?")]
     assert not asked.begun[1][1].stopped
 
 
@@ -86,21 +86,21 @@ def test_finished_work_is_reported_before_the_latest(queued, qtbot):
     for request in "abcde":
         queued.ask(request * 2)
     queued.gate.release(2)
-    qtbot.waitUntil(lambda: len(queued.told) == 2)
-    assert queued.told == [("aa", "aa"), ("ee", "ee")]
+    qtbot.waitUntil(lambda: len(queued.received) == 2)
+    assert queued.received == [("aa", "aa"), ("ee", "ee")]
     assert not queued.begun[0][1].stopped
 
 
 def test_a_failure_arrives_as_its_exception_and_another_request_can_follow(asked, qtbot):
     asked.gate.release(2)
     asked.ask("bad")
-    qtbot.waitUntil(lambda: bool(asked.told))
-    ((request, error),) = asked.told
+    qtbot.waitUntil(lambda: bool(asked.received))
+    ((request, error),) = asked.received
     assert request == "bad" and isinstance(error, Refused) and str(error) == "run.seed: no"
     assert error.__traceback__.tb_next.tb_frame.f_code.co_name == "turn_round"
     asked.ask("good")
-    qtbot.waitUntil(lambda: len(asked.told) == 2)
-    assert asked.told[1] == ("good", "doog")
+    qtbot.waitUntil(lambda: len(asked.received) == 2)
+    assert asked.received[1] == ("good", "doog")
 
 
 @pytest.mark.parametrize("request_", ["abc", "bad"])
@@ -111,11 +111,11 @@ def test_cancelled_work_reports_nothing(asked, qtbot, request_):
     asked.gate.release()
     qtbot.waitUntil(lambda: not asked.background.running)
     assert asked.begun[0][1].stopped
-    assert asked.told == [] and asked.progress == []
+    assert asked.received == [] and asked.progress == []
 
 
 def test_closing_leaves_work_between_two_of_its_steps(qapp):
-    begun, told = threading.Event(), []
+    begun, received = threading.Event(), []
 
     def without_end(_):
         while True:
@@ -123,12 +123,12 @@ def test_closing_leaves_work_between_two_of_its_steps(qapp):
             begun.set()
 
     background = Background("turning round", None)
-    background.done.connect(lambda *outcome: told.append(outcome))
-    background.failed.connect(lambda *outcome: told.append(outcome))
+    background.done.connect(lambda *outcome: received.append(outcome))
+    background.failed.connect(lambda *outcome: received.append(outcome))
     background.begin(without_end)
     assert begun.wait(timeout=20)
     background.close()
-    assert not background.running and told == []
+    assert not background.running and received == []
 
 
 def test_stopped_work_reports_what_it_returns(asked, qtbot):
@@ -137,8 +137,8 @@ def test_stopped_work_reports_what_it_returns(asked, qtbot):
     asked.background.stop()
     assert asked.background.stopping and asked.background.busy
     asked.gate.release()
-    qtbot.waitUntil(lambda: bool(asked.told))
-    assert asked.begun[0][1].stopped and asked.told == [("abc", "cba")]
+    qtbot.waitUntil(lambda: bool(asked.received))
+    assert asked.begun[0][1].stopped and asked.received == [("abc", "cba")]
     assert not asked.background.stopping
 
 
@@ -147,7 +147,7 @@ def test_finishing_waits_and_reports_at_once(queued):
     queued.ask("abc")
     queued.ask("def")
     queued.background.finish()
-    assert queued.told == [("abc", "cba"), ("def", "fed")]
+    assert queued.received == [("abc", "cba"), ("def", "fed")]
 
 
 def test_work_begun_by_a_receiver_replaces_waiting_work(queued, qtbot):
@@ -156,7 +156,7 @@ def test_work_begun_by_a_receiver_replaces_waiting_work(queued, qtbot):
     queued.ask("a")
     queued.ask("b")
     qtbot.waitUntil(lambda: not queued.background.running)
-    assert [request for request, _ in queued.told] == ["a", "c"]
+    assert [request for request, _ in queued.received] == ["a", "c"]
 
 
 def test_closing_waits_and_reports_nothing(asked, qtbot):
@@ -167,7 +167,7 @@ def test_closing_waits_and_reports_nothing(asked, qtbot):
     assert not asked.background.running
     assert asked.begun and asked.ended == ["abc"]
     qtbot.wait(50)
-    assert asked.told == []
+    assert asked.received == []
 
 
 class TestFollowing:

@@ -131,9 +131,9 @@ def test_a_failure_is_reported(pane, monkeypatch, qtbot):
         yield
 
     monkeypatch.setattr("workbench.analysis.tolerances.perturbed", fail)
-    with qtbot.waitSignal(pane.failed) as told:
+    with qtbot.waitSignal(pane.failed) as received:
         pane.toggle()
-    assert told.args == ["no light reaches the screen"]
+    assert received.args == ["no light reaches the screen"]
     assert pane.form.begin.text() == "Start" and pane.summary.text() == ""
 
 

@@ -94,9 +94,9 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
 def test_the_text_is_hidden_where_there_is_little_room(designed, qtbot):
     history_slider = designed.loaded.views.history_slider
     least = history_slider.minimumSizeHint().width()
-    for width, told in ((2 * least, True), (least, False), (2 * least, True)):
+    for width, received in ((2 * least, True), (least, False), (2 * least, True)):
         history_slider.resize(width, history_slider.height())
-        assert history_slider._text.isVisible() is told
+        assert history_slider._text.isVisible() is received
         assert history_slider.minimumSizeHint().width() == least
         assert history_slider._slider.width() >= 4 * history_slider._slider.height() > 0
 

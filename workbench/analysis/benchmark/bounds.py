@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.signal import fftconvolve
 
-from workbench.analysis.benchmark.examples import Example, Notify
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
@@ -23,7 +23,7 @@ _RAYS = 1 << 20
 
 
 @dataclass(frozen=True)
-class Reached:
+class BoundedDesign:
     """A lens beside its bound; errors are relative L2.
 
     Attributes
@@ -57,16 +57,16 @@ class Reached:
         return self.lens / self.light
 
 
-def lenses(iterations: int | None, notify: Notify) -> Iterator[Reached]:
+def lenses(iterations: int | None, notify: Notify) -> Iterator[BoundedDesign]:
     """Design the plate of the example *Sun plate* for four pictures."""
     for picture in _PICTURES:
         changes: dict[str, Any] = {"target": {"image": f"../targets/{picture}-256.png"}}
         if iterations is not None:
             changes["run"] = {"iterations": iterations}
-        yield reached(picture, Example.of("sun-plate", **changes), notify)
+        yield compare_with_bound(picture, BenchmarkTask.of("sun-plate", **changes), notify)
 
 
-def reached(name: str, example: Example, notify: Notify) -> Reached:
+def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> BoundedDesign:
     """The bound of an example, and a lens beside it."""
     scene, target = example.scene, example.target
     notify(name, "its bound")
@@ -82,10 +82,10 @@ def reached(name: str, example: Example, notify: Notify) -> Reached:
     seen = validate(scene, target, best.state.heights, _RAYS, accuracy=ACCURACY)
     # By cells where they are exact: scatter of so few rays is a third of the error of a good lens.
     lens = (seen.by_cells or seen).relative_l2_corrected
-    return Reached(name, _error(blurred, target), found.bound, found.error, lens)
+    return BoundedDesign(name, _error(blurred, target), found.bound, found.error, lens)
 
 
-def table(found: Sequence[Reached]) -> Table:
+def table(found: Sequence[BoundedDesign]) -> Table:
     """Lenses as rows."""
     columns = (
         TableColumn("scene", "picture"),

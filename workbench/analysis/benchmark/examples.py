@@ -26,7 +26,7 @@ Notify = Callable[[str, str], None]
 
 
 @dataclass(frozen=True, eq=False)
-class Example:
+class BenchmarkTask:
     """A scene and its target.
 
     Attributes
@@ -45,7 +45,7 @@ class Example:
     target: Array
 
     @classmethod
-    def of(cls, name: str, image: Array | None = None, **changes: Any) -> "Example":
+    def of(cls, name: str, image: Array | None = None, **changes: Any) -> "BenchmarkTask":
         """Read a shipped example.
 
         Parameters
@@ -67,7 +67,7 @@ class Example:
         return cls(name, shipped.group, definite(scene, target), target)
 
     @classmethod
-    def photo(cls, size: int) -> "Example":
+    def photo(cls, size: int) -> "BenchmarkTask":
         """The photograph at ``size`` pixels a side, with rays in proportion."""
         example = cls.of(
             "photo",
@@ -78,7 +78,7 @@ class Example:
         return replace(example, name=f"photo-{size}")
 
     @classmethod
-    def cloud(cls) -> "Example":
+    def cloud(cls) -> "BenchmarkTask":
         """A cloud, which no example has, through the photograph's lens."""
         return replace(cls.of("photo", cloud(_PHOTO)), name="cloud")
 

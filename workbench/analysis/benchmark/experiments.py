@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.benchmark.examples import Example, Notify
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
 from workbench.analysis.benchmark.machine import PeakMemory
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.derivatives import irradiance_derivative
@@ -143,13 +143,13 @@ def experiments(iterations: int | None, notify: Notify) -> Iterator[ExampleDesig
     ready.compile_all()  # which is no part of any run's time
     for name in DERIVATIVES:
         notify(name, "")
-        yield derivative(Example.of(name))
+        yield derivative(BenchmarkTask.of(name))
     for name in DESIGNS:
         for example, method in _methods(name):
             yield design(_limited(example, iterations), method, _RAYS, notify)
 
 
-def design(example: Example, method: str, rays: int, notify: Notify) -> ExampleDesign:
+def design(example: BenchmarkTask, method: str, rays: int, notify: Notify) -> ExampleDesign:
     """Run one experiment and verify its lens with so many rays.
 
     What cannot be run, or cannot go on, is said by the result.
@@ -180,7 +180,7 @@ def design(example: Example, method: str, rays: int, notify: Notify) -> ExampleD
     return replace(found, error=light.relative_l2, noise=light.noise, efficiency=light.efficiency)
 
 
-def derivative(example: Example) -> Derivative:
+def derivative(example: BenchmarkTask) -> Derivative:
     """Derivative of the flat lens's image with respect to the control point in its middle."""
     scene = example.scene
     n_u, n_v = scene.optic.net_shape
@@ -228,17 +228,17 @@ def tables(found: Sequence[ExampleDesign | Derivative]) -> tuple[Table, ...]:
     )
 
 
-def _methods(name: str) -> Iterator[tuple[Example, str]]:
-    example = Example.of(name)
+def _methods(name: str) -> Iterator[tuple[BenchmarkTask, str]]:
+    example = BenchmarkTask.of(name)
     run = example.scene.run
     if run.method != "paper":
         stages = [stage.model_dump(mode="json", exclude_none=True) for stage in run.stages]
         paper = {"method": "paper", "iterations": _PAPER_ITERATIONS, "stages": stages}
-        yield Example.of(name, run=paper), "paper"
+        yield BenchmarkTask.of(name, run=paper), "paper"
     yield example, run.method
 
 
-def _limited(example: Example, iterations: int | None) -> Example:
+def _limited(example: BenchmarkTask, iterations: int | None) -> BenchmarkTask:
     """The same with other iterations; those of its stages change in proportion."""
     if iterations is None:
         return example

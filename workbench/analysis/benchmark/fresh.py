@@ -9,14 +9,14 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.machine import peak_memory
 from workbench.errors import RunFailed
 
 _POLL = 0.05  # s
 
 
-class Fresh(NamedTuple):
+class FreshRun(NamedTuple):
     """What processes took.
 
     Attributes
@@ -31,7 +31,7 @@ class Fresh(NamedTuple):
     memory: int | None
 
 
-def fresh_design(example: Example, iterations: int, times: int) -> Fresh:
+def fresh_design(example: BenchmarkTask, iterations: int, times: int) -> FreshRun:
     """Design an example from the command line, so many times.
 
     Raises
@@ -43,10 +43,10 @@ def fresh_design(example: Example, iterations: int, times: int) -> Fresh:
         scene = example.save(Path(folder))
         found = [_process(scene, iterations) for _ in range(times)]
     peaks = [each.memory for each in found if each.memory is not None]
-    return Fresh(median(each.seconds for each in found), max(peaks, default=None))
+    return FreshRun(median(each.seconds for each in found), max(peaks, default=None))
 
 
-def _process(scene: Path, iterations: int) -> Fresh:
+def _process(scene: Path, iterations: int) -> FreshRun:
     output = str(scene.with_name("lens.freeform"))
     command = [sys.executable, "-m", "workbench", "design", str(scene), "-o", output]
     memory = None
@@ -69,4 +69,4 @@ def _process(scene: Path, iterations: int) -> Fresh:
         lines = said.read().decode(errors="replace").strip().splitlines()
     if process.returncode != 0:
         raise RunFailed(lines[-1] if lines else f"exit status {process.returncode}")
-    return Fresh(seconds, memory)
+    return FreshRun(seconds, memory)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, NamedTuple
 
-from workbench.analysis.benchmark.examples import Array, Example, Notify
+from workbench.analysis.benchmark.examples import Array, BenchmarkTask, Notify
 from workbench.analysis.benchmark.fresh import fresh_design
 from workbench.analysis.benchmark.methods import METHODS, Method, MethodLens
 from workbench.analysis.benchmark.table import Table, TableColumn
@@ -36,7 +36,7 @@ class Effort:
 
     Attributes
     ----------
-    examples : tuple of Example
+    examples : tuple of BenchmarkTask
         The scenes.
     methods : tuple of str
         What designs them; speed is measured against the first.
@@ -48,7 +48,7 @@ class Effort:
         Fresh processes that design each scene.
     """
 
-    examples: tuple[Example, ...]
+    examples: tuple[BenchmarkTask, ...]
     methods: tuple[str, ...]
     iterations: int | None
     step: float
@@ -169,21 +169,25 @@ def quick(iterations: int | None) -> Effort:
         "screen": {"pixels": [128, 128]},
         "run": {"iterations": 150},
     }
-    examples = tuple(Example.of(name, **small) for name in ("tophat", "flame"))
+    examples = tuple(BenchmarkTask.of(name, **small) for name in ("tophat", "flame"))
     return Effort(examples, tuple(METHODS), iterations or 200, step=2.0, processes=1)
 
 
 def frontier(iterations: int | None) -> Effort:
     """Every kind of scene at full size."""
     names = ("tophat", "ball", "flame", "letter", "photo", "flame-point")
-    examples = (*map(Example.of, names), Example.cloud(), Example.photo(512))
+    examples = (
+        *map(BenchmarkTask.of, names),
+        BenchmarkTask.cloud(),
+        BenchmarkTask.photo(512),
+    )
     methods = ("paper", "transport", "auto")
     return Effort(examples, methods, iterations, step=math.sqrt(2), processes=3)
 
 
 def large(iterations: int | None) -> Effort:
     """One scene in three sizes."""
-    examples = tuple(map(Example.photo, (256, 512, 1024)))
+    examples = tuple(map(BenchmarkTask.photo, (256, 512, 1024)))
     return Effort(examples, ("auto",), iterations, step=2.0, processes=1)
 
 
@@ -220,7 +224,7 @@ def table(found: Sequence[Course]) -> Table:
     return Table(TITLE, columns, found, _NOTE)
 
 
-def _course(example: Example, name: str, effort: Effort, notify: Notify) -> Course:
+def _course(example: BenchmarkTask, name: str, effort: Effort, notify: Notify) -> Course:
     course = Course(example.name, name, example.target.size)
     case = f"{example.name}, {name}"
     try:
@@ -252,13 +256,13 @@ def _course(example: Example, name: str, effort: Effort, notify: Notify) -> Cour
     return course
 
 
-def _timed(method: Method, example: Example, iterations: int | None) -> Iterator[MethodLens]:
+def _timed(method: Method, example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     for _ in islice(method(example, iterations), _WARM_UP):
         pass
     return method(example, iterations)
 
 
-def verified(example: Example, lens: Array, accuracy: float = ACCURACY) -> TracedError:
+def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) -> TracedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}

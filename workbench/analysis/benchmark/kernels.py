@@ -9,7 +9,7 @@ import numpy.typing as npt
 import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
-from workbench.analysis.benchmark.examples import Example, Notify, wavy
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.validation import validate
 from workbench.design.loss import paper_loss, share
 from workbench.optics.beam_plan import BeamPlan
@@ -29,7 +29,7 @@ class Descent:
 
     Parameters
     ----------
-    example : Example
+    example : BenchmarkTask
         Scene and target.
     heights : ndarray, shape (n_u, n_v)
         Control heights.
@@ -47,7 +47,7 @@ class Descent:
 
     def __init__(
         self,
-        example: Example,
+        example: BenchmarkTask,
         heights: Array,
         dtype: torch.dtype = torch.float32,
         threads: int | None = None,
@@ -134,7 +134,7 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
 
 def _plans(name: str, options: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
     """One scene, traced in several ways; the image of the first is the true one."""
-    example = Example.of(name)
+    example = BenchmarkTask.of(name)
     heights = wavy(example.scene)
     descents = {label: Descent(example, heights, **each) for label, each in options.items()}
     return _judged(descents, rays_of(example.scene))
@@ -142,7 +142,7 @@ def _plans(name: str, options: Mapping[str, Mapping[str, Any]]) -> list[Variant]
 
 def _same_rays(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
     """One set of rays, traced in several scenes; the image of the first is the true one."""
-    examples = {label: Example.of(name, **each) for label, each in changes.items()}
+    examples = {label: BenchmarkTask.of(name, **each) for label, each in changes.items()}
     descents = {label: Descent(each, wavy(each.scene)) for label, each in examples.items()}
     return _judged(descents, rays_of(next(iter(examples.values())).scene))
 
@@ -163,7 +163,7 @@ def _images(
 
     The last ways look from so many samples of the exit face along each axis, not along rays.
     """
-    examples = {label: Example.of(name, **each) for label, each in changes.items()}
+    examples = {label: BenchmarkTask.of(name, **each) for label, each in changes.items()}
     first = next(iter(examples.values()))
     heights = wavy(first.scene)
     true = validate(first.scene, first.target, {"exit": heights}, _TRUE_RAYS).irradiance
@@ -180,7 +180,7 @@ def _nets(name: str, counts: Sequence[int]) -> list[Variant]:
     """The same rays through lenses of other control nets."""
     variants = []
     for count in counts:
-        example = Example.of(name, lens={"control_points": [count, count]})
+        example = BenchmarkTask.of(name, lens={"control_points": [count, count]})
         descent = Descent(example, wavy(example.scene))
         variants.append(Variant(f"{count} × {count} points", descent, rays_of(example.scene)))
     return variants

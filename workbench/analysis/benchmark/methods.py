@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.benchmark.examples import Example
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.metrics import relative_l2
 from workbench.design.limits import HeightLimits
 from workbench.design.run import run
@@ -40,7 +40,7 @@ class MethodLens(NamedTuple):
     own: float | None = None
 
 
-Method = Callable[[Example, int | None], Iterator[MethodLens]]
+Method = Callable[[BenchmarkTask, int | None], Iterator[MethodLens]]
 
 _PAPER_ITERATIONS = 1000  # as in the paper
 # With a finer net and the paper's rays its own loss falls and the verified error rises.
@@ -48,11 +48,11 @@ _PAPER_NET = 64
 _PAPER_SECONDS = 10.0  # no longer, so that all scenes together end soon
 
 
-def _auto(example: Example, iterations: int | None) -> Iterator[MethodLens]:
+def _auto(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     return _designed(example, "auto", iterations or example.scene.run.iterations)
 
 
-def _paper(example: Example, iterations: int | None) -> Iterator[MethodLens]:
+def _paper(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     n_u, n_v = example.scene.optic.net_shape
     net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
     lens = example.scene.optic.model_copy(update=net)
@@ -61,13 +61,13 @@ def _paper(example: Example, iterations: int | None) -> Iterator[MethodLens]:
     return takewhile(lambda lens: lens.seconds <= _PAPER_SECONDS, lenses)
 
 
-def _paper_on_torch(example: Example, iterations: int | None) -> Iterator[MethodLens]:
+def _paper_on_torch(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     """As printed: the same in plain torch, without the kernels."""
     with held_back():
         yield from _paper(example, iterations)
 
 
-def _transport(example: Example, iterations: int | None) -> Iterator[MethodLens]:
+def _transport(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     """The first lens of ``auto`` alone."""
     start = time.perf_counter()
     first = transport_start(example.scene, example.target)
@@ -77,7 +77,7 @@ def _transport(example: Example, iterations: int | None) -> Iterator[MethodLens]
     yield MethodLens(time.perf_counter() - start, limits.nearest(first))
 
 
-def _designed(example: Example, method: str, iterations: int) -> Iterator[MethodLens]:
+def _designed(example: BenchmarkTask, method: str, iterations: int) -> Iterator[MethodLens]:
     before = example.scene.run
     settings = {"iterations": iterations, "seed": before.seed, "device": before.device}
     scene = Scene.from_data(example.scene.to_data() | {"run": {"method": method} | settings})

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from workbench.analysis.benchmark.examples import Example, Notify, wavy
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent
 from workbench.analysis.benchmark.table import Table, TableColumn
 
@@ -49,11 +49,11 @@ def differences(iterations: int | None, notify: Notify) -> Iterator[Difference]:
     """Compare both float types on the examples, with a lens that bends light everywhere."""
     for name in _EXAMPLES:
         notify(name, "")
-        example = Example.of(name)
+        example = BenchmarkTask.of(name)
         yield difference(example, wavy(example.scene))
 
 
-def difference(example: Example, heights: Array) -> Difference:
+def difference(example: BenchmarkTask, heights: Array) -> Difference:
     """Compare both float types on one lens, heights (n_u, n_v)."""
     coarse, fine = (Descent(example, heights, dtype)() for dtype in (torch.float32, torch.float64))
     return Difference(

@@ -7,7 +7,7 @@ import numpy as np
 import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
-from workbench.analysis.benchmark.examples import Example, Notify, wavy
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent, rays_of
 from workbench.design.levels import light_extent_of
 from workbench.design.wide_image import WideImage
@@ -25,12 +25,12 @@ def measurements(iterations: int | None, notify: Notify) -> Iterator[Measured]:
 
 def _entrance_and_search() -> list[Variant]:
     """Collimated light by its own path, and as the light of a point far away."""
-    parallel = Example.of("flame")
+    parallel = BenchmarkTask.of("flame")
     optic = parallel.scene.optic
     # Of the light in a cone around a square, 2/π meets the square.
     rays = round(rays_of(parallel.scene) * 3.1416 / 2)
     far = [0.0, 0.0, optic.front_z - 1e5 * max(optic.half_width)]
-    point = Example.of("flame", source={"kind": "point", "position": far, "rays": rays})
+    point = BenchmarkTask.of("flame", source={"kind": "point", "position": far, "rays": rays})
     return _pair(
         ("left out", Descent(parallel, wavy(parallel.scene))),
         ("a point far away", Descent(point, wavy(point.scene))),
@@ -40,7 +40,7 @@ def _entrance_and_search() -> list[Variant]:
 
 def _constants(name: str) -> list[Variant]:
     """What does not change in a run, computed once or for each trace."""
-    example = Example.of(name)
+    example = BenchmarkTask.of(name)
     heights = wavy(example.scene)
     descent = Descent(example, heights)
     return [
@@ -51,8 +51,8 @@ def _constants(name: str) -> list[Variant]:
 
 def _taps() -> list[Variant]:
     """A box filter, and one that spreads each ray."""
-    box = Example.of("flame", filter={"kind": "box"})
-    spread = Example.of("flame")
+    box = BenchmarkTask.of("flame", filter={"kind": "box"})
+    spread = BenchmarkTask.of("flame")
     return [
         Variant("box", Descent(box, wavy(box.scene)), rays_of(box.scene)),
         Variant("Gaussian, 3 × 3", Descent(spread, wavy(spread.scene)), rays_of(spread.scene)),
@@ -61,7 +61,7 @@ def _taps() -> list[Variant]:
 
 def _mirrored(*axes: bool) -> list[Variant]:
     """A scene that is its own mirror image, traced in part and whole."""
-    example = Example.of("tophat")
+    example = BenchmarkTask.of("tophat")
     heights = wavy(example.scene)
     heights = (heights + heights[::-1]) / 2
     heights = (heights + heights[:, ::-1]) / 2
@@ -75,7 +75,7 @@ def _mirrored(*axes: bool) -> list[Variant]:
 
 def _locked() -> list[Variant]:
     """A quarter of the lens free to move, the rest locked, and all rays traced all the same."""
-    example = Example.of("flame")
+    example = BenchmarkTask.of("flame")
     heights = wavy(example.scene)
     locked = np.ones(heights.shape, dtype=np.bool_)
     locked[: len(heights) // 2, : heights.shape[1] // 2] = False
@@ -88,7 +88,7 @@ def _locked() -> list[Variant]:
 
 def _pixels() -> list[Variant]:
     """The image of a run, as wide as its light falls and as wide as it could ever fall."""
-    example = Example.of("flame")
+    example = BenchmarkTask.of("flame")
     scene, heights = example.scene, torch.as_tensor(wavy(example.scene)).requires_grad_()
 
     def descent(light_extent: tuple[float, float]) -> Callable[[], object]:

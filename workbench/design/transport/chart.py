@@ -27,12 +27,12 @@ import numpy.typing as npt
 
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.push import push
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 
 Array = npt.NDArray[np.float64]
 Pair = tuple[Array, Array]
 # Slopes along x and y that light needs at places in cells of the lens to places u, v.
-Bends = Callable[[Pair, Pair], Pair]
+SlopesFor = Callable[[Pair, Pair], Pair]
 
 # Cells over which coordinates are smoothed: where light comes from is known to a cell.
 _SMOOTH = 1.0
@@ -46,7 +46,7 @@ class Chart(NamedTuple):
 
     Attributes
     ----------
-    view : View
+    view : ReceiverView
         Of the receiver.
     x, y : ndarray, shape (cells, cells)
         For each of its cells, in cells of a rectangle that holds them.
@@ -54,18 +54,18 @@ class Chart(NamedTuple):
         What ways along x and y cost there.
     """
 
-    view: View
+    view: ReceiverView
     x: Array
     y: Array
     weights: tuple[float, float]
 
     @classmethod
-    def of(cls, view: View, wanted: Array, bends: Bends, begins: Pair) -> Self:
+    def of(cls, view: ReceiverView, wanted: Array, bends: SlopesFor, begins: Pair) -> Self:
         """The chart by the slopes that light needs from where it comes.
 
         Parameters
         ----------
-        view : View
+        view : ReceiverView
             Of the receiver.
         wanted : ndarray, shape (cells, cells)
             Light in each of its cells; all together 1.
@@ -114,7 +114,7 @@ class Chart(NamedTuple):
         return at
 
 
-def _along_seen(view: View, wanted: Array, bends: Bends, begins: Pair) -> Pair:
+def _along_seen(view: ReceiverView, wanted: Array, bends: SlopesFor, begins: Pair) -> Pair:
     """Slopes less a gradient of the place on the lens, in the scale of the view's coordinates.
 
     What is left out is what would send all light to the middle, and what is linear in the place, so

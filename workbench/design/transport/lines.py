@@ -15,7 +15,7 @@ import numpy.typing as npt
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.both_faces import BothFaces, Vector, unit
 from workbench.design.transport.two_face_light import LightInLens
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -57,7 +57,7 @@ def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
 
 def _places(scene: Scene, transport: Transport) -> Array:
     """Where the light of each cell should go, shape (cells, cells, 3)."""
-    return scene.receiver.drawn(scene.optic, *View.of(scene).places(transport))
+    return scene.receiver.drawn(scene.optic, *ReceiverView.of(scene).places(transport))
 
 
 class _Lines(NamedTuple):

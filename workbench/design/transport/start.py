@@ -25,9 +25,9 @@ from workbench.design.levels import COARSE, image_of
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
 from workbench.design.transport.back_and_forth import Transport
-from workbench.design.transport.chart import Bends, Chart, Pair, between
+from workbench.design.transport.chart import Chart, Pair, SlopesFor, between
 from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
@@ -82,7 +82,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     fit = SlopeFit(net, cells)
     light = _Light(scene, net, fit, cells)
     limits = HeightLimits.of(bounded(scene), net)
-    view = View.of(scene)
+    view = ReceiverView.of(scene)
     wanted, weights = wanted_cells(scene, target, cells)
 
     passing = ((z, flux) for z in _candidates(limits) if (flux := light.flux(z)) is not None)
@@ -140,7 +140,7 @@ def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[
 
     Along x first and y upwards, as the lens is; all together 1.
     """
-    view = View.of(scene)
+    view = ReceiverView.of(scene)
     wanted = view.wanted(target / target.max() * scene.receiver.relative_measure(), cells)
     return wanted / wanted.sum(), view.weights(view.half_extent)
 
@@ -174,7 +174,7 @@ class _Faces(NamedTuple):
             square += float(np.square(_coarsely(found[axis] - wanted[axis]) / (2 * rate)).mean())
         return math.sqrt(square)
 
-    def bends(self, heights: Array) -> Bends:
+    def bends(self, heights: Array) -> SlopesFor:
         """The slopes that light needs in any cell of a face like another."""
         z = self.fit.surface(heights)
         cells, direction = len(z), self.light.direction(z)

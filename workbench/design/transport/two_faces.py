@@ -16,7 +16,7 @@ import numpy.typing as npt
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.both_faces import BothFaces, Vector
 from workbench.design.transport.two_face_light import LightInLens
-from workbench.design.transport.view import View
+from workbench.design.transport.view import ReceiverView
 from workbench.scene import Scene, WantedImage
 
 Array = npt.NDArray[np.float64]
@@ -51,7 +51,7 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         See `workbench.design.transport.both_faces.BothFaces.heights`.
     """
     faces = BothFaces(scene)
-    view = View.of(scene)
+    view = ReceiverView.of(scene)
     part = 0.5 / scene.optic.index if faces.collimated else _NEAR_PART
 
     def goal(transports: Sequence[Transport]) -> _Split:

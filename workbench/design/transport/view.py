@@ -22,7 +22,7 @@ Array = npt.NDArray[np.float64]
 _SAMPLES = 4
 
 
-class View(NamedTuple):
+class ReceiverView(NamedTuple):
     """A rectangle that holds the receiver as it is seen.
 
     Attributes

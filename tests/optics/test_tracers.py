@@ -17,7 +17,7 @@ from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.reference import Reference
 from workbench.optics.surfaces import Plane
-from workbench.optics.ways import Ways
+from workbench.optics.tracers import Tracers
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 MESH = POINT | {"intersection": {"method": "mesh"}}
@@ -48,7 +48,7 @@ def changed(path, emitter=None, steps=None):
 
 
 def kind(path):
-    return Ways(path, (False, False), None).kind
+    return Tracers(path, (False, False), None).kind
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,7 @@ def beam_kernel_of(path: Path) -> BeamKernel | None:
     return next((kernel for kernel in _BEAM_KERNELS if kernel.matches(path)), None)
 
 
-class Ways:
+class Tracers:
     """The ways to trace one path; each is made at its first use.
 
     So a run that has its kernel never makes the reference.
