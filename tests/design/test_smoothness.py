@@ -77,28 +77,30 @@ def test_the_base_itself_has_no_bending_energy(make_scene):
     assert smoothness_of(scene).faces["exit"].bending(heights).item() == pytest.approx(0, abs=1e-13)
 
 
-def test_excess_of_a_quadratic_face(make_scene):
+def test_curvature_violation_of_a_quadratic_face(make_scene):
     """At the middle the curvatures are those of the quadric; a small net looks near it only."""
     size = {"lens.half_width": [1e-3, 1e-3], "lens.height_range": [-0.3, 0.3]}
     scene = make_scene(size | {"run.min_radius": 2.0})
     heights = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0
     found = smoothness_of(scene)
-    assert found.faces["exit"].curvature_excess(heights, 2.0).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.faces["exit"].curvature_excess(
+    assert found.faces["exit"].curvature_violation(heights, 2.0).item() == pytest.approx(
+        1.0, rel=1e-4
+    )
+    assert found.faces["exit"].curvature_violation(
         2 * scene.lens.base.height - heights, 2.0
     ).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.faces["exit"].curvature_excess(heights, 0.99).item() == 0
+    assert found.faces["exit"].curvature_violation(heights, 0.99).item() == 0
 
 
-def test_excess_begins_where_the_maps_say(make_scene, rng):
+def test_curvature_violation_begins_where_the_maps_say(make_scene, rng):
     scene = make_scene({"run.min_radius": 1.0})
     heights = 0.5 + 0.02 * rng.random(scene.lens.net_shape)
     u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
     maps = surface_maps(scene.lens, {"exit": heights}, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
-    assert found.faces["exit"].curvature_excess(heights, 0.99 * radius).item() == 0
-    assert found.faces["exit"].curvature_excess(heights, 1.01 * radius).item() > 0
+    assert found.faces["exit"].curvature_violation(heights, 0.99 * radius).item() == 0
+    assert found.faces["exit"].curvature_violation(heights, 1.01 * radius).item() > 0
 
 
 @pytest.mark.parametrize("face", ["exit", "entrance"])
@@ -112,18 +114,18 @@ def test_hollows_alone_count_for_a_ball_cutter(make_scene, face):
         "run.min_tool_radius": 2.0,
     }
     scene = make_scene(changes)
-    bends = smoothness_of(scene).faces[face]
+    curvature = smoothness_of(scene).faces[face]
     bent = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0, towards +z
     hollow, hump = (bent, -bent) if face == "exit" else (-bent, bent)
-    assert bends.hollow_excess(hollow, 2.0).item() == pytest.approx(1.0, rel=1e-4)
-    assert bends.hollow_excess(hump, 2.0).item() == 0
+    assert curvature.concavity_violation(hollow, 2.0).item() == pytest.approx(1.0, rel=1e-4)
+    assert curvature.concavity_violation(hump, 2.0).item() == 0
 
 
 def test_gradient_is_that_of_finite_differences(make_scene, rng):
     scene = make_scene({"run.smoothness": 0.01, "run.min_radius": 0.5})
     found = smoothness_of(scene)
     heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
-    assert found.faces["exit"].curvature_excess(heights, 0.5).item() > 0
+    assert found.faces["exit"].curvature_violation(heights, 0.5).item() > 0
     (gradient,) = torch.autograd.grad(found.penalty({"exit": heights}), [heights])
     ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
     with torch.no_grad():

@@ -91,8 +91,8 @@ def minimise(
             if there.value <= here.value + _ARMIJO * step * slope:
                 break
             # Minimum of the parabola through both values and the slope, kept within reason.
-            excess = there.value - here.value - step * slope
-            step *= min(max(-0.5 * step * slope / excess, 0.1), 0.5)
+            curvature_part = there.value - here.value - step * slope
+            step *= min(max(-0.5 * step * slope / curvature_part, 0.1), 0.5)
         else:
             if not pairs:
                 return

@@ -191,8 +191,8 @@ def build(
     generator = torch.Generator(device).manual_seed(settings.seed)
     with torch.no_grad():
         for parameter, width in module.scatter().items():
-            reach = width if settings.start == "random" else _UNIFORM
-            parameter.uniform_(-reach, reach, generator=generator)
+            bound = width if settings.start == "random" else _UNIFORM
+            parameter.uniform_(-bound, bound, generator=generator)
         if settings.start == "random":
             factor = _RANDOM / module().std()
             for parameter in module.last():

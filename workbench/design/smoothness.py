@@ -81,15 +81,19 @@ class Smoothness:
             Control heights of each freeform face by its name, scene units.
         """
         penalty = torch.zeros((), dtype=torch.float64)
-        for face, bends in self.faces.items():
+        for face, curvature in self.faces.items():
             if self._weight:
-                penalty = penalty + self._weight * bends.bending(heights[face])
+                penalty = penalty + self._weight * curvature.bending(heights[face])
             if self._radius is not None:
-                excess = bends.curvature_excess(heights[face], self._radius * (1 + _RESERVE))
-                penalty = penalty + _PRICE * excess
+                violation = curvature.curvature_violation(
+                    heights[face], self._radius * (1 + _RESERVE)
+                )
+                penalty = penalty + _PRICE * violation
             if self._tool is not None:
-                excess = bends.hollow_excess(heights[face], self._tool * (1 + _RESERVE))
-                penalty = penalty + _PRICE * excess
+                violation = curvature.concavity_violation(
+                    heights[face], self._tool * (1 + _RESERVE)
+                )
+                penalty = penalty + _PRICE * violation
         return penalty
 
     def merit(self, loss: Tensor, penalty: Tensor) -> Tensor:
@@ -149,7 +153,7 @@ class FaceCurvature:
             start=heights.new_zeros(()),
         )
 
-    def curvature_excess(self, heights: Tensor, radius: float) -> Tensor:
+    def curvature_violation(self, heights: Tensor, radius: float) -> Tensor:
         """Mean square by which the principal curvatures exceed 1 / ``radius``, relative to that.
 
         Looked at where knot lines cross and halfway between: second derivatives of cubics are
@@ -159,8 +163,8 @@ class FaceCurvature:
         # The principal curvatures are mean ± apart, both at most mean.abs() + apart.
         return ((mean.abs() + apart) * radius - 1).clamp_min(0).square().mean()
 
-    def hollow_excess(self, heights: Tensor, radius: float) -> Tensor:
-        """As `curvature_excess`, of hollows alone: where the face bends outwards."""
+    def concavity_violation(self, heights: Tensor, radius: float) -> Tensor:
+        """As `curvature_violation`, of hollows alone: where the face bends outwards."""
         mean, apart = self._curvatures(heights, radius)
         return ((self._outward * mean + apart) * radius - 1).clamp_min(0).square().mean()
 

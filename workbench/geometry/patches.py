@@ -82,16 +82,16 @@ class Patches:
         """
         slopes = self._slopes(heights)
         twist = _rises(slopes[0], self._positions[1], axis=1)
-        bends: list[float] = []
+        curvatures: list[float] = []
         for axis, (knots, degree, r) in enumerate(
             zip(self._knots, self._degree, self._half_width, strict=True)
         ):
             if degree == 1:
-                bends.append(math.inf if self._spans[axis] > 1 else 0.0)
+                curvatures.append(math.inf if self._spans[axis] > 1 else 0.0)
                 continue
             sites = greville(knots[1:-1], degree - 1) * (2 * r)
-            bends.append(_rises(slopes[axis], sites, axis).abs().max().item())
-        return bends[0], twist.abs().max().item(), bends[1]
+            curvatures.append(_rises(slopes[axis], sites, axis).abs().max().item())
+        return curvatures[0], twist.abs().max().item(), curvatures[1]
 
     def _slopes(self, heights: Tensor) -> tuple[Tensor, Tensor]:
         """Control values of dz/dx and dz/dy."""

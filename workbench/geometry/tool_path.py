@@ -82,19 +82,19 @@ class Raster:
         middle = np.rint((y - self.y[0]) / step).astype(int)
         rows = (middle[:, None] + np.arange(-wide, wide + 1)).clip(0, len(self.y) - 1)
         aside = self.y[rows] - y[:, None]
-        reach = np.sqrt((self.radius**2 - aside**2).clip(0))
+        half_chord = np.sqrt((self.radius**2 - aside**2).clip(0))
         move = self._move(np.broadcast_to(x[:, None], rows.shape))
         for _ in range(2):  # to where the ball touches: slopes of neighbours are alike
             slope = self._slopes[move, rows]
-            move = self._move(x[:, None] - reach * slope / np.sqrt(1 + slope**2))
+            move = self._move(x[:, None] - half_chord * slope / np.sqrt(1 + slope**2))
         best, normal = np.full(len(x), np.inf), np.zeros((len(x), 3))
         for each in (move - 1, move, move + 1):
             each = each.clip(0, len(self.x) - 2)
             slope = self._slopes[each, rows]
-            there = x[:, None] - reach * slope / np.sqrt(1 + slope**2)
+            there = x[:, None] - half_chord * slope / np.sqrt(1 + slope**2)
             there = there.clip(self.x[each], self.x[each + 1])
             along = there - x[:, None]
-            under = reach**2 - along**2
+            under = half_chord**2 - along**2
             above = self.tip[each, rows] + slope * (there - self.x[each]) + self.radius
             side = np.where(under > 0, above - np.sqrt(under.clip(0)), np.inf)
             row = side.argmin(axis=1)[:, None]

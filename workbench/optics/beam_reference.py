@@ -75,9 +75,9 @@ def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:
     shift = torch.zeros_like(hits)
     for axis in (0, 1):
         lines, moved = hits.transpose(0, axis), shift.transpose(0, axis)
-        bend = lines[2:] + lines[:-2] - 2 * lines[1:-1]
+        second_diff = lines[2:] + lines[:-2] - 2 * lines[1:-1]
         inner = parts[axis][1:-1, 2:] > 0
-        moved[1:-1] += torch.where(inner & (bend.abs() < FARTHEST), bend, 0.0)
+        moved[1:-1] += torch.where(inner & (second_diff.abs() < FARTHEST), second_diff, 0.0)
     return torch.where(hits.isfinite(), (hits - shift / 12).clamp(-FARTHEST, FARTHEST), torch.inf)
 
 

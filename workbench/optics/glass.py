@@ -65,9 +65,9 @@ class FlatGlass:
         """The light at places ``radius2`` = ρ² from the axis, at depths t ≥ 0; smooth in t."""
         with torch.no_grad():
             part = self._part(radius2, depth.detach())
-            spread = self._excess(part, radius2, depth.detach())[1]
+            spread = self._residual(part, radius2, depth.detach())[1]
         # One step more with a constant slope has the derivative of the root.
-        part = part - self._excess(part, radius2, depth)[0] / spread
+        part = part - self._residual(part, radius2, depth)[0] / spread
 
         steepness = self._steepness(part, radius2)
         cos = (1 + part.square() * (radius2 / self._distance**2)).rsqrt()
@@ -75,7 +75,7 @@ class FlatGlass:
         behind = cos * cos.square() * self._law.at(cos, inside)
         if self._lambertian:
             behind = behind * cos
-        spread = self._excess(part, radius2, depth)[1]
+        spread = self._residual(part, radius2, depth)[1]
         return LightInGlass(part, steepness, behind * part / spread)
 
     def slope(self, radius2: Tensor, depth: Tensor) -> Tensor:
@@ -89,8 +89,8 @@ class FlatGlass:
         part = self._start(radius2, depth)
         widest = radius2.max().sqrt().item()
         for _ in range(self.steps(widest, depth.max().item(), depth.dtype)):
-            excess, spread = self._excess(part, radius2, depth)
-            part = part - excess / spread
+            residual, spread = self._residual(part, radius2, depth)
+            part = part - residual / spread
         return part
 
     def steps(self, widest: float, deepest: float, dtype: torch.dtype) -> int:
@@ -110,10 +110,10 @@ class FlatGlass:
         part = self._start(radius2, depth)
         count = 0
         while count < _MOST_STEPS:
-            excess, spread = self._excess(part, radius2, depth)
-            part = part - excess / spread
-            # The excess has the rounding of 1.
-            if (excess.abs() <= 4 * eps * (1 + part * spread)).all():
+            residual, spread = self._residual(part, radius2, depth)
+            part = part - residual / spread
+            # The residual has the rounding of 1.
+            if (residual.abs() <= 4 * eps * (1 + part * spread)).all():
                 break
             count += 1
         self._known = (deepest, widest, dtype, count)
@@ -137,7 +137,7 @@ class FlatGlass:
             self._apparent / (self._apparent + depth), 1 - depth / widening.clamp_min(tiny)
         )
 
-    def _excess(self, part: Tensor, radius2: Tensor, depth: Tensor) -> tuple[Tensor, Tensor]:
+    def _residual(self, part: Tensor, radius2: Tensor, depth: Tensor) -> tuple[Tensor, Tensor]:
         """By how much r leads too far, in units of ρ, and the derivative of that, dρ/dρ_e."""
         g = self._steepness(part, radius2)
         return part * (1 + depth * g) - 1, 1 + depth * (self._apparent * g).square() * g

@@ -223,6 +223,6 @@ def _depth_of_side(bundle: Bundle, half_width: tuple[float, float]) -> Tensor:
         (bundle.x, bundle.y), (bundle.slope_x, bundle.slope_y), half_width, strict=True
     ):
         room = torch.where(slope > 0, r * RIM - start, start + r * RIM)
-        reach = torch.where(slope == 0, torch.inf, room / slope.abs().clamp_min(1e-300))
-        depth = torch.minimum(depth, reach)
+        depth_of_side = torch.where(slope == 0, torch.inf, room / slope.abs().clamp_min(1e-300))
+        depth = torch.minimum(depth, depth_of_side)
     return depth

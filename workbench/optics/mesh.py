@@ -206,10 +206,10 @@ class MeshIntersection:
         """Phase 1: height up to which boxes let each ray pass, and whether it stays inside."""
         n_x, n_y = self._mesh.spans
         floors = self._mesh.floors(heights)
-        reached = torch.full_like(self._side, heights.min().item())
-        inside = self._side >= reached
+        height = torch.full_like(self._side, heights.min().item())
+        inside = self._side >= height
         rays = inside.nonzero().squeeze(1)
-        walk, t = self._in_spans.of(rays), reached[rays]
+        walk, t = self._in_spans.of(rays), height[rays]
         k, m = walk.cell(t, self._mesh.spans)
         for _ in range(n_x + n_y + 1):
             if not len(rays):
@@ -218,7 +218,7 @@ class MeshIntersection:
             leaves_x, leaves_y = walk.leaves(k, m)
             leaves = torch.maximum(torch.minimum(leaves_x, leaves_y), t)
             goes_on = floor > leaves
-            reached[rays] = torch.where(goes_on, leaves, torch.maximum(floor, t))
+            height[rays] = torch.where(goes_on, leaves, torch.maximum(floor, t))
             across = leaves_x <= leaves_y
             k = torch.where(across, k + walk.b_x.sign(), k)
             m = torch.where(across, m, m + walk.b_y.sign())
@@ -226,7 +226,7 @@ class MeshIntersection:
             inside[rays[goes_on & ~within]] = False
             keep = (goes_on & within).nonzero().squeeze(1)
             rays, walk, t, k, m = rays[keep], walk.of(keep), leaves[keep], k[keep], m[keep]
-        return reached, inside
+        return height, inside
 
     def _cross(self, vertices: Tensor, start: Tensor, inside: Tensor, highest: Tensor) -> _Hits:
         """Phases 2 and 3: walk across triangles to the first one that is hit."""

@@ -111,8 +111,8 @@ def _cells(nodes: Tensor, room: Tensor, splits: Splits) -> _Cells:
     along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in splits[::-1])
     i, j = _beside_the_rim(room.detach() < 0)
     # Nodes of a cell and those around it, 4 × 4.
-    (n, m), reach = room.shape, torch.arange(-1, 3, device=nodes.device)
-    rows, columns = (i[:, None] + reach)[:, :, None], (j[:, None] + reach)[:, None, :]
+    (n, m), offsets = room.shape, torch.arange(-1, 3, device=nodes.device)
+    rows, columns = (i[:, None] + offsets)[:, :, None], (j[:, None] + offsets)[:, None, :]
     there = (rows >= 0) & (rows < n) & (columns >= 0) & (columns < m)
     rows, columns = rows.clamp(0, n - 1), columns.clamp(0, m - 1)
     first = first_lines(along_u)

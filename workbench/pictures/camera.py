@@ -273,8 +273,8 @@ def in_view(scene: Scene) -> bool:
     source, optic = scene.source, scene.optic
     places = _on_receiver(scene)
     width = 2 * max(*optic.half_width, float(np.abs(places[:, :2]).max()))
-    reach = _FARTHEST * max(float(places[:, 2].max()) - optic.front_z, width)
-    return optic.front_z - source.nearest_z <= reach
+    farthest = _FARTHEST * max(float(places[:, 2].max()) - optic.front_z, width)
+    return optic.front_z - source.nearest_z <= farthest
 
 
 def start_z(scene: Scene) -> float:

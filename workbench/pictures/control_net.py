@@ -35,7 +35,7 @@ _SMALLEST = 2.0, 3.0, 3.0
 _PARTS = 0.25, 0.6, 0.6  # of what is between neighbours
 _LINES = 6.0  # pixels between neighbours, from which on lines are drawn
 _LIFT = 0.004  # of the lens's half-width, outside the face that would swallow half of each point
-_REACH = 0.75  # of the diagonal between neighbours; farther away nothing is picked
+_PICK_PART = 0.75  # of the diagonal between neighbours; farther away nothing is picked
 _MOST_LOCKS = 40_000  # that are drawn; of more, every second or third
 _WHOLE = 1200  # control points of a net that is shown whole
 _NEAR = 12  # control points on each side of the brush, of a finer one
@@ -62,7 +62,7 @@ class ControlNetPicture:
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
         self._shaping = self._net.shaping(outline_of(optic))  # the others are not shown
-        self._reach = _REACH * math.hypot(np.diff(x).max(), np.diff(y).max())
+        self._pick_distance = _PICK_PART * math.hypot(np.diff(x).max(), np.diff(y).max())
         self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width) * optic.outwards(face)])
         self._shown = False
         self._marked: tuple[int, int] | None = None
@@ -143,7 +143,7 @@ class ControlNetPicture:
             return None
         (i, j), distance = nearest_to_line(self._places[block], start, end)
         index = block[0].start + i, block[1].start + j
-        return index if distance <= self._reach and self._shaping[index] else None
+        return index if distance <= self._pick_distance and self._shaping[index] else None
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -155,17 +155,17 @@ class ControlNetPicture:
 
     def _along(self, start: Array, end: Array) -> Block | None:
         """The part of the net that a line can come near; a fine net has many points elsewhere."""
-        reach, z = self._reach, self._places[..., 2]
+        margin, z = self._pick_distance, self._places[..., 2]
         rise = end[2] - start[2]
         if rise != 0:  # between the lowest and the highest point
-            low, high = z.min() - reach, z.max() + reach
+            low, high = z.min() - margin, z.max() + margin
             near, far = np.clip(sorted(((low - start[2]) / rise, (high - start[2]) / rise)), 0, 1)
             start, end = start + near * (end - start), start + far * (end - start)
         block = []
         for axis, at in enumerate(self._net.positions):
             low, high = sorted((start[axis], end[axis]))
-            first = int(np.searchsorted(at, low - reach))
-            last = int(np.searchsorted(at, high + reach, side="right"))
+            first = int(np.searchsorted(at, low - margin))
+            last = int(np.searchsorted(at, high + margin, side="right"))
             if first >= last:
                 return None
             block.append(slice(first, last))
@@ -221,6 +221,6 @@ class ControlNetPicture:
             self._lines.verts = np.zeros(0, dtype=np.int64)
 
 
-def _around(index: tuple[int, int], reach: tuple[int, int]) -> Block:
-    i, j = (slice(max(k - r, 0), k + r + 1) for k, r in zip(index, reach, strict=True))
+def _around(index: tuple[int, int], margin: tuple[int, int]) -> Block:
+    i, j = (slice(max(k - r, 0), k + r + 1) for k, r in zip(index, margin, strict=True))
     return i, j

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 Array = npt.NDArray[np.float64]
 
-_OUT_OF_REACH = "#a8a8a8"  # neither of the colours of gain and loss, nor their white
+_UNAFFECTED = "#a8a8a8"  # neither of the colours of gain and loss, nor their white
 
 
 class DerivativeImage:
@@ -32,7 +32,7 @@ class DerivativeImage:
     """
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
-        colours = colormaps[SIGNED].with_extremes(bad=_OUT_OF_REACH)
+        colours = colormaps[SIGNED].with_extremes(bad=_UNAFFECTED)
         self._image = receiver_map(axes, "derivative", scene, colours)
         self._scale = 1.0
         self._image.set_clim(-self._scale, self._scale)

@@ -221,13 +221,13 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
         some = paths.points[paths.on_screen == lands][:, :, [2, 0]]
         axes.add_collection(LineCollection(list(some), colors=colour, linewidths=0.3, alpha=0.25))
     optic, screen_z, half_width = scene.optic, scene.receiver.plane_z, scene.receiver.half_extent[0]
-    reach = 1.15 * max(optic.half_width[0], half_width)
+    half_height = 1.15 * max(optic.half_width[0], half_width)
     axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
     faces = sample_faces(optic, heights, (_SAMPLES, 3))
     x, _, z = np.moveaxis(faces.pop(optic.face)[:, 1], -1, 0)
     front = next((each[::-1, 1, 2] for each in faces.values()), np.full(len(z), optic.front_z))
     axes.plot([*z, *front, z[0]], [*x, *x[::-1], x[0]], color="#2f6f9f", lw=1.0)
-    axes.set_ylim(-reach, reach)
+    axes.set_ylim(-half_height, half_height)
     axes.set_xlim(paths.points[:, 0, 2].min(), screen_z + 0.02 * (screen_z - optic.front_z))
     axes.set_title(f"{_RAYS} × {_RAYS} rays, seen from the side", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT - 1)

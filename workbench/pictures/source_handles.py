@@ -15,7 +15,7 @@ Handle = Literal["middle"] | int
 
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
-_REACH = 14.0  # pixels; farther away nothing is picked
+_PICK_DISTANCE = 14.0  # pixels; farther away nothing is picked
 _INSIDE = (9, 9)  # places of a grid, along x and y, that are as good as its middle
 
 
@@ -62,7 +62,7 @@ class SourceHandles:
         if not len(points):
             return None
         away = np.hypot(*(self._sight.pixels(points) - (x, y)).T)
-        return int(away.argmin()) if away.min() <= _REACH else None
+        return int(away.argmin()) if away.min() <= _PICK_DISTANCE else None
 
 
 def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:

@@ -128,9 +128,9 @@ class BothFaces:
         coming, limits = self._light.coming, self._limits["entrance"]
         way = goal.in_glass(coming, traced)
         for _ in range(_TRIALS):
-            bends = _slopes(coming, unit(way(part)), 1.0, self._index)
-            bends = self._light.evenly(bends, "entrance", traced.entrance)
-            bent = self._fits["entrance"].heights(*bends)
+            slopes = _slopes(coming, unit(way(part)), 1.0, self._index)
+            slopes = self._light.evenly(slopes, "entrance", traced.entrance)
+            bent = self._fits["entrance"].heights(*slopes)
             lacks = limits.lacks(bent)
             if lacks <= 0:
                 return limits.placed(bent)
@@ -140,8 +140,8 @@ class BothFaces:
 
     def _exit(self, traced: LightInLens, goal: Goal) -> Array:
         """The exit face that turns light into its way behind the lens."""
-        bends = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
-        bent = self._fits["exit"].heights(*self._light.evenly(bends, "exit", traced.exit))
+        slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
+        bent = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
         return self._limits["exit"].placed(bent)
 
 

@@ -60,7 +60,7 @@ class Chart(NamedTuple):
     weights: tuple[float, float]
 
     @classmethod
-    def of(cls, view: ReceiverView, wanted: Array, bends: SlopesFor, begins: Pair) -> Self:
+    def of(cls, view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins: Pair) -> Self:
         """The chart by the slopes that light needs from where it comes.
 
         Parameters
@@ -75,7 +75,7 @@ class Chart(NamedTuple):
             In which cell of the lens the light of each of its cells comes from.
         """
         cells = len(wanted)
-        slopes = _along_seen(view, wanted, bends, begins)
+        slopes = _along_seen(view, wanted, slopes_for, begins)
         bounds = np.array([[f[wanted > 0].min(), f[wanted > 0].max()] for f in slopes])
         middle, half = bounds.mean(axis=1), np.diff(bounds)[:, 0] / 2 * (1 + 2 / cells)
         x, y = (
@@ -114,7 +114,7 @@ class Chart(NamedTuple):
         return at
 
 
-def _along_seen(view: ReceiverView, wanted: Array, bends: SlopesFor, begins: Pair) -> Pair:
+def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins: Pair) -> Pair:
     """Slopes less a gradient of the place on the lens, in the scale of the view's coordinates.
 
     What is left out is what would send all light to the middle, and what is linear in the place, so
@@ -124,13 +124,13 @@ def _along_seen(view: ReceiverView, wanted: Array, bends: SlopesFor, begins: Pai
 
     cells, half_width = len(wanted), view.scene.optic.half_width
     grid = view.grid(cells)
-    needed = bends(begins, view.at(grid, cells))
+    needed = slopes_for(begins, view.at(grid, cells))
     middle = tuple(np.full_like(wanted, float((f * wanted).sum())) for f in grid)
-    ahead = bends(begins, view.at((middle[0], middle[1]), cells))
+    ahead = slopes_for(begins, view.at((middle[0], middle[1]), cells))
     scale = 0.0  # slopes for each step along the view's coordinates, from one place of the lens
     for axis, half in enumerate(view.half_extent):
         beside = grid[0] + (axis == 0), grid[1] + (axis == 1)
-        more = bends(begins, view.at(beside, cells))[axis] - needed[axis]
+        more = slopes_for(begins, view.at(beside, cells))[axis] - needed[axis]
         scale += float((more * wanted).sum()) / (2 * half / cells) / 2
     x, y = (  # without a unit, so that what is left out does not depend on it
         ((2 * place + 1) / cells - 1) * (r / max(half_width))

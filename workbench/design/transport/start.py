@@ -106,7 +106,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         return best.heights
     begins = transport.back()
     for _ in range(_CHARTS):
-        chart = Chart.of(view, wanted, faces.bends(best.heights), begins)
+        chart = Chart.of(view, wanted, faces.slopes_for(best.heights), begins)
         transport = chart.transport(light.flux_or(best.heights, flux), wanted)
         begins = chart.begins(transport)
         heights = faces.bent(chart.places(transport), best.heights, fits)
@@ -174,7 +174,7 @@ class _Faces(NamedTuple):
             square += float(np.square(_coarsely(found[axis] - wanted[axis]) / (2 * rate)).mean())
         return math.sqrt(square)
 
-    def bends(self, heights: Array) -> SlopesFor:
+    def slopes_for(self, heights: Array) -> SlopesFor:
         """The slopes that light needs in any cell of a face like another."""
         z = self.fit.surface(heights)
         cells, direction = len(z), self.light.direction(z)

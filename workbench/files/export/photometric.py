@@ -116,8 +116,8 @@ def intensity_of_rays(rays: LeavingRays, optic: Optic) -> IntensityTable:
 def _angles(angle: Array, flux: Array) -> Array:
     """Angles γ up to a half-space or, where light is behind it, to all of the sphere."""
     order = np.argsort(angle)
-    reached = np.searchsorted(np.cumsum(flux[order]), _NEARLY_ALL * flux.sum())
-    wide = float(angle[order[min(int(reached), len(order) - 1)]])
+    outermost = np.searchsorted(np.cumsum(flux[order]), _NEARLY_ALL * flux.sum())
+    wide = float(angle[order[min(int(outermost), len(order) - 1)]])
     step = next((step for step in reversed(_STEPS) if wide >= _FEWEST * step), _STEPS[0])
     last = 90.0 if angle.max() <= 90 else 180.0
     return np.linspace(0.0, last, round(last / step) + 1)

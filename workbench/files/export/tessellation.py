@@ -111,10 +111,10 @@ class Tessellation(NamedTuple):
         """
         r = np.array(design.net.half_width)
         orders = ((2, 0), (1, 1), (0, 2))
-        bend = max(
+        curvature = max(
             sum(float(_most(face, order).max()) for order in orders) for face in design.faces
         )
-        enough = math.ceil(2 * r.max() * math.sqrt(bend / (6 * allowed)))
+        enough = math.ceil(2 * r.max() * math.sqrt(curvature / (6 * allowed)))
         rim = math.ceil(math.sqrt(r.max() / (2 * allowed)))
         count = max(rim, math.ceil(enough / 4), 8)
         while True:
@@ -238,8 +238,8 @@ def _strips(design: Design, axis: int, allowed: float) -> tuple[Array, Array]:
     width, middle = np.diff(ends), (ends[1:] + ends[:-1]) / 2
     steps = np.ones(len(middle))
     for face in design.faces:
-        bend = _most(face, (2, 0) if axis == 0 else (0, 2)) + _most(face, (1, 1))
-        sharpest = bend.max(axis=1 - axis)
+        curvature = _most(face, (2, 0) if axis == 0 else (0, 2)) + _most(face, (1, 1))
+        sharpest = curvature.max(axis=1 - axis)
         sharpest = sharpest[(middle * len(sharpest)).astype(int)]
         length = 2 * face.net.half_width[axis] * width
         steps = np.maximum(steps, np.ceil(length * np.sqrt(sharpest / (4 * allowed))))

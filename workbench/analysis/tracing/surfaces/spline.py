@@ -109,8 +109,8 @@ class SplineFace:
         """Crossings without those beside the outline."""
         across = np.abs(found.position[:, 0]) / self._spline.r_x
         up = np.abs(found.position[:, 1]) / self._spline.r_y
-        reach = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
-        flux = np.where(reach <= _RIM, found.flux, 0.0)
+        radius = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
+        flux = np.where(radius <= _RIM, found.flux, 0.0)
         return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
 
     def _length_beside(self, place: Array, way: Array, onwards: int) -> Array:
