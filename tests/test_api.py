@@ -97,7 +97,7 @@ class TestDesignRun:
             DesignRun(session, iterations=-1)
 
 
-def test_it_finds_what_the_commands_find(session, tmp_path, capsys):
+def test_api_gives_the_figures_of_the_commands(session, tmp_path, capsys):
     """One implementation: the lens, the check and the files are those of the command line."""
     from workbench.cli import main
 

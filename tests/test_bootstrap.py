@@ -75,7 +75,7 @@ def test_the_first_start_sets_up_and_the_second_only_opens(commands):
     assert commands == WINDOW
 
 
-def test_what_the_tests_need_is_enough_for_the_window_but_not_the_other_way_round(commands):
+def test_libraries_of_the_tests_include_those_of_the_window_but_not_vice_versa(commands):
     bootstrap.main([])
     commands.clear()
     assert bootstrap.main(["test"]) == 0

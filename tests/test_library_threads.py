@@ -7,7 +7,7 @@ import sys
 from workbench.library_threads import calm_library_threads
 
 
-def test_what_a_user_has_asked_for_stays(monkeypatch):
+def test_thread_settings_of_the_user_stay(monkeypatch):
     monkeypatch.setenv("OMP_WAIT_POLICY", "ACTIVE")
     monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")  # so that it is put back in any case
     monkeypatch.delenv("OPENBLAS_NUM_THREADS")

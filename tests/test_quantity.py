@@ -83,7 +83,7 @@ def test_units(text, unit, number):
         ("-" * 99 + "x", "", "is not a number"),
     ],
 )
-def test_what_is_refused(text, unit, said):
+def test_wrong_numbers_are_refused(text, unit, said):
     with pytest.raises(ValueError) as caught:
         read_number(text, unit)
     assert said in str(caught.value) and "\n" not in str(caught.value)
@@ -98,7 +98,7 @@ def test_any_text_is_read_or_refused(text):
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_what_a_field_shows_is_read_as_the_same(number):
+def test_shown_numbers_are_read_as_the_same(number):
     assert float(read_number(repr(number))) == number
 
 

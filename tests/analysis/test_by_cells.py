@@ -60,7 +60,7 @@ def test_the_error_of_the_lens_itself_is_that_by_cells(lens, target):
     assert found.loss_corrected == pytest.approx(found.by_cells.loss, rel=0.1)
 
 
-def test_it_does_not_depend_on_the_seed(lens, target):
+def test_error_by_cells_does_not_depend_on_the_seed(lens, target):
     scene, heights = lens(POINT)
     one, two = (validate(scene, target, heights, 1000, seed, accuracy=0.01) for seed in (1, 2))
     assert one.relative_l2 != two.relative_l2
@@ -110,7 +110,7 @@ def test_without_an_accuracy_and_for_too_many_points_there_are_random_rays_alone
     assert found.to_data() == alone.to_data() | {"shading": shading}
 
 
-def test_it_says_where_cells_are_not_as_exact_as_was_asked_for(lens, target, monkeypatch):
+def test_result_states_where_cells_miss_the_wanted_accuracy(lens, target, monkeypatch):
     scene, heights = lens({"kind": "collimated"})
     exact = validate(scene, target, heights, 10_000, accuracy=1e-2).by_cells
     assert exact.less_exact is None

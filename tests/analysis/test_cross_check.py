@@ -56,7 +56,7 @@ def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
 
 
 class TestBareAndClear:
-    def test_what_mitsuba_does_not_have_is_left_out_and_named(self, make_scene):
+    def test_losses_unknown_to_mitsuba_are_left_out_and_named(self, make_scene):
         lossy = {"lens.coating": [0.01, 0.02], "lens.absorption": 0.3}
         scene, left_out = bare_and_clear(make_scene(lossy))
         assert left_out == ("coating", "absorption")
@@ -66,7 +66,7 @@ class TestBareAndClear:
         assert scene == make_scene({"lens.reflection": "fresnel"})
 
     @pytest.mark.parametrize("reflection", ["fresnel", "schlick"])
-    def test_of_bare_and_clear_lenses_nothing_is_left_out(self, make_scene, reflection):
+    def test_nothing_is_left_out_of_a_bare_and_clear_lens(self, make_scene, reflection):
         scene = make_scene({"lens.reflection": reflection})
         assert bare_and_clear(scene) == (scene, ())
 

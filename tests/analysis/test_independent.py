@@ -70,7 +70,9 @@ def test_more_rays_are_followed_until_the_error_is_exact(lens, target, monkeypat
     assert least.unscattered.off > 1e-9
 
 
-def test_it_has_the_error_of_an_emitter_close_by_where_cells_do_not(lens, target, monkeypatch):
+def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
+    lens, target, monkeypatch
+):
     train = OpticalTrain.of(lens[0], lens[1], 1, 0, Pose(), [lens[0].receiver])
     fine = CellLattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
     error = relative_l2(finished(fine.tracing()), target)

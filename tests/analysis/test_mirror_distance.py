@@ -47,6 +47,6 @@ def test_a_distance_up_to_the_mirror_is_tolerated(scene):
         (Tolerances(index=0.1), "there is no glass"),
     ],
 )
-def test_what_a_mirror_does_not_have_is_refused(scene, within, why):
+def test_tolerances_that_a_mirror_does_not_have_are_refused(scene, within, why):
     with pytest.raises(Refused, match=rf"changes? nothing: {why}; 0"):
         within.check(scene)

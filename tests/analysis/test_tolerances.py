@@ -299,7 +299,7 @@ class TestSource:
         there = validate(tilted, target, heights, RAYS).irradiance
         assert np.abs(here - there).sum() < 1e-3 * there.sum()
 
-    def test_what_a_source_cannot_be_off_by_is_refused(self, make_scene):
+    def test_tolerance_without_meaning_for_the_source_is_refused(self, make_scene):
         point = make_scene({"source": {"kind": "point", "position": [0, 0, -2.0]}})
         for scene, tolerances, words in (
             (make_scene(), Tolerances(source_shift=0.1), "source_shift: 0.1 changes nothing"),

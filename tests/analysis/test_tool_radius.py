@@ -44,7 +44,7 @@ def lowered(x, z, radius):
     return ((middle[:, None] - cap).min(axis=0) - z).max()
 
 
-def test_it_is_the_ball_that_leaves_nothing_when_it_is_lowered(make_scene):
+def test_tool_radius_is_that_of_the_largest_ball_that_fits_into_a_groove(make_scene):
     """A groove with steep sides."""
     lens, heights = lens_of(make_scene, lambda x, y: 0.5 - 0.3 * np.exp(-((x / 0.3) ** 2)) + 0 * y)
     found = manufacture(lens, heights).tool_radius

@@ -11,7 +11,7 @@ def _run(program: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, timeout=60)
 
 
-def test_what_is_asked_for_at_the_end_is_done_and_all_output_is_written():
+def test_exit_handlers_run_and_all_output_is_written():
     done = _run(
         "from workbench.cli.ending import end\n"
         "class Taken:\n"

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from workbench.cli import main
 
 
-def test_it_is_told_on_standard_error_and_only_while_the_command_works(capsys, monkeypatch):
+def test_log_goes_to_standard_error_only_while_the_command_runs(capsys, monkeypatch):
     log = logging.getLogger("workbench.some_room")
 
     def work(options):

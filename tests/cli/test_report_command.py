@@ -135,7 +135,7 @@ class TestHtml:
     def page(self, reports):
         return (reports / "out.html").read_text()
 
-    def test_it_needs_nothing_else_and_names_are_text(self, page, lens):
+    def test_report_is_self_contained_and_names_are_escaped(self, page, lens):
         found = Page(page)
         assert found.headings[0] == lens.stem
         assert "<p>Design of 2001-02-03 04:05 " in page  # not of now: made again, it is the same
@@ -202,7 +202,7 @@ class TestHtml:
 
 
 class TestPdf:
-    def test_it_opens_and_has_all_text(self, reports, wavy):
+    def test_pdf_opens_and_has_all_text(self, reports, wavy):
         pypdf = pytest.importorskip("pypdf")
         reader = pypdf.PdfReader(reports / "out.pdf")
         assert reader.metadata.title == wavy.stem

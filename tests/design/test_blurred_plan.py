@@ -37,7 +37,7 @@ def blurred(scene, cells=(256, 256)):
     return BlurredPlan(scene, cells, Blur.of(scene, scene.lens.base.height))
 
 
-def test_it_is_the_image_of_many_origins(sun, heights):
+def test_blurred_image_is_the_image_of_many_origins(sun, heights):
     middle = blurred(sun).trace(heights, (3, 4))
     all_of_it = BeamPlan(sun, Corners(64, 64, 256)).trace(heights, (3, 4))
     assert (middle.flux - all_of_it.flux).norm() < 0.01 * all_of_it.flux.norm()
@@ -62,7 +62,7 @@ def test_asymmetric_light_stays_where_it_is(sun):
     assert abs(middles[0][0] - 35.5) > 2.5 and abs(middles[0][1] - 39.5) > 1
 
 
-def test_its_account_adds_up_and_says_what_the_image_holds(sun, heights):
+def test_account_of_a_blurred_image_adds_up_and_counts_its_light(sun, heights):
     light = blurred(sun).trace(heights)
     account = light.account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
@@ -70,7 +70,7 @@ def test_its_account_adds_up_and_says_what_the_image_holds(sun, heights):
     assert account.lost["off_screen"] > 1e-4
 
 
-def test_its_gradient_is_that_of_central_differences(sun, heights, rng):
+def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights, rng):
     plan, way = blurred(sun, (64, 64)), torch.as_tensor(rng.random((12, 12)) - 0.5)
     weight = torch.as_tensor(rng.random((32, 40)))
 

@@ -116,7 +116,7 @@ def test_the_best_lens_is_told_by_all_that_the_scene_asks_of_it(designed):
     assert any(each.best for each in snapshots[1:])
 
 
-def test_what_transport_is_worth_is_learnt_from_the_last_lens_by_it(designed):
+def test_value_of_transport_is_estimated_from_its_last_lens(designed):
     live = LiveDesign(Spy())
     _, by_transport = lenses(live, replace(designed, result=None), 2)
     target, error = live._by_transport
@@ -195,7 +195,7 @@ def test_the_error_of_a_lens_is_that_of_the_image_that_its_loss_is_of(designed):
         ({}, False),
     ],
 )
-def test_what_the_lens_is_for_asks_for_another_one(changes, asks, designed):
+def test_change_of_the_task_needs_another_lens(changes, asks, designed):
     data = designed.scene.to_data()
     for part, values in changes.items():
         data[part] |= values

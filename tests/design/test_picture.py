@@ -85,7 +85,7 @@ def test_another_image_brings_its_own_picture(session, image):
     assert with_task(found, Scene.from_data(data), image.parent).picture is None
 
 
-def test_what_is_too_large_is_read_from_its_file_each_time(make_scene, image, monkeypatch):
+def test_picture_too_large_to_keep_is_read_from_its_file_each_time(make_scene, image, monkeypatch):
     monkeypatch.setattr(picture_module, "LARGEST_PICTURE", image.stat().st_size - 1)
     scene = make_scene({"target": {"image": str(image)}})
     assert picture_of(scene, image.parent) is None

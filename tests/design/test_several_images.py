@@ -165,7 +165,7 @@ def test_a_session_of_one_image_has_its_light_alone(make_scene, tmp_path):
     assert relative_error(shot.state, session.target) ** 2 == pytest.approx(weighted / 3, rel=1e-4)
 
 
-def test_what_knows_one_image_refuses_several(make_scene, tmp_path):
+def test_single_image_tools_refuse_several_images(make_scene, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     scene, target = session.scene, session.target
     heights = {"exit": np.full(scene.optic.net_shape, 0.5)}

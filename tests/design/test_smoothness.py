@@ -135,7 +135,7 @@ def test_gradient_is_that_of_finite_differences(make_scene, rng):
     assert (gradient * ahead).sum().item() == pytest.approx(change.item() / (2 * step), rel=1e-6)
 
 
-def test_it_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
+def test_penalty_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
     settings = {"run.smoothness": 0.01, "run.min_radius": 0.5}
     scene = make_scene(settings)
     heights = 0.5 + 0.05 * rng.random((12, 10))

@@ -99,7 +99,7 @@ def test_stages_that_are_not_possible_are_refused(make_scene, stages, sentence):
         ),
     ],
 )
-def test_what_a_later_stage_cannot_do_is_refused_before_the_first(
+def test_impossible_later_stage_is_refused_before_the_first(
     make_scene, disc, monkeypatch, stages, changes, path
 ):
     monkeypatch.setattr(parametrisation, "available_memory", lambda _: 100_000_000)

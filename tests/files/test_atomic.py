@@ -90,7 +90,7 @@ def test_the_old_file_is_there_until_the_block_ends(tmp_path):
 
 
 @pytest.mark.parametrize("failure", [KeyboardInterrupt, ValueError("a mistake"), SystemExit])
-def test_whatever_is_raised_in_the_block_leaves_the_old_file_alone(tmp_path, failure):
+def test_an_exception_in_the_block_leaves_the_old_file_alone(tmp_path, failure):
     path = tmp_path / "file"
     path.write_bytes(b"old")
     with pytest.raises(BaseException) as caught, replacing(path) as file:

@@ -35,7 +35,7 @@ def test_a_missing_file_has_none(tmp_path):
     assert fingerprint(tmp_path / "link") is not None
 
 
-def test_what_is_no_file_is_refused(tmp_path):
+def test_path_that_is_no_file_is_refused(tmp_path):
     with pytest.raises(Refused, match="is a folder"):
         fingerprint(tmp_path)
 

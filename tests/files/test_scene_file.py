@@ -87,7 +87,7 @@ def test_a_name_that_is_no_text_is_refused(tmp_path, make_scene):
         (b" " * (LARGEST_TEXT + 1), f"more than {LARGEST_TEXT} bytes"),
     ],
 )
-def test_what_is_no_scene_is_refused_by_the_name_of_the_file(tmp_path, content, reason):
+def test_file_without_a_scene_is_refused_by_its_name(tmp_path, content, reason):
     path = tmp_path / "scene.json"
     path.write_bytes(content)
     with pytest.raises(Refused, match=reason) as caught:

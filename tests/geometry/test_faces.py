@@ -8,7 +8,7 @@ import pytest
 from workbench.geometry.faces import FaceArrays
 
 
-def test_nobody_can_change_the_arrays():
+def test_arrays_of_faces_are_read_only():
     given = np.zeros((4, 5))
     arrays = FaceArrays({"exit": given})
     given[0, 0] = 1

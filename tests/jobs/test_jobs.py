@@ -65,7 +65,7 @@ def test_materials_to_choose_from_are_those_of_the_catalogue():
         (WallWasher, {"wall_distance": 1e13}, "wall_distance"),
     ],
 )
-def test_what_is_not_possible_is_refused_where_it_was_asked(kind, answers, field):
+def test_an_impossible_answer_is_refused_at_its_question(kind, answers, field):
     with pytest.raises(Refused) as refused:
         kind().with_answers(answers)
     assert refused.value.path.startswith(field)

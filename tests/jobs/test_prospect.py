@@ -101,7 +101,7 @@ def test_a_turn_that_no_face_can_make_is_said():
     assert "at most" in said["Largest slope"].meaning
 
 
-def test_what_is_known_at_once_comes_before_the_picture_at_best():
+def test_figures_known_at_once_come_before_the_best_possible_picture():
     steps = prospecting(session_of(Torch()))
     first = next(steps)
     assert first.picture is None

@@ -40,7 +40,7 @@ def test_light_of_the_sun_comes_straight():
 
 
 @pytest.mark.parametrize(("kind", "across"), [(WallWasher, "y"), (MirrorJob, "x")])
-def test_what_is_askew_is_seen_from_where_that_shows(kind, across):
+def test_side_view_of_a_tilted_part_is_taken_from_where_the_tilt_shows(kind, across):
     view = side_view(kind().scene())
     assert view.across == across
     assert np.ptp(view.receiver[:, 0]) > 0.1 * np.ptp(view.receiver[:, 1])

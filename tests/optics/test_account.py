@@ -91,7 +91,7 @@ def test_all_losses_say_what_they_are():
     assert all(all(loss[:4]) for loss in LOSSES.values())
 
 
-def test_where_most_light_is_lost_before_the_screen_is_said_with_what_helps(make_scene):
+def test_advice_names_the_largest_loss_before_the_screen_and_its_cure(make_scene):
     scene = make_scene()
     account = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1)
     assert account.advice(scene) == (

@@ -17,7 +17,7 @@ def corners(position, half_width, z):
 
 @pytest.mark.parametrize("half_width", [(1.0, 1.0), (0.5, 2.0), (100.0, 1.0)])
 @pytest.mark.parametrize("distance", [1e-3, 1.0, 5.0, 1e4, 1e7, 1e9, 1e12])
-def test_on_the_axis_it_is_that_of_the_paper(half_width, distance):
+def test_cap_of_a_source_on_the_axis_is_that_of_the_paper(half_width, distance):
     cap = covering_caps(np.array([[0.0, 0.0, 2 - distance]]), half_width, 2.0)
     distance = 2 - (2 - distance)  # as rounding leaves it
     assert cap.axis[0] == pytest.approx([0, 0, 1], abs=1e-12)
@@ -62,7 +62,7 @@ def test_off_the_axis_it_holds_all_corners_and_none_is_smaller(rng):
         assert -found.fun <= cos_max + 1e-9
 
 
-def test_it_covers_the_whole_face(rng):
+def test_cap_covers_the_whole_face(rng):
     position = np.array([2.0, -1.5, -0.4])
     caps = covering_caps(position[None], (1.0, 0.7), 0.0)
     places = np.column_stack(

@@ -31,7 +31,7 @@ def calls_of(work):
 
 
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
-def test_as_many_steps_for_many_points_as_for_four(make_scene, emission):
+def test_many_points_take_as_many_steps_as_four(make_scene, emission):
     def scene(points):
         # Some of the cones reach behind their points.
         grid = {"kind": "grid", "center": [0, 0, -0.05], "half_width": [1.5, 1.5], "rays": 2}

@@ -38,7 +38,7 @@ def total(arrival):
 
 @SOURCES
 @pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
-def test_what_arrives_and_what_is_lost_adds_up_to_all_light(make_scene, source, dtype):
+def test_arrived_and_lost_light_add_up_to_all_light(make_scene, source, dtype):
     scene = make_scene({"source": source})
     arrival = Path.of(scene, ControlNet.of(scene.lens), dtype).walk({"exit": smooth(scene, 0.2)})
     assert total(arrival) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 1e-6)

@@ -84,7 +84,7 @@ def test_cells_of_total_reflection_stay_left_out():
     assert 2.0 <= landed - less <= 3.0
 
 
-def test_what_is_counted_is_what_rays_within_the_rim_give_to_cut_cells():
+def test_cut_cells_get_the_light_of_rays_within_the_rim():
     nodes, splits = lit()
     nodes, room = cut(nodes, 3.5 - (nodes[0] - 1))
     rim = rim_light(nodes, room, PIXELS, splits)

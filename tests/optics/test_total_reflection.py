@@ -25,7 +25,7 @@ LED = {"source": {"kind": "area", "center": [0, 0, -2.0], "half_width": [0.1, 0.
 
 @pytest.mark.parametrize("source", [{}, POINT, LED], ids=["parallel", "near point", "LED"])
 @pytest.mark.parametrize("changes", [{}, {"lens.entrance": ENTRANCE}], ids=["one", "two faces"])
-def test_its_places_are_on_the_steep_part_and_carry_what_the_account_says(
+def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_account(
     make_scene, changes, source
 ):
     scene = make_scene({"lens.control_points": [24, 24]} | changes | source)

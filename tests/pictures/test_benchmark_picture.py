@@ -127,7 +127,7 @@ def test_the_page_is_drawn_from_some_of_the_experiments(kept, designs, derivativ
 
 
 @pytest.mark.parametrize("count", [1, 4])
-def test_what_is_said_below_courses_fits_their_width(count):
+def test_text_below_courses_fits_their_width(count):
     figure = benchmark.courses(
         [dataclasses.replace(COURSES[1], scene=str(k)) for k in range(count)]
     )

@@ -16,7 +16,7 @@ def camera(request, plotter, make_scene):
     return made
 
 
-def test_it_turns_about_the_middle(camera, plotter):
+def test_camera_turns_about_the_middle(camera, plotter):
     seen, middle = plotter.camera, np.array(plotter.camera.focal_point)
 
     def toward():
@@ -33,7 +33,7 @@ def test_it_turns_about_the_middle(camera, plotter):
     assert seen.up == (0, 1, 0)
 
 
-def test_it_stops_short_of_the_top(camera, plotter):
+def test_camera_stops_short_of_the_top(camera, plotter):
     for _ in range(40):
         camera.turn(0, 5)
     assert np.dot(plotter.camera.direction, (0, -1, 0)) == pytest.approx(np.sin(np.radians(85)))
@@ -41,7 +41,7 @@ def test_it_stops_short_of_the_top(camera, plotter):
     assert np.dot(plotter.camera.direction, (0, 1, 0)) == pytest.approx(np.sin(np.radians(85)))
 
 
-def test_it_moves_by_parts_of_the_picture(camera, plotter):
+def test_camera_moves_by_fractions_of_the_picture(camera, plotter):
     camera.turn(20, -30)
     middle, direction = np.array(plotter.camera.focal_point), plotter.camera.direction
     sight = Sight(plotter)
@@ -52,7 +52,7 @@ def test_it_moves_by_parts_of_the_picture(camera, plotter):
     np.testing.assert_allclose(plotter.camera.direction, direction, atol=1e-9)
 
 
-def test_it_comes_nearer_to_the_middle(camera, plotter):
+def test_camera_comes_nearer_to_the_middle(camera, plotter):
     middle = np.array(plotter.camera.focal_point)
     places = middle + np.array([[0, 0, 0], [0.2, 0.1, 0]])
     sight = Sight(plotter)

@@ -29,7 +29,7 @@ def test_a_far_and_wide_screen_leaves_the_lens_a_good_part_of_the_picture(make_s
     assert exploded(scene).lens == scene.lens
 
 
-def test_what_is_near_and_small_stays(make_scene):
+def test_near_and_small_parts_stay(make_scene):
     scene = make_scene({"screen.z": 2.5, "source": {**POINT, "position": [0.1, 0, -2.0]}})
     assert exploded(scene) == scene
     paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (3, 3)).points

@@ -28,7 +28,7 @@ def test_limits_change_only_when_the_curve_leaves_them(axes):
     assert axes.get_ylim() == pytest.approx((0.2, 5))
 
 
-def test_what_a_logarithm_cannot_show_is_left_out_of_the_limits(axes):
+def test_values_without_a_logarithm_do_not_set_the_limits(axes):
     curve = LossPicture(axes)
     curve.update(np.array([3.0, 0.0, np.nan]), 10)
     assert axes.get_ylim() == (2, 5)

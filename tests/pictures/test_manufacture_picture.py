@@ -51,7 +51,7 @@ def test_each_map_shows_its_values(maps):
         assert not found[name].collections
 
 
-def test_what_is_beyond_limits_is_hatched(maps):
+def test_areas_beyond_limits_are_hatched(maps):
     limits = Limits(min_thickness=0.55, max_thickness=0.7, max_slope=15.0, min_radius=2.6)
     found = drawn(maps, limits)
     thick, steep = found["Thickness"], found["Slope"]

@@ -81,7 +81,7 @@ def test_a_look_finds_the_body_under_the_pointer(scene_sight):
         np.testing.assert_allclose(sight.point(*pixel), place, atol=1e-3)
 
 
-def test_beside_all_bodies_it_finds_the_focal_plane(scene_sight, plotter):
+def test_line_of_sight_beside_all_bodies_finds_the_focal_plane(scene_sight, plotter):
     _, sight = scene_sight
     found = sight.point(3.0, 3.0)
     camera = plotter.camera

@@ -19,7 +19,7 @@ def test_every_page_is_in_the_list_and_has_a_title_of_its_own():
 
 
 @pytest.mark.parametrize("page", pages(), ids=lambda page: page.file.stem)
-def test_what_a_page_links_to_is_there(page):
+def test_links_of_manual_pages_lead_somewhere(page):
     links = re.findall(r"\]\((?!https?:)([^)#]+)\)", page.text)
     missing = [link for link in links if not (FOLDER / link).is_file()]
     assert not missing

@@ -65,7 +65,7 @@ def test_absorption_is_per_length(scene_data):
         ({"absorption": 30.0}, "lens.absorption", "at most 27.6"),
     ],
 )
-def test_what_is_impossible_is_refused_with_its_path(scene_data, lens, path, said):
+def test_impossible_loss_is_refused_with_its_path(scene_data, lens, path, said):
     with pytest.raises(Refused) as refused:
         read(scene_data, 2, **lens)
     assert refused.value.path == path

@@ -29,7 +29,7 @@ def test_a_photometric_file_needs_version_2(make_scene):
         ({"rays": 0}, "source.rays: 0 is too small"),
     ],
 )
-def test_what_is_impossible_is_refused(make_scene, source, said):
+def test_impossible_measured_source_is_refused(make_scene, source, said):
     with pytest.raises(Refused, match=f"^{said}"):
         make_scene({"source": LAMP | source})
 
@@ -67,7 +67,7 @@ def test_files_are_named_by_their_fields_and_can_be_renamed(make_scene):
     assert scene.with_files({}) == scene
 
 
-def test_what_a_file_holds_goes_along_and_makes_no_other_scene(make_scene):
+def test_carried_file_content_does_not_change_equality_of_scenes(make_scene):
     scene = make_scene({"source": LAMP})
 
     carrying = scene.carrying({"lamp.ies": b"light"})

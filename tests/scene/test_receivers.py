@@ -26,7 +26,7 @@ def test_an_upright_centred_screen_is_written_as_before(make_scene):
         {"screen": None, "far_field": FAR},
     ],
 )
-def test_other_receivers_need_version_2_and_survive_it(make_scene, change):
+def test_tilted_screens_and_far_fields_need_version_2_and_come_back_from_it(make_scene, change):
     scene = make_scene(change)
     data = scene.to_data()
     assert data["version"] == 2
@@ -60,7 +60,7 @@ def test_other_receivers_need_version_2_and_survive_it(make_scene, change):
         ),
     ],
 )
-def test_what_no_light_can_meet_is_refused_in_a_sentence(make_scene, change, sentence):
+def test_receiver_that_no_light_can_meet_is_refused_in_a_sentence(make_scene, change, sentence):
     with pytest.raises(Refused) as refused:
         make_scene(change)
     assert str(refused.value).startswith(sentence)

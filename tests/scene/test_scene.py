@@ -177,7 +177,7 @@ def test_sources_before_the_lens_survive_their_file(make_scene, source):
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"lens": 5}', "\x00", '{"a": 1} x'])
-def test_what_is_no_scene_is_refused_in_one_sentence(text):
+def test_data_that_are_no_scene_are_refused_in_one_sentence(text):
     with pytest.raises(Refused) as refused:
         Scene.from_json(text)
     assert "\n" not in str(refused.value)

@@ -151,7 +151,7 @@ class TestSweep:
             "seconds": 2.5,
         }
 
-    def test_what_is_finished_is_not_done_again(self, found, store):
+    def test_finished_points_are_not_computed_again(self, found, store):
         with pytest.raises(KeyboardInterrupt):
             rows(found, store, Here(most=2))
         again = Here()

@@ -73,7 +73,7 @@ class TestVaried:
         assert varied(scene, {"source.position[2]": -8}).source.position == (0, 0, -8)
         assert varied(scene, {"filter.size[1]": 5}).filter.size == (3, 5)
 
-    def test_what_was_left_to_defaults_follows(self, scene_data):
+    def test_defaults_follow_the_varied_field(self, scene_data):
         for name in ("base", "height_range", "min_thickness"):
             del scene_data["lens"][name]
         del scene_data["filter"], scene_data["run"]

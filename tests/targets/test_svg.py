@@ -34,7 +34,7 @@ def test_a_drawing_of_one_colour_is_light_on_black(save, make_scene, colour):
     np.testing.assert_allclose(light + rest, 1, atol=1e-12)
 
 
-def test_it_keeps_its_aspect_and_stands_upright(save):
+def test_svg_keeps_its_aspect_and_stands_upright(save):
     read = read_image(save('<path d="M0 0H40V5H0Z" fill="white"/>', 'viewBox="0 0 40 10"'), 400)
     assert read.shape == (100, 400)
     np.testing.assert_array_equal(read[:50], 1)
@@ -49,7 +49,7 @@ def test_colours_and_grounds_are_those_of_the_drawing(save):
 
 @pytest.mark.parametrize("begin", ["\ufeff", '<?xml version="1.0"?>\n', "<!-- drawn -->\n"])
 @pytest.mark.parametrize("name", ["a.svg", "a.png"])
-def test_it_is_known_by_its_content(save, begin, name):
+def test_svg_is_recognised_by_its_content(save, begin, name):
     read = read_image(save(DISC.format(""), name=name, begin=begin), 64)
     assert read.shape == (64, 64) and read[32, 32] == 1
 

@@ -15,6 +15,6 @@ def test_a_fresh_process_takes_time_and_memory(make_example):
         assert 50e6 < memory < 4e9
 
 
-def test_what_a_process_says_when_it_fails_is_said(impossible):
+def test_error_of_a_failed_process_is_reported(impossible):
     with pytest.raises(RunFailed, match="no light reaches the screen"):
         fresh_design(impossible, 2, 1)

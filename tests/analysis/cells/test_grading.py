@@ -12,7 +12,7 @@ from workbench.analysis.cells.grading import Grading
 
 
 @pytest.mark.parametrize(("away", "foot"), [(0.1, 0.0), (0.5, -0.3), (8.0, 2.0)])
-def test_it_maps_the_axis_onto_itself_with_the_stretch_of_its_derivative(away, foot):
+def test_grading_maps_the_axis_onto_itself_with_its_derivative_as_stretch(away, foot):
     grade = Grading(away, foot)
     even = np.linspace(-1, 1, 2001)
     place, stretch = grade(even)
@@ -32,7 +32,7 @@ def test_places_of_light_from_afar_are_even(make_scene):
             assert np.array_equal(stretch, np.ones(5))
 
 
-def test_as_many_cells_err_less_near_a_point_of_light(make_scene, monkeypatch):
+def test_graded_cells_have_less_error_near_a_point_source(make_scene, monkeypatch):
     near = {"kind": "point", "position": [0.1, 0, -0.2], "emission": "lambertian"}
     scene = make_scene({"source": near, "screen.half_width": [4.0, 4.0]})
     heights = net_of(scene, lambda x, y: 0.4 - 0.1 * x**2 - 0.05 * y**2 + 0.02 * np.sin(x + 2 * y))

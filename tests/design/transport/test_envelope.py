@@ -8,7 +8,7 @@ from workbench.design.transport.envelope import c_transform
 
 @pytest.mark.parametrize("shape", [(7, 12), (2, 9), (16, 16)])
 @pytest.mark.parametrize("weights", [(1.0, 1.0), (0.25, 4.0)])
-def test_it_is_the_least_of_all_parabolas(rng, shape, weights):
+def test_envelope_is_the_least_of_all_parabolas(rng, shape, weights):
     potential = 5 * rng.normal(size=shape)
     a, b = (np.arange(m, dtype=float) for m in shape)
     cost_0 = 0.5 * weights[0] * (a[:, None] - a) ** 2

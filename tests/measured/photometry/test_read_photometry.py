@@ -117,7 +117,7 @@ def test_factors_of_lamp_and_ballast_count() -> None:
     assert np.allclose(table.candela, 1.5 * values)
 
 
-def test_what_a_tilted_lamp_gives_is_skipped() -> None:
+def test_tilt_factors_of_a_lamp_are_skipped() -> None:
     tilt = "TILT=INCLUDE\n1\n3\n0 45 90\n1 0.9 0.8"
 
     table = read(ies(FULL, GAMMA, candela(FULL, GAMMA), tilt=tilt))

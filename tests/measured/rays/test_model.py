@@ -51,7 +51,7 @@ def test_points_stand_on_the_emitter_and_have_the_light_of_its_rays(scene):
 
 
 @pytest.mark.parametrize(("outline", "half_width"), [("rectangle", 0.25), ("ellipse", 0.2)])
-def test_its_size_is_that_of_the_even_emitter_that_the_rays_come_from(
+def test_size_of_a_model_is_that_of_the_uniform_emitter_of_its_rays(
     make_scene, tmp_path, outline, half_width
 ):
     source = led(tmp_path)
@@ -103,7 +103,7 @@ def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_pat
     assert found.half_width[0] / away == pytest.approx(np.sqrt(3) * 0.01, rel=0.25)
 
 
-def test_it_says_how_far_its_light_on_the_lens_is_from_that_of_its_rays(scene):
+def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
     rays = placed_rays(scene.source)
     x, y, come = rays.onto(0.0)
     r_x, r_y = scene.lens.half_width

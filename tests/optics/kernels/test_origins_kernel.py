@@ -196,7 +196,7 @@ def test_light_of_one_straight_direction_is_collimated_light(make_scene):
     assert light.lost["fresnel_entrance"] == pytest.approx(0.04, abs=1e-14)
 
 
-def test_of_origins_that_are_mirror_images_one_is_kept():
+def test_one_of_two_mirrored_origins_is_traced():
     places = np.array([[-1.0, 0, -3], [1.0, 0, -3], [0.0, 2, -3], [0.0, -2, -3]])
     origins = Origins(places, False, np.array([1.0, 1.0, 2.0, 2.0]))
     kept, mirrored = halved(origins, (True, True))

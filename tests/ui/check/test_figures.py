@@ -161,7 +161,7 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     assert received.items() <= rows(figures).items()
 
 
-def test_other_rays_are_for_another_check_of_the_same_lens(window, qtbot):
+def test_another_number_of_rays_allows_another_check_of_the_same_lens(window, qtbot):
     figures, check = window.loaded.figures, window.commands["check"]
     for rays in (1_000_000, 64_000_000):
         figures._rays.setCurrentIndex(figures._rays.findData(rays))

@@ -38,7 +38,7 @@ def test_typing_finds_names_with_all_words(palette, qtbot):
     assert all("Flame" in name and "example" in name for name in names)
 
 
-def test_what_begins_with_the_word_comes_first(palette, qtbot):
+def test_commands_that_begin_with_the_word_come_first(palette, qtbot):
     qtbot.keyClicks(palette._field, "s")
     names = [name for name, _ in listed(palette)]
     begins = [name.split(" → ")[-1].lower().startswith("s") for name in names]

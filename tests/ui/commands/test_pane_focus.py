@@ -119,7 +119,7 @@ def test_every_dock_has_a_widget_and_every_widget_a_dock(window):
     assert all(workspace.docks[name].widget() is view for name, view in views.items())
 
 
-def test_at_first_each_dock_is_where_the_table_says(window):
+def test_each_dock_begins_where_the_table_puts_it(window):
     for name, dock in window.workspace.docks.items():
         assert window.dockWidgetArea(dock) is PANES[name].area
         assert dock.isHidden() is not PANES[name].shown

@@ -66,7 +66,7 @@ def test_a_report_that_fails_shows_the_reason(window, written, monkeypatch, tmp_
 
 
 @pytest.mark.parametrize("name", ["a.docx", "no/a.pdf"])
-def test_what_cannot_be_written_is_refused_at_once(window, written, name, monkeypatch, tmp_path):
+def test_unwritable_report_is_refused_at_once(window, written, name, monkeypatch, tmp_path):
     monkeypatch.setattr(reporter, "_COMMAND", ("no such program",))
     assert str(tmp_path / name) in written(tmp_path / name)
     assert window.messages.objectName() == "warning"

@@ -79,7 +79,7 @@ def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
     assert window.document.session.scene.lens.half_width == (30.0, 15.0)
 
 
-def test_what_is_typed_last_counts_without_enter(window, page, qtbot):
+def test_text_typed_last_counts_without_enter(window, page, qtbot):
     fill(qtbot, row_of(page, "distance").editors["distance"], "700", key=None)
     begin(page, qtbot)
     assert window.document.session.scene.screen.z == 700.0
@@ -159,7 +159,7 @@ def test_escape_changes_nothing(window, page, qtbot):
     assert window.document.session is session
 
 
-def test_there_is_one_page_at_most(window, page):
+def test_only_one_start_page_opens(window, page):
     window.commands["new"].trigger()
     assert len(window.findChildren(StartPage)) == 1
 

@@ -44,7 +44,7 @@ def test_fields_take_units(dialog, qtbot):
     ("name", "text", "why"),
     [("tool_radius", "0", "above 0"), ("rim", "-1", "above 0"), ("feed", "x", "not a number")],
 )
-def test_what_cannot_be_is_said_and_the_dialog_stays(dialog, qtbot, name, text, why):
+def test_impossible_input_is_reported_and_the_dialog_stays(dialog, qtbot, name, text, why):
     fill(qtbot, dialog.fields[name], text, key=None)
     dialog.write.click()
     assert why in dialog.found.text() and dialog.isVisible()

@@ -54,7 +54,7 @@ def desk(qtbot, session, as_run):
     owner.deleteLater()
 
 
-def test_it_is_said_with_what_would_help_and_goes_with_the_lens(desk):
+def test_notice_names_the_cure_and_goes_with_the_lens(desk):
     desk.lose(LOST)
     assert desk.messages.text == SAID
     desk.document.undo_stack.undo()
@@ -66,7 +66,7 @@ def test_light_beside_the_screen_is_for_the_run_to_bring_back(desk):
     assert desk.messages.text == ""
 
 
-def test_what_else_is_to_be_read_stays(desk):
+def test_notice_does_not_replace_another_message(desk):
     desk.messages.warn("The disk is full.")
     desk.lose(LOST)
     assert desk.messages.text == "The disk is full."

@@ -17,7 +17,7 @@ def test_the_field_is_named_until_it_is_corrected(window, qtbot):
     assert begun == [1]
 
 
-def test_of_several_fields_the_next_one_is_named(window, qtbot):
+def test_next_refused_field_is_named_after_a_correction(window, qtbot):
     enter(qtbot, window.forms, "screen.z", "far")
     enter(qtbot, window.forms, "run.seed", "x")
     window.early.begin(lambda: None)

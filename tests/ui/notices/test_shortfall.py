@@ -129,7 +129,7 @@ def test_a_later_run_reports_it_again(desk, qtbot):
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
 
 
-def test_what_was_said_of_a_run_goes_with_it_where_its_best_lens_lacks_nothing(desk, qtbot, as_run):
+def test_notice_of_a_run_is_withdrawn_if_its_best_lens_lacks_nothing(desk, qtbot, as_run):
     def run(scene, target, start=None, locked=None):
         first, *others = as_run(4)(scene, target, start, locked)
         yield first

@@ -54,7 +54,7 @@ def desk(qtbot, session, as_run):
     owner.deleteLater()
 
 
-def test_it_is_said_and_marked_where_it_is(desk, qtbot):
+def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
     desk.end(0.2)
     qtbot.waitUntil(lambda: bool(desk.said), timeout=60_000)
     (sentence,) = desk.said

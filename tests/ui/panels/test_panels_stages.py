@@ -47,7 +47,7 @@ def listed(forms):
 TWO = {"iterations": 100, "stages": [{"iterations": 10}, {"iterations": 20}]}
 
 
-def test_what_follows_the_stages_is_never_cut_off(begin, qtbot):
+def test_row_of_the_rest_after_the_stages_is_never_cut_off(begin, qtbot):
     _, forms = begin()
     received = next(row for row in rows(forms) if row.path == "run.stages")._rest
     for width in (forms.minimumWidth(), 900, forms.minimumWidth()):
@@ -124,7 +124,7 @@ def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot)
         assert not row(forms, f"{at}.{path}", visible=False).isVisible()
 
 
-def test_what_is_left_empty_shows_what_counts(begin):
+def test_empty_field_shows_the_value_that_counts(begin):
     _, forms = begin({"iterations": 9, "method": "paper", "stages": [{"iterations": 3}]})
     net = row(forms, "run.stages[0].control_points").editors.values()
     assert [(e.text(), e.placeholderText()) for e in net] == [("", "12"), ("", "10")]

@@ -266,7 +266,7 @@ def test_an_edit_during_a_check_is_followed_after_it(desk, qtbot):
     assert desk.document.session.result is not None
 
 
-def test_what_follows_ends_when_a_check_begins(desk, qtbot):
+def test_following_design_ends_when_a_check_begins(desk, qtbot):
     desk.engine.hold()
     desk.edit(7)
     desk.come_to_a_lens()
@@ -292,7 +292,7 @@ def test_the_method_of_the_paper_is_not_followed(make_desk, designed):
 
 
 @pytest.mark.parametrize("change", ["unit", "iterations", "off"])
-def test_what_asks_for_no_other_lens_is_not_followed(change, make_desk, designed):
+def test_edit_that_needs_no_other_lens_is_not_followed(change, make_desk, designed):
     desk = make_desk(on=change != "off")
     scene = designed.scene
     if change == "unit":

@@ -76,7 +76,7 @@ def test_the_latest_stays_however_large(session, large):
     assert len(kept.runs) == 1 and given_way == []
 
 
-def test_there_are_never_more_than_a_file_holds(session, result):
+def test_no_more_runs_are_kept_than_a_file_holds(session, result):
     for _ in range(MOST_RUNS + 3):
         session, _ = with_run(session, result)
     assert len(session.runs) == MOST_RUNS

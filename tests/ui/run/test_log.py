@@ -38,7 +38,7 @@ def test_the_oldest_lines_are_dropped(qtbot):
     assert sentences(log) == [str(number) for number in range(500, 2500)]
 
 
-def test_its_end_is_shown_until_one_scrolls_up(qtbot, show):
+def test_log_shows_its_end_until_a_person_scrolls_up(qtbot, show):
     log = LogView()
     qtbot.addWidget(log)
     for number in range(200):
@@ -57,7 +57,7 @@ def test_its_end_is_shown_until_one_scrolls_up(qtbot, show):
     assert bar.value() < bar.maximum() / 2
 
 
-def test_behind_another_tab_nothing_is_drawn(qtbot, monkeypatch):
+def test_log_behind_another_tab_is_not_drawn(qtbot, monkeypatch):
     drawn = []
     paint = LogView.paintEvent
     monkeypatch.setattr(LogView, "paintEvent", lambda *a: (drawn.append(1), paint(*a))[1])

@@ -83,7 +83,7 @@ def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
     assert status._left.text() == ""
 
 
-def test_of_several_images_the_error_of_each_is_told(bar, make_scene, frames, tmp_path):
+def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     scene, wanted, _ = session.scene.images(session.target)[1]
     upside_down = target_irradiance(scene, wanted)[::-1] + 0.1
@@ -106,7 +106,7 @@ def test_verified_figures_are_there_only_when_there_are_some(bar):
     assert status._verified.isHidden()
 
 
-def test_what_is_told_is_whole_as_a_tip_and_gives_way_to_the_next_state(bar, qtbot):
+def test_message_is_whole_in_its_tip_and_is_replaced_by_the_next_state(bar, qtbot):
     status = RunStatus(bar)
     status.show_state("Designing…")
     bar.show()

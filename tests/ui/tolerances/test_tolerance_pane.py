@@ -73,7 +73,7 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     assert pane.form.save.isEnabled()
 
 
-def test_what_is_not_possible_is_refused_beside_its_field(pane, qtbot):
+def test_impossible_tolerance_is_refused_beside_its_field(pane, qtbot):
     for path, text, word in (
         ("tilt", "50", "less than 45"),
         ("decentre", "-1", "from 0"),

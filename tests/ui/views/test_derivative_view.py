@@ -69,7 +69,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     assert seen._place.text() == "x = 0.111, y = 0.143 cm"
 
 
-def test_it_says_that_there_is_no_map_yet(seen, frame, session, monkeypatch, qtbot):
+def test_view_says_that_there_is_no_map_yet(seen, frame, session, monkeypatch, qtbot):
     computing = threading.Event()
 
     def wait_for_it(scene, heights, index, face):

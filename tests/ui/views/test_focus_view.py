@@ -74,7 +74,7 @@ def traced(view, frame, qtbot, rays=MANY):
     return wanted
 
 
-def test_it_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot):
+def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot):
     scene = frame.session.scene
     assert view.z == scene.screen.z
     found = traced(view, frame, qtbot)
@@ -135,7 +135,7 @@ def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, tr
     assert [rays for _, rays in traces] == [FEW, MANY]
 
 
-def test_of_another_design_nothing_is_shown_before_it_is_traced(
+def test_another_design_is_shown_only_after_its_trace(
     view, session, wavy, frame, monkeypatch, qtbot
 ):
     traced(view, frame, qtbot)

@@ -97,7 +97,7 @@ def test_a_photo_that_a_run_interrupts_is_given_up(view, flat, qtbot):
     assert "when the design rests" in said(view)
 
 
-def test_it_is_saved_as_it_is_exposed(view, session, tmp_path, qtbot):
+def test_photo_is_saved_with_its_exposure(view, session, tmp_path, qtbot):
     messages, shown = MessageBar(), []
     qtbot.addWidget(messages)
     document = Document(session, "flame")

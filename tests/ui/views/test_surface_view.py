@@ -42,7 +42,7 @@ def test_any_aspect_can_be_chosen(view, qtbot):
         assert aspect.tip in view._aspects.toolTip()
 
 
-def test_it_follows_the_lens_and_is_read_under_the_pointer(view, tilted, qtbot):
+def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilted, qtbot):
     view._aspects.setCurrentIndex(1)
     view.show_frame(tilted(1.0))
     qtbot.waitUntil(lambda: view._values is not None and np.allclose(view._values, 45))

@@ -199,7 +199,7 @@ def test_a_view_that_fails_does_not_keep_others_from_drawing(qapp, qtbot):
     queue.setParent(None)
 
 
-def test_there_is_one_queue(qapp):
+def test_all_views_share_one_drawing_queue(qapp):
     assert drawing_queue() is drawing_queue()
 
 

@@ -31,7 +31,7 @@ def seen(window):
     ]
 
 
-def test_what_another_window_has_covered_is_painted_again(built, qtbot):
+def test_area_uncovered_by_another_window_is_painted_again(built, qtbot):
     before, places = seen(built)
     cover = QWidget(None, Qt.WindowType.FramelessWindowHint | Qt.WindowType.ToolTip)
     qtbot.addWidget(cover)

@@ -37,7 +37,7 @@ def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
 
 @pytest.mark.parametrize("pose", [Pose(), Pose((0.2, -0.1), (0.3, 0.1))])
 @ALL
-def test_what_rays_carry_is_what_meets_the_face(make_scene, source, pose):
+def test_rays_carry_the_flux_that_meets_the_face(make_scene, source, pose):
     scene = make_scene({"source": source})
     light = light_source(scene.source, scene.lens, pose, 100_000, 1)
     flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))

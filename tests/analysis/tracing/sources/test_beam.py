@@ -39,7 +39,7 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
 
 @pytest.mark.parametrize("source", [BEAM, OBLIQUE])
 @pytest.mark.parametrize("pose", [Pose(), Pose((0.1, -0.05), (0.3, 0.2))])
-def test_what_rays_carry_is_what_the_rule_says(make_scene, source, pose):
+def test_rays_carry_the_flux_of_the_quadrature_rule(make_scene, source, pose):
     scene = make_scene({"source": source})
     light = light_source(scene.source, scene.lens, pose, 200_000, 1)
     flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))

@@ -30,7 +30,7 @@ def places(count):
 @pytest.mark.parametrize("source", [ABOVE, NEAR, GRID])
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
 @pytest.mark.parametrize("pose", [Pose(), TILTED])
-def test_what_is_emitted_is_that_of_random_rays(source, emission, pose):
+def test_emitted_flux_equals_that_of_random_rays(source, emission, pose):
     random = light(source | {"emission": emission}, pose, 200_000)
     flux = sum(rays.flux.sum() for number in range(BATCHES) for rays in random.batch(number))
     assert random.emitted == pytest.approx(flux / random.rays * random.origins, rel=2e-3)
@@ -39,7 +39,7 @@ def test_what_is_emitted_is_that_of_random_rays(source, emission, pose):
 @pytest.mark.parametrize("source", [ABOVE, NEAR, GRID])
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
 @pytest.mark.parametrize("pose", [Pose(), TILTED])
-def test_what_comes_to_the_face_is_that_of_random_rays(source, emission, pose):
+def test_flux_at_the_face_equals_that_of_random_rays(source, emission, pose):
     even = light(source | {"emission": emission}, pose, 400_000)
     x, y, area = places(300)
     came = sum(even.through(origin, x, y).flux.sum() * area for origin in range(even.origins))
