@@ -8,7 +8,7 @@ import pytest
 import torch
 
 from workbench import compiled
-from workbench.optics import ways
+from workbench.optics import tracers
 from workbench.optics.kernels import ready
 from workbench.optics.plan import Plan
 from workbench.optics.surfaces import BSplineSurface
@@ -147,7 +147,7 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
 
     scene = make_scene(source)
     plan = Plan(scene, samples=samples)
-    monkeypatch.setattr(ways, "Reference", refuse)
+    monkeypatch.setattr(tracers, "Reference", refuse)
     monkeypatch.setattr(BSplineSurface, "meet", refuse)
     assert plan.trace({"exit": lens(scene)}).account.on_screen > 0
     plan.next_iteration()
