@@ -12,7 +12,7 @@ from workbench.analysis.benchmark.comparison import Measured
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.names import BENCHMARKS
-from workbench.analysis.benchmark.precision import Difference
+from workbench.analysis.benchmark.precision import PrecisionDifference
 from workbench.pictures import benchmark
 from workbench.pictures.experiments import page
 
@@ -28,7 +28,10 @@ MEASURED = [
     Measured("which way", "that", 5.0, 2.5, 1000, 1e-3),
     Measured("how far", "near", 1.0, 1.0, 1000, None),
 ]
-DIFFERENCES = [Difference("flame", 1e-6, 1e-7, 1e-5), Difference("ball", 2e-6, 2e-7, 2e-5)]
+DIFFERENCES = [
+    PrecisionDifference("flame", 1e-6, 1e-7, 1e-5),
+    PrecisionDifference("ball", 2e-6, 2e-7, 2e-5),
+]
 BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
 
 

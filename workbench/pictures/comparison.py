@@ -24,7 +24,7 @@ _LONGEST = 34  # letters of a title
 
 
 @dataclass(frozen=True, eq=False)
-class Light:
+class RunImage:
     """The first image of a run.
 
     Attributes
@@ -80,14 +80,14 @@ class Comparison:
 
     Attributes
     ----------
-    lights : tuple[Light, Light]
+    lights : tuple[RunImage, Light]
         Their light.
     difference : ndarray, shape (n_y, n_x), optional
         Second minus first; None where the receivers cover different places.
     """
 
     def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun]) -> None:
-        one, other = (Light.of(run, runs[0].scene.unit) for run in runs)
+        one, other = (RunImage.of(run, runs[0].scene.unit) for run in runs)
         self.lights = one, other
         self.difference = difference(one, other)
         figure.clear()
@@ -136,7 +136,7 @@ class Comparison:
         colour_bar(axes, image, one.unit.words, extend="both")
 
 
-def difference(one: Light, other: Light) -> Array | None:
+def difference(one: RunImage, other: RunImage) -> Array | None:
     """Second minus first, shape as the first; None where their receivers cover different places."""
     receiver, second = one.scene.receiver, other.scene.receiver
     same_place = np.allclose(receiver.bounds, second.bounds, rtol=1e-9)

@@ -26,7 +26,7 @@ _EXAMPLES = (
 
 
 @dataclass(frozen=True)
-class Difference:
+class PrecisionDifference:
     """Float32 against float64 for one lens.
 
     Attributes
@@ -45,7 +45,7 @@ class Difference:
     gradient: float
 
 
-def differences(iterations: int | None, notify: Notify) -> Iterator[Difference]:
+def differences(iterations: int | None, notify: Notify) -> Iterator[PrecisionDifference]:
     """Compare both float types on the examples, with a lens that bends light everywhere."""
     for name in _EXAMPLES:
         notify(name, "")
@@ -53,10 +53,10 @@ def differences(iterations: int | None, notify: Notify) -> Iterator[Difference]:
         yield difference(example, wavy(example.scene))
 
 
-def difference(example: BenchmarkTask, heights: Array) -> Difference:
+def difference(example: BenchmarkTask, heights: Array) -> PrecisionDifference:
     """Compare both float types on one lens, heights (n_u, n_v)."""
     coarse, fine = (Descent(example, heights, dtype)() for dtype in (torch.float32, torch.float64))
-    return Difference(
+    return PrecisionDifference(
         scene=example.name,
         image=_distance(coarse[0], fine[0]),
         loss=abs(coarse[1] / fine[1] - 1),
@@ -64,7 +64,7 @@ def difference(example: BenchmarkTask, heights: Array) -> Difference:
     )
 
 
-def table(found: Sequence[Difference]) -> Table:
+def table(found: Sequence[PrecisionDifference]) -> Table:
     """The differences as rows."""
     columns = (
         TableColumn("scene", "scene"),

@@ -35,7 +35,7 @@ def compiled_beam_image(
 ) -> tuple[Tensor, float]:
     """As `workbench.optics.beams.beam_image`, on the CPU."""
     lands: list[float] = []
-    image = _Image.apply(nodes, pixels, splits, lands)  # type: ignore[no-untyped-call]
+    image = _BeamImage.apply(nodes, pixels, splits, lands)  # type: ignore[no-untyped-call]
     return image, lands[0]
 
 
@@ -56,7 +56,7 @@ class _Mesh(NamedTuple):
     parts: tuple[Array, Array]
 
 
-class _Image(torch.autograd.Function):
+class _BeamImage(torch.autograd.Function):
     @staticmethod
     def forward(
         ctx: Any,
