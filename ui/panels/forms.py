@@ -9,21 +9,21 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
 from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
-from ui.panels.fields import Changes, ChoiceRow, Row
+from ui.panels.fields import Row
 from ui.panels.images import ImagesPanel
 from ui.panels.lens import LensPanel
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.receiver import ReceiverPanel
 from ui.panels.regions import RegionsPanel
-from ui.panels.rows import Rows
 from ui.panels.run import RunPanel
+from ui.panels.scene import ScenePanel
 from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, ImageTarget, Scene
+from workbench.scene import ImageTarget, Scene
 
 _PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "run": RunPanel}
 
@@ -344,31 +344,6 @@ class Forms(QScrollArea):
 
     def _rows(self) -> list[Row]:
         return [row for panel in self.panels for row in panel.rows]
-
-
-class ScenePanel(Panel):
-    """Bound to what concerns the whole scene."""
-
-    def __init__(self) -> None:
-        rows = Rows(lambda: self.session.scene, {"unit": _unit_rows})
-        fields = [field for field in Scene.fields() if field.tip and not field.parts]
-        super().__init__(
-            tr("Scene"), [row for field in fields for row in rows.of_field(field, field.name)]
-        )
-
-
-def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
-    units = [(unit, unit) for unit, _ in field.choices]  # in small letters
-    return [_UnitRow(path, tr(field.title), tr(field.tip), units)]
-
-
-class _UnitRow(ChoiceRow):
-    """The unit of length; a choice converts all lengths."""
-
-    def _tell(self, path: str, changes: Changes) -> None:
-        # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
-        unit = self.chooser.currentData()
-        self.edited.emit(Edit(path, tr("change of unit"), {}, alone=True, unit=unit))
 
 
 def _row_of(path: str, rows: list[Row]) -> Row | None:
