@@ -27,7 +27,8 @@ from os import PathLike
 from pathlib import Path
 
 from workbench.analysis.cells.image import ACCURACY
-from workbench.analysis.validation import Validation, validate
+from workbench.analysis.validation import validate
+from workbench.analysis.validation_figures import Validation
 from workbench.design.design_run import DesignRun
 from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot

@@ -13,7 +13,7 @@ from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
 
 

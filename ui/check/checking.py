@@ -10,7 +10,7 @@ from ui.threads.background import Task
 from workbench.design.session import verified_error as verified_error  # to be had from here, too
 
 if TYPE_CHECKING:
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
 

@@ -23,7 +23,7 @@ from ui.words import inside, later, tr
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.report.content import Fact
     from workbench.scene import Scene
 

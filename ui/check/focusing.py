@@ -8,7 +8,7 @@ from ui.threads.cores import other_cores
 from workbench.errors import RunFailed
 
 if TYPE_CHECKING:
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
 

@@ -8,7 +8,7 @@ from workbench.design.session import KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
 
 
 class VerifiedErrors:

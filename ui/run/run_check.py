@@ -17,7 +17,7 @@ from workbench.pictures.loss import Verified
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.design.snapshot import Result
     from workbench.files.session import Session
 

@@ -19,7 +19,7 @@ from workbench.files.session import KeptRun
 from workbench.pictures.loss import LossCourse
 
 if TYPE_CHECKING:
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
 
 
 class Runs(QObject):

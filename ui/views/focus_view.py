@@ -28,7 +28,7 @@ from workbench.design.session import verified_error
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from workbench.analysis.validation import Validation
+    from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
 
 _TRACE = later("trace through focus")

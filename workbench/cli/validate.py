@@ -15,8 +15,8 @@ from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import with_screen_at
-from workbench.analysis.validation import Validation
 from workbench.analysis.validation import validate as trace_anew
+from workbench.analysis.validation_figures import Validation
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.extended.bound import Bound

@@ -25,7 +25,7 @@ LONGEST_NAME = 100
 
 
 class VerifiedError(NamedTuple):
-    """Error of a lens by an independent check; see `workbench.analysis.validation.Validation`.
+    """Error of a lens by an independent check; see `workbench.analysis.validation_figures`.
 
     Attributes
     ----------

@@ -9,7 +9,7 @@ from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
-from workbench.analysis.validation import Validation
+from workbench.analysis.validation_figures import Validation
 from workbench.extended.bound import Bound
 from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for

@@ -14,7 +14,8 @@ from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Distribution, perturbed
-from workbench.analysis.validation import Validation, validate
+from workbench.analysis.validation import validate
+from workbench.analysis.validation_figures import Validation
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible

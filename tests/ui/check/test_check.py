@@ -11,7 +11,8 @@ from tests.accounts import account_of
 from tests.ui.hands import move_screen
 from ui.check.checking import verified_error
 from workbench.analysis.metrics import Quality
-from workbench.analysis.validation import Validation, validating
+from workbench.analysis.validation import validating
+from workbench.analysis.validation_figures import Validation
 from workbench.errors import RunFailed
 
 pytestmark = pytest.mark.usefixtures("kernels")

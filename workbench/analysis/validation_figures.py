@@ -1,0 +1,146 @@
+"""What an independent check says of a lens."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.analysis.by_cells import ByCells
+from workbench.analysis.metrics import Quality
+from workbench.analysis.regions import RegionLight
+from workbench.analysis.shading import Shading
+from workbench.optics.account import Account
+
+Array = npt.NDArray[np.float64]
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Validation:
+    """What an independent trace says of a lens.
+
+    Attributes
+    ----------
+    loss : float
+        Paper's loss (section 2.4): Frobenius norm of the difference between image and target,
+        each divided by its sum, over √(n_x n_y).
+    relative_l2 : float
+        The same norm over that of the normalised target; independent of the number of pixels.
+        Scatter of the rays from pixel to pixel is in it, and falls with the number of rays.
+    relative_l2_interval : tuple[float, float]
+        Where it lies for other rays, as many: at least 95 % confidence.
+    relative_l2_corrected : float
+        The same error without the scatter of the rays, by a second image of a quarter as many
+        other rays; see `CorrectedDistance`.
+    relative_l2_corrected_interval : tuple[float, float]
+        Where the lens's error lies: at least 95 % confidence.
+    efficiency : float
+        Part of the emitted flux that lands on the screen.
+    account : Account
+        Where the light went.
+    quality : Quality
+        Other figures of the image.
+    rays : int
+        Rays traced for the image.
+    noise : float
+        Monte-Carlo standard error of ``relative_l2``: standard deviation of its value for 16
+        batches of the rays, over √16. The batches exclude each other, which makes the image of
+        all rays better than this tells: an upper estimate. For the same reason products of two
+        batches would not do for the corrected error.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen, row 0 at +y.
+    by_cells : ByCells, optional
+        What cells say, where that was asked for and the source has not too many points.
+    shading : Shading, optional
+        Light that is counted although something is in its way, where cells were asked for.
+    regions : tuple of RegionLight
+        The light of each region, by cells where there are some.
+    further : tuple of Validation
+        The same of each further image, in their order.
+    weight : float
+        What the square of this image's error counts for beside those of the others.
+    """
+
+    loss: float
+    relative_l2: float
+    relative_l2_interval: Interval
+    relative_l2_corrected: float
+    relative_l2_corrected_interval: Interval
+    efficiency: float
+    account: Account
+    quality: Quality
+    rays: int
+    noise: float
+    irradiance: Array
+    by_cells: ByCells | None = None
+    shading: Shading | None = None
+    regions: tuple[RegionLight, ...] = ()
+    further: tuple["Validation", ...] = ()
+    weight: float = 1.0
+
+    @property
+    def images(self) -> tuple["Validation", ...]:
+        """What is said of each image, the first one first."""
+        return (self, *self.further)
+
+    @property
+    def verified(self) -> "Validation | ByCells | CombinedError":
+        """What has the error of the lens itself: cells, or else random rays.
+
+        That of several images is the root of the weighted mean of their squares, as for a design.
+        """
+        return CombinedError.of(self.images) if self.further else self.by_cells or self
+
+    @property
+    def loss_corrected(self) -> float:
+        """``loss`` of the lens itself, without the scatter of the rays."""
+        if self.relative_l2 == 0:
+            return self.loss
+        return self.loss * self.verified.relative_l2_corrected / self.relative_l2
+
+    def to_data(self) -> dict[str, Any]:
+        """The figures by name, for JSON; those of further images and regions in lists."""
+        further = {"further_images": [each.to_data() for each in self.further]}
+        regions = {"regions": [each.to_data() for each in self.regions]}
+        return {
+            "loss": self.loss,
+            "relative_l2": self.relative_l2,
+            "relative_l2_interval": list(self.relative_l2_interval),
+            "relative_l2_corrected": self.relative_l2_corrected,
+            "relative_l2_corrected_interval": list(self.relative_l2_corrected_interval),
+            **self.quality.to_data(),
+            "efficiency": self.efficiency,
+            "ledger": self.account.to_data(),
+            "rays": self.rays,
+            "noise": self.noise,
+            "deterministic": self.by_cells and self.by_cells.to_data(),
+            "shading": self.shading and self.shading.to_data(),
+            **(regions if self.regions else {}),
+            **(further if self.further else {}),
+        }
+
+
+class CombinedError(NamedTuple):
+    """The error of several images.
+
+    Attributes
+    ----------
+    relative_l2_corrected, relative_l2_corrected_interval
+        As of `Validation`.
+    """
+
+    relative_l2_corrected: float
+    relative_l2_corrected_interval: Interval
+
+    @classmethod
+    def of(cls, images: Sequence[Validation]) -> "CombinedError":
+        """The root of the weighted mean of the squares of their errors."""
+        each = [image.by_cells or image for image in images]
+        weights = [image.weight for image in images]
+        errors = [
+            (found.relative_l2_corrected, *found.relative_l2_corrected_interval) for found in each
+        ]
+        error, low, high = np.sqrt(np.average(np.square(errors), axis=0, weights=weights)).tolist()
+        return cls(error, (low, high))
