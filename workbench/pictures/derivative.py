@@ -8,10 +8,10 @@ from matplotlib import colormaps
 
 from workbench.pictures.images import receiver_map
 from workbench.pictures.maps import SIGNED, colour_bar
+from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 Array = npt.NDArray[np.float64]
@@ -19,16 +19,11 @@ Array = npt.NDArray[np.float64]
 _UNAFFECTED = "#a8a8a8"  # neither of the colours of gain and loss, nor their white
 
 
-class DerivativeImage:
+class DerivativeImage(UpdatedPicture):
     """A derivative map on axes that the caller owns.
 
     Gains are red, losses blue; what the control point does not reach is grey. The scale is
     symmetric about zero and no wider than the map: losses are faint beside the gains already.
-
-    Attributes
-    ----------
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(self, axes: "Axes", scene: Scene) -> None:
@@ -39,7 +34,7 @@ class DerivativeImage:
         density = scene.receiver.density_words(scene.unit)
         colour_bar(axes, self._image, f"{density} per {scene.unit}", extend="neither")
         self.update(None)
-        self.artists: list[Artist] = [self._image]
+        self.artists = [self._image]
 
     def update(self, derivative: Array | None) -> bool:
         """Show another map.
@@ -48,11 +43,6 @@ class DerivativeImage:
         ----------
         derivative : ndarray, shape (n_y, n_x), optional
             Flux per area per scene unit of height; None for none.
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
         if derivative is None:
             derivative = np.zeros(self._image.get_array().shape)

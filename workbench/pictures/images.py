@@ -27,10 +27,10 @@ from workbench.pictures.maps import (
     round_scale,
     settled_scale,
 )
+from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 Array = npt.NDArray[np.float64]
@@ -132,7 +132,7 @@ def to_colours(irradiance: Array, top: float, colours: str = LIGHT) -> npt.NDArr
     return _table(colours)[levels]
 
 
-class IrradianceImage:
+class IrradianceImage(UpdatedPicture):
     """Irradiance on axes that the caller owns.
 
     Parameters
@@ -145,11 +145,6 @@ class IrradianceImage:
         Target image; gives the scale.
     name : str
         What the image is called; by default, what is on the receiver.
-
-    Attributes
-    ----------
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(
@@ -166,16 +161,10 @@ class IrradianceImage:
         self._top = self._unit.density * full_scale(scene, target)
         self._image.set_clim(0, self._top)
         colour_bar(axes, self._image, self._unit.words, extend="max")
-        self.artists: list[Artist] = [self._image]
+        self.artists = [self._image]
 
     def update(self, irradiance: Array) -> bool:
-        """Show another image, shape (n_y, n_x).
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
-        """
+        """Show another image, shape (n_y, n_x)."""
         factor = self._unit.density
         self._image.set_data(irradiance * factor)
         flux = self._scene.receiver.total(irradiance)
@@ -198,16 +187,11 @@ class IrradianceImage:
         self._image.set_norm(decades if logarithmic else even)
 
 
-class ErrorImage:
+class ErrorImage(UpdatedPicture):
     """Signed error on axes that the caller owns.
 
     The scale is symmetric about zero. It is one of 1, 2, 5, 10, ... and changes only when the
     errors leave it or fill less than a third of it.
-
-    Attributes
-    ----------
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
@@ -218,16 +202,10 @@ class ErrorImage:
         self._scale = round_scale(unit.density * full_scale(scene, target))
         self._image.set_clim(-self._scale, self._scale)
         colour_bar(axes, self._image, unit.words, extend="both")
-        self.artists: list[Artist] = [self._image]
+        self.artists = [self._image]
 
     def update(self, irradiance: Array) -> bool:
-        """Show the error of another irradiance image, shape (n_y, n_x).
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
-        """
+        """Show the error of another irradiance image, shape (n_y, n_x)."""
         error = shown_error(self._scene, self._target, irradiance)
         self._image.set_data(error)
         scale = settled_scale(error, self._scale)

@@ -8,6 +8,8 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
+from workbench.pictures.updated import UpdatedPicture
+
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -71,7 +73,7 @@ class Verified(NamedTuple):
     loss: float
 
 
-class LossPicture:
+class LossPicture(UpdatedPicture):
     """Loss against iterations or seconds, on axes that the caller owns.
 
     The limits are 1, 2 or 5 times a power of ten and change only when a curve leaves them.
@@ -84,11 +86,6 @@ class LossPicture:
         "iterations" or "seconds".
     logarithmic : tuple[bool, bool]
         Whether x and y have a logarithmic scale.
-
-    Attributes
-    ----------
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(
@@ -129,7 +126,7 @@ class LossPicture:
         self._marked: tuple[float, ...] = ()
         self._limits = (0.0, 0.0, 0.0, 0.0)
         self._set_limits((self._begins(np.zeros(0)), 10.0, 1e-1, 1.0))
-        self.artists: list[Artist] = [self._line, self._points, self._value]
+        self.artists = [self._line, self._points, self._value]
 
     def compare(self, runs: Sequence[LossCourse]) -> None:
         """Show other runs as well; the whole figure changes."""
@@ -172,11 +169,6 @@ class LossPicture:
             Run time at the end of each iteration, needed for an axis of seconds.
         verified : sequence of Verified
             Checks of lenses of the run.
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
         """
         by_time = self._against == "seconds"
         x = self._places(losses, np.zeros(0) if times is None else times)

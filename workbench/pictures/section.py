@@ -9,10 +9,10 @@ import numpy.typing as npt
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.pictures.maps import Extent, ticks
+from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 Array = npt.NDArray[np.float64]
@@ -103,7 +103,7 @@ def values_along(image: Array, cut: Cut) -> Array:
     return np.asarray((1 - down) * upper + down * lower)
 
 
-class SectionCurves:
+class SectionCurves(UpdatedPicture):
     """Light and target along a line across the receiver, on axes that the caller owns.
 
     The target has the flux of the light there, so that the curves compare in shape.
@@ -116,11 +116,6 @@ class SectionCurves:
         Gives the screen.
     target : ndarray, shape (n_y, n_x)
         Target image.
-
-    Attributes
-    ----------
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
@@ -145,16 +140,10 @@ class SectionCurves:
             handlelength=1.5,
             labelspacing=0.2,
         )
-        self.artists: list[Artist] = [wanted, light]
+        self.artists = [wanted, light]
 
     def update(self, irradiance: Array, cut: Cut) -> bool:
-        """Show another image, shape (n_y, n_x), along a line.
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
-        """
+        """Show another image, shape (n_y, n_x), along a line."""
         flux, factor = self._scene.receiver.total(irradiance), self._unit.density
         self._light_line.set_data(cut.along, factor * values_along(irradiance, cut))
         self._target_line.set_data(cut.along, factor * flux * values_along(self._target, cut))

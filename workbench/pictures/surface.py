@@ -19,10 +19,10 @@ from workbench.pictures.maps import (
     map_image,
     settled_scale,
 )
+from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 Array = npt.NDArray[np.float64]
@@ -109,7 +109,7 @@ ASPECTS = (
 """What can be shown of a face."""
 
 
-class SurfaceImage:
+class SurfaceImage(UpdatedPicture):
     """One aspect of a face on axes that the caller owns.
 
     The scale begins at zero, or is symmetric about it.
@@ -129,8 +129,6 @@ class SurfaceImage:
     ----------
     values : ndarray, shape (n_y, n_x)
         What is shown, row 0 at +y.
-    artists : list of matplotlib.artist.Artist
-        What `update` changes; the caller may blit them.
     """
 
     def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect, face: str = "") -> None:
@@ -153,16 +151,10 @@ class SurfaceImage:
         unit = aspect.unit.format(scene.unit)
         extend = "both" if aspect.signed else "max"
         colour_bar(axes, self._image, f"{aspect.name} ({unit})", extend)
-        self.artists: list[Artist] = [self._image]
+        self.artists = [self._image]
 
     def update(self, heights: Array) -> bool:
-        """Show the face with these control heights, shape (n_u, n_v).
-
-        Returns
-        -------
-        bool
-            Whether more than `artists` changed, so that the whole figure has to be drawn.
-        """
+        """Show the face with these control heights, shape (n_u, n_v)."""
         shape = local_shape(self._net, heights, self._u, self._v)
         found = self._aspect.of(shape._replace(height=shape.height - self._base)) + self._beside
         self.values = np.asarray(found[:, ::-1].T)
