@@ -18,7 +18,7 @@ def unwatched(step: object) -> None:
     """Take no notice."""
 
 
-def part_of(watch: Watch, before: int, count: int, of: int) -> Watch:
+def fraction_of(watch: Watch, before: int, count: int, of: int) -> Watch:
     """The watch of work that is ``count`` of so many equal parts, with some before it."""
     return lambda part: watch((before + count * part) / of)
 
@@ -34,19 +34,19 @@ def finished(steps: Generator[Step, None, T], watch: Callable[[Step], object] = 
                 return found
 
 
-def of_equal(pieces: int, done: int, part: float) -> float:
+def of_equal(pieces: int, done: int, fraction: float) -> float:
     """The part of equal pieces that is done after some of them and a part of the next."""
-    return (done + part) / pieces
+    return (done + fraction) / pieces
 
 
-def within(steps: Steps[T], part: Callable[[float], float]) -> Steps[T]:
+def within(steps: Steps[T], fraction: Callable[[float], float]) -> Steps[T]:
     """Take steps that yield the part of them that is done, as steps of something larger.
 
     Parameters
     ----------
     steps : generator
         The steps; closed when these are left.
-    part : callable
+    fraction : callable
         What part of the whole is done when that part of the steps is.
     """
     with closing(steps):
@@ -56,4 +56,4 @@ def within(steps: Steps[T], part: Callable[[float], float]) -> Steps[T]:
             except StopIteration as end:
                 found: T = end.value
                 return found
-            yield part(done)
+            yield fraction(done)

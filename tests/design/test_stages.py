@@ -21,7 +21,7 @@ def disc():
 
 def test_a_scene_without_stages_is_one_part(make_scene):
     scene = make_scene()
-    assert scene.parts() == (scene,)
+    assert scene.stage_scenes() == (scene,)
 
 
 def test_the_last_part_is_the_scene_itself(make_scene):
@@ -30,7 +30,7 @@ def test_the_last_part_is_the_scene_itself(make_scene):
         {"iterations": 3, "source": POINT, "filter": {"size": [5, 5]}, "control_points": [6, 6]},
     ]
     scene = make_scene({"source": GRID, "run": {"iterations": 10, "stages": stages}})
-    first, second, last = scene.parts()
+    first, second, last = scene.stage_scenes()
     assert isinstance(first.source, PointSource)
     assert [p.run.iterations for p in (first, second, last)] == [4, 3, 3]
     assert second.filter == GaussianFilter(size=(5, 5))
@@ -42,7 +42,7 @@ def test_the_last_part_is_the_scene_itself(make_scene):
 
 def test_a_stage_can_change_method_and_learning_rate(make_scene):
     stages = [{"iterations": 2, "method": "paper", "learning_rate": 0.01}]
-    first, last = make_scene({"run": {"iterations": 5, "stages": stages}}).parts()
+    first, last = make_scene({"run": {"iterations": 5, "stages": stages}}).stage_scenes()
     assert (first.run.method, first.run.learning_rate) == ("paper", 0.01)
     assert last.run.method == "auto"
 

@@ -219,7 +219,7 @@ def test_the_street_is_drawn_so_that_the_road_is_even():
 
 def test_the_staged_example_goes_from_one_point_to_many():
     scene = Scene.from_json(_named("flame-stages").file.read_bytes())
-    stages = [(part.source.kind, part.run.iterations) for part in scene.parts()]
+    stages = [(part.source.kind, part.run.iterations) for part in scene.stage_scenes()]
     assert stages == [("point", 200), ("grid", 100)]
 
 

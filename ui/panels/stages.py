@@ -31,7 +31,7 @@ class StagesPanel(ListedPanel):
         """What a stage may have of its own."""
         path = f"run.stages[{number}]"
         rows = Rows(
-            lambda: self.session.scene.parts()[number],
+            lambda: self.session.scene.stage_scenes()[number],
             {"method": self._method_rows},
             tr(_AS_THE_SCENE),
             path,

@@ -15,7 +15,7 @@ from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.scene import Lens, Scene
 from workbench.scene.losses import TakesLight
-from workbench.watch import Watch, part_of, unwatched
+from workbench.watch import Watch, fraction_of, unwatched
 
 Array = npt.NDArray[np.float64]
 
@@ -125,7 +125,7 @@ def cross_check(
     theirs = MitsubaScene(scene, heights)
     half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {
-        "mitsuba": [theirs.flux(half, seed + k, part_of(watch, k, 1, 4)) for k in (0, 1)],
+        "mitsuba": [theirs.flux(half, seed + k, fraction_of(watch, k, 1, 4)) for k in (0, 1)],
         "ours": [
             through_focus(
                 scene,
@@ -133,7 +133,7 @@ def cross_check(
                 None,
                 half,
                 seed + k,
-                watch=part_of(watch, 2 + k, 1, 4),
+                watch=fraction_of(watch, 2 + k, 1, 4),
             )[0]
             * measure
             for k in (0, 1)

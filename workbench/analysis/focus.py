@@ -10,7 +10,7 @@ import numpy.typing as npt
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import through_focus
 from workbench.scene import Scene
-from workbench.watch import Watch, part_of, unwatched
+from workbench.watch import Watch, fraction_of, unwatched
 
 Array = npt.NDArray[np.float64]
 
@@ -47,7 +47,7 @@ class Focus:
         return {"z": self.z, "relative_l2": self.relative_l2, "efficiency": self.efficiency}
 
 
-def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
+def screen_at(scene: Scene, heights: Mapping[str, Array], fraction: float) -> float:
     """Where a screen stands at a part of the way from the lens to the scene's screen.
 
     Parameters
@@ -56,7 +56,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
         Lens and screen.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
-    part : float
+    fraction : float
         Above 0, which is as high as the exit face is or may be; 1 is the scene's screen.
 
     Returns
@@ -67,7 +67,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], part: float) -> float:
     optic, onwards = scene.optic, scene.optic.onwards
     beyond = float((onwards * heights[optic.face]).max())
     edge = onwards * max(onwards * optic.edge_z, beyond)
-    return edge + part * (scene.receiver.plane_z - edge)
+    return edge + fraction * (scene.receiver.plane_z - edge)
 
 
 def focus_series(
@@ -113,7 +113,7 @@ def focus_series(
     at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.receiver.pixels)), 1)
     for first in range(0, len(distances), at_once):
         some = distances[first : first + at_once]
-        part = part_of(watch, first, len(some), len(distances))
+        part = fraction_of(watch, first, len(some), len(distances))
         images = through_focus(scene, heights, some, rays, watch=part)
         for z, image in zip(some, images, strict=True):
             flux = scene.receiver.total(image)

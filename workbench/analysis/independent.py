@@ -83,9 +83,9 @@ def _image(trace: Trace, threads: int | None) -> Steps[Array]:
     return flux
 
 
-def _done(run: int, image: int, part: float) -> float:
+def _done(run: int, image: int, fraction: float) -> float:
     """The part of the whole that is done with a part of an image."""
-    return 1 - math.pow(0.5, run + (image + part) / BATCHES)
+    return 1 - math.pow(0.5, run + (image + fraction) / BATCHES)
 
 
 def _seed(run: int, image: int) -> int:

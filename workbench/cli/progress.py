@@ -38,13 +38,13 @@ class PartProgress:
                 desc=name,
             )
 
-    def show(self, part: float) -> None:
+    def show(self, fraction: float) -> None:
         """Show the part that is done."""
         if self._bar is not None:
-            self._bar.update(part - self._bar.n)
+            self._bar.update(fraction - self._bar.n)
         elif time.monotonic() - self._last > _LINES:
             self._last = time.monotonic()
-            print(f"{self._name}  {100 * part:.0f} %", file=sys.stderr, flush=True)
+            print(f"{self._name}  {100 * fraction:.0f} %", file=sys.stderr, flush=True)
 
     def close(self) -> None:
         """Take the bar away."""

@@ -89,12 +89,12 @@ class HeightLimits:
         least, most = self._room(heights)
         return least - most
 
-    def ends(self, heights: Array, part: float) -> tuple[Mask, Mask]:
+    def ends(self, heights: Array, fraction: float) -> tuple[Mask, Mask]:
         """Which heights are at their lower and at their upper end, within a part of the interval.
 
         All ends have to be finite.
         """
-        near = part * (self.upper - self.lower)
+        near = fraction * (self.upper - self.lower)
         low, high = heights <= self.lower + near, heights >= self.upper - near
         return low & self.shaping, high & self.shaping
 

@@ -25,8 +25,8 @@ _LOOKED_AT = 65
 _GRAZES = 80.0
 
 
-def check_parts(
-    parts: Sequence[Scene],
+def check_stages(
+    scenes: Sequence[Scene],
     first: int,
     start: Mapping[str, Array] | None,
     locked: Mapping[str, Mask],
@@ -35,10 +35,10 @@ def check_parts(
 
     Parameters
     ----------
-    parts : sequence of Scene
-        As `Scene.parts` gives them; the last is the scene itself.
+    scenes : sequence of Scene
+        As `Scene.stage_scenes` gives them; the last is the scene itself.
     first : int
-        Number of the part that the run begins with.
+        Number of the stage that the run begins with.
     start, locked
         As for `workbench.design.run.run`.
 
@@ -47,8 +47,8 @@ def check_parts(
     Refused
         With the path of the field, in its stage if it is one.
     """
-    finished = parts[-1]
-    for stage, part in enumerate(parts[first:], first):
+    finished = scenes[-1]
+    for stage, part in enumerate(scenes[first:], first):
         try:
             device_of(part)
             method_of(part).check(part)

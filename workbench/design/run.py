@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from workbench.design.heights import Mask
 from workbench.design.methods import method_of
-from workbench.design.needs import check_parts, grazed
+from workbench.design.needs import check_stages, grazed
 from workbench.design.net import definite
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
@@ -78,20 +78,20 @@ def run(
     True
     """
     scene = definite(scene, target)
-    parts = scene.parts()
+    scenes = scene.stage_scenes()
     locked = {face: mask for face, mask in locked.items() if mask.any()}
     done = all(face in locked and locked[face].all() for face in freeform_nets(scene.optic))
     # Given heights stand at the end of all stages already.
-    first = 0 if start is None and not done else len(parts) - 1
-    check_parts(parts, first, start, locked)
+    first = 0 if start is None and not done else len(scenes) - 1
+    check_stages(scenes, first, start, locked)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
-    for stage, part in enumerate(parts[first:], first):
+    for stage, stage_scene in enumerate(scenes[first:], first):
         # The first lens of a later stage counts as an iteration: its loss is one of another task.
-        most = 1 if done else part.run.iterations + (stage == first)
-        room = Room(part, target, start, locked)
-        method = method_of(part)
-        steps, notes = method.steps(room), (*_scene_notes(scene), *method.notes(part))
+        most = 1 if done else stage_scene.run.iterations + (stage == first)
+        room = Room(stage_scene, target, start, locked)
+        method = method_of(stage_scene)
+        steps, notes = method.steps(room), (*_scene_notes(scene), *method.notes(stage_scene))
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -111,7 +111,7 @@ def run(
             if best:
                 lowest, best_heights = merit, state.heights
             state = replace(state, shortfall=room.shortfall(state.heights))
-            state = replace(state, heights=_carried(state.heights, part.optic, scene.optic))
+            state = replace(state, heights=_carried(state.heights, stage_scene.optic, scene.optic))
             seconds += time.perf_counter() - resumed
             yield Snapshot(
                 state,
@@ -121,14 +121,14 @@ def run(
                 merit=merit,
                 best=best,
                 stage=stage,
-                stages=len(parts),
+                stages=len(scenes),
                 notes=(*notes, *step.notes, *room.notes),
             )
             iteration += 1
         else:
             ended = _LOCKED if done else _DONE
-        if stage + 1 < len(parts) and best_heights is not None:
-            start = _carried(best_heights, part.optic, parts[stage + 1].optic)
+        if stage + 1 < len(scenes) and best_heights is not None:
+            start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
     return ended
 
 

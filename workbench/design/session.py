@@ -59,8 +59,8 @@ def verified_error(found: Checked) -> str:
     return _percent(found.relative_l2_corrected)
 
 
-def _percent(part: float) -> str:
-    return f"{100 * part:.2f} %" if part >= 1e-4 else f"{100 * part:.1g} %"
+def _percent(fraction: float) -> str:
+    return f"{100 * fraction:.2f} %" if fraction >= 1e-4 else f"{100 * fraction:.1g} %"
 
 
 @dataclass(frozen=True, eq=False)

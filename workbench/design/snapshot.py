@@ -33,7 +33,7 @@ class Snapshot:
     best : bool
         Whether this is the best lens of its stage so far.
     stage : int
-        Number of the stage, an index of `Scene.parts`.
+        Number of the stage, an index of `Scene.stage_scenes`.
     stages : int
         How many stages the run has, the scene itself included.
     notes : tuple of str

@@ -152,9 +152,9 @@ def _error_size(name: str, within: Tolerances, unit: str) -> str:
     return " over ".join(about.shown(size, unit) for size in sizes)
 
 
-def percent(part: float, digits: int = 3) -> str:
+def percent(fraction: float, digits: int = 3) -> str:
     """A part of one, with a space before the sign, as in the names of figures."""
-    return f"{100 * part:.{digits}f} %"
+    return f"{100 * fraction:.{digits}f} %"
 
 
 def _extreme(found: Extreme, unit: str, sense: str) -> str:

@@ -124,17 +124,17 @@ class AnyReceiver(Part):
     def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""
 
-    def outline(self, optic: "Optic", part: float = 1.0) -> Array:
+    def outline(self, optic: "Optic", fraction: float = 1.0) -> Array:
         """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
 
         Parameters
         ----------
         optic : Optic
             What lights it.
-        part : float
+        fraction : float
             Of its extents, about its middle.
         """
-        steps = part * np.linspace(-1, 1, self.facets + 1)
+        steps = fraction * np.linspace(-1, 1, self.facets + 1)
         (u, v), (r_u, r_v) = self.middle, self.half_extent
         return self.drawn(optic, u + r_u * steps[:, None], v + r_v * steps)
 

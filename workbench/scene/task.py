@@ -151,7 +151,7 @@ class Scene(Part):
                     f"{value:g} is about curvature, and faces of degree 1 are flat between edges; "
                     f"{optic.called}.degree of at least 2",
                 )
-        self.parts()
+        self.stage_scenes()
 
     @model_serializer(mode="wrap")
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
@@ -290,7 +290,7 @@ class Scene(Part):
         own = stages[stage].source if stage < len(stages) else None
         return own or self.source
 
-    def parts(self) -> tuple[Self, ...]:
+    def stage_scenes(self) -> tuple[Self, ...]:
         """The run as scenes without stages, one after the other; the last is what is wanted.
 
         Raises

@@ -64,13 +64,13 @@ def test_every_experiment_of_the_paper_is_there():
 def test_the_paper_takes_a_thousand_iterations_and_keeps_the_stages():
     (paper, _), (auto, _) = experiments._methods("flame-stages")
     assert paper.scene.run.method == "paper" and auto.scene.run.method == "auto"
-    assert [part.run.iterations for part in paper.scene.parts()] == [200, 800]
-    assert paper.scene.parts()[0].source.kind == "point"
+    assert [part.run.iterations for part in paper.scene.stage_scenes()] == [200, 800]
+    assert paper.scene.stage_scenes()[0].source.kind == "point"
 
 
 def test_fewer_iterations_shrink_the_stages_too():
     example = experiments._limited(BenchmarkTask.of("flame-stages"), 6)
-    assert [part.run.iterations for part in example.scene.parts()] == [4, 2]
+    assert [part.run.iterations for part in example.scene.stage_scenes()] == [4, 2]
     assert experiments._limited(example, None) is example
 
 

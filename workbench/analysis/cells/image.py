@@ -174,9 +174,9 @@ class Levels:
         return 1.0 if self._wide else _more(self._train.source, level)
 
 
-def _done(level: int, part: float) -> float:
+def _done(level: int, fraction: float) -> float:
     """The part of the whole that is done with a part of a level."""
-    return 1 - math.pow(0.25, level + part)
+    return 1 - math.pow(0.25, level + fraction)
 
 
 def _more(light: LightSource, level: int) -> float:

@@ -264,6 +264,6 @@ class _Tracer:
         return total.flux.reshape(n_y, n_x) / total.emitted
 
 
-def _of_level(level: int, part: float) -> float:
+def _of_level(level: int, fraction: float) -> float:
     """The part of the first image that is done with a part of a level."""
-    return 1 - math.pow(0.5, level + part)
+    return 1 - math.pow(0.5, level + fraction)

@@ -75,7 +75,7 @@ class BothFaces:
         self,
         images: Sequence[WantedImage],
         goal_of: Callable[[Sequence[Transport]], Goal],
-        part: float,
+        fraction: float,
         fits: int,
     ) -> dict[str, Array] | None:
         """Control heights of a lens whose light goes where transports to images say.
@@ -86,7 +86,7 @@ class BothFaces:
             Each gets a transport.
         goal_of : callable
             Makes of these the ways that light shall take.
-        part : float
+        fraction : float
             How much of the bending the entrance face does at the most.
         fits : int
             Pairs of faces in each round of transport.
@@ -118,24 +118,24 @@ class BothFaces:
                 check_interruption()
                 if fit:
                     traced = self._light.through(heights)
-                entrance = self._entrance(traced, goal, part)
+                entrance = self._entrance(traced, goal, fraction)
                 traced = self._light.through({**heights, "entrance": entrance})
                 heights = {"entrance": entrance, "exit": self._exit(traced, goal)}
         return heights
 
-    def _entrance(self, traced: LightInLens, goal: Goal, part: float) -> Array:
+    def _entrance(self, traced: LightInLens, goal: Goal, fraction: float) -> Array:
         """The entrance face that bends light by a part, or by less where that does not fit."""
         coming, limits = self._light.coming, self._limits["entrance"]
         way = goal.in_glass(coming, traced)
         for _ in range(_TRIALS):
-            slopes = _slopes(coming, unit(way(part)), 1.0, self._index)
+            slopes = _slopes(coming, unit(way(fraction)), 1.0, self._index)
             slopes = self._light.evenly(slopes, "entrance", traced.entrance)
             bent = self._fits["entrance"].heights(*slopes)
             lacks = limits.lacks(bent)
             if lacks <= 0:
                 return limits.placed(bent)
             extent = float(np.ptp(bent))
-            part *= _LESS * (extent - lacks) / extent
+            fraction *= _LESS * (extent - lacks) / extent
         return limits.nearest(bent)
 
     def _exit(self, traced: LightInLens, goal: Goal) -> Array:

@@ -52,7 +52,7 @@ def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         ]
         return _Lines.through(places, weights)
 
-    return BothFaces(scene).heights(images, goal, part=1.0, fits=_FITS)
+    return BothFaces(scene).heights(images, goal, fraction=1.0, fits=_FITS)
 
 
 def _places(scene: Scene, transport: Transport) -> Array:
@@ -100,9 +100,9 @@ class _Lines(NamedTuple):
         # Without any bending it would go on as it comes.
         on_x, on_y = (part / coming[2] * depth for part in coming[:2])
 
-        def way(part: float) -> Vector:
-            way_x = (1 - part) * on_x + part * (to_x - at_x)
-            way_y = (1 - part) * on_y + part * (to_y - at_y)
+        def way(fraction: float) -> Vector:
+            way_x = (1 - fraction) * on_x + fraction * (to_x - at_x)
+            way_y = (1 - fraction) * on_y + fraction * (to_y - at_y)
             return way_x, way_y, depth
 
         return way

@@ -80,8 +80,10 @@ class _Split(NamedTuple):
         """Directions between where light comes from and where it goes."""
         leaving = self.behind(traced)
 
-        def way(part: float) -> Vector:
-            x, y, z = ((1 - part) * a + part * b for a, b in zip(coming, leaving, strict=True))
+        def way(fraction: float) -> Vector:
+            x, y, z = (
+                (1 - fraction) * a + fraction * b for a, b in zip(coming, leaving, strict=True)
+            )
             return x, y, z
 
         return way
