@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 import resources
 from resources.make_screenshot import begin, design, open_window, settle
-from ui.jobs.outlook import Finder
+from ui.jobs.outlook import ProspectFinder
 from ui.jobs.page import StartPage
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog
@@ -47,7 +47,7 @@ def choose(window: MainWindow, kind: type[Job], picture: str) -> None:
     """Choose a job on the start page, see what can be expected of it, and begin it."""
     window.commands["new"].trigger()
     (page,) = window.findChildren(StartPage)
-    (finder,) = page.findChildren(Finder)
+    (finder,) = page.findChildren(ProspectFinder)
     found: list[object] = []
     page.select(kind)
     finder.found.connect(found.append)
