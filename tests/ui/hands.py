@@ -9,8 +9,17 @@ def rows(forms):
     return [row for panel in forms.panels for row in panel.rows]
 
 
+def unfold(forms, wanted):
+    """Unfold the panels of rows, as a person does who looks for them."""
+    for panel in forms.panels:
+        if any(map(wanted, panel.rows)):
+            panel.unfold(True)
+
+
 def row(forms, path, visible=True):
     """The row at a path; it can be seen, unless that does not matter."""
+    if visible:
+        unfold(forms, lambda row: row.path == path)
     first = max((each for each in rows(forms) if each.path == path), key=QWidget.isVisible)
     assert first.isVisible() or not visible, f"{path} is hidden"
     return first
@@ -23,6 +32,7 @@ def editor(forms, path):
 
 def field_row(forms, path):
     """The row of the field at a path; it can be seen."""
+    unfold(forms, lambda row: path in getattr(row, "editors", {}))
     having = [each for each in rows(forms) if path in getattr(each, "editors", {})]
     first = max(having, key=QWidget.isVisible)
     assert first.isVisible(), f"{path} is hidden"

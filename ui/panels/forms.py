@@ -27,6 +27,9 @@ from workbench.scene import ImageTarget, Scene
 
 _PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "run": RunPanel}
 
+# At first, as the stages are: what automatic designs do without.
+_FOLDED = ("filter",)
+
 
 class Forms(QScrollArea):
     """The panels below each other.
@@ -98,8 +101,12 @@ class Forms(QScrollArea):
             elif name == "source":
                 made.append(self._source)
             else:
-                made.append(_PANELS.get(name, PartPanel)(field))
-        return [ScenePanel(), self._target, *made, self._images, regions, StagesPanel()]
+                panel = _PANELS.get(name, PartPanel)(field)
+                panel.unfold(name not in _FOLDED)
+                made.append(panel)
+        stages = StagesPanel()
+        stages.unfold(False)
+        return [ScenePanel(), self._target, *made, self._images, regions, stages]
 
     def _lay_out(self) -> None:
         """The panels below each other, with all fields in line, below the hint."""

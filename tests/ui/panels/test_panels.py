@@ -347,6 +347,11 @@ def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, 
     assert row(forms, "target.image").editor.text() == str(image)
 
 
+def test_what_automatic_designs_do_without_is_folded_at_first(forms):
+    folded = {panel._heading.text() for panel in forms.panels if panel._body.isHidden()}
+    assert folded == {"Image filter", "Stages"}
+
+
 def test_a_refusal_unfolds_its_panel(forms, qtbot):
     panel = next(panel for panel in forms.panels if row(forms, "screen.z") in panel.rows)
     panel.unfold(False)
