@@ -19,7 +19,7 @@ from workbench.scene import Scene
 from workbench.targets import load_target
 
 ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
-ICONS += ["follow", "turn", "sculpt", "lock", "move-source", "cut-line", "logarithmic"]
+ICONS += ["follow", "turn", "sculpt", "lock", "move-source", "region", "cut-line", "logarithmic"]
 IN_STYLE_SHEETS = ["dock-close", "dock-float"]  # which cannot replace their colour
 examples = pytest.mark.parametrize("example", resources.EXAMPLES, ids=lambda each: each.name)
 SVG = "{http://www.w3.org/2000/svg}"
