@@ -23,8 +23,9 @@ settings.load_profile("default")
 
 _WHOLE = Path(__file__).parent
 # Each process takes a gigabyte or more, and its kernels take all cores.
-_MOST_PROCESSES = 3
+_MOST_PROCESSES = 4
 _XVFB = shutil.which("Xvfb")
+_WINDOW = "tests/ui/"
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -33,18 +34,38 @@ def pytest_xdist_auto_num_workers(config):
     parts = [part for part in config.args if Path(part).resolve() not in (_WHOLE, _WHOLE.parent)]
     if parts or config.option.keyword or config.option.markexpr != "not slow":
         return 0
-    return min(os.cpu_count() or 1, _MOST_PROCESSES)
+    # One more than there are cores: tests of the window wait for more than half of their time.
+    return min((os.cpu_count() or 1) + 1, _MOST_PROCESSES)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config, items):
+    """Spread files of the window, whose tests wait, among files whose tests compute."""
+    if not (_XVFB and hasattr(config, "workerinput")):
+        return
+    files = {}
+    for item in items:
+        files.setdefault(_file_of(item.nodeid), []).append(item)
+    places = {}
+    for of_window in (True, False):
+        group = [file for file in files if file.startswith(_WINDOW) == of_window]
+        places |= {file: place / len(group) for place, file in enumerate(group)}
+    items[:] = [item for file in sorted(files, key=places.get) for item in files[file]]
 
 
 class _Scheduling(LoadScopeScheduling):
-    """Tests of a file stay in one process, in the order of a run in a single one.
+    """Tests of a file stay in one process, in their order.
 
     So do all of the window where processes share a screen, and thereby its keyboard.
     """
 
     def _split_scope(self, nodeid):
-        file = nodeid.split("::")[0]
-        return "window" if file.startswith("tests/ui/") and not _XVFB else file
+        file = _file_of(nodeid)
+        return "window" if file.startswith(_WINDOW) and not _XVFB else file
+
+
+def _file_of(nodeid):
+    return nodeid.split("::")[0]
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -45,9 +45,12 @@ def keep_what_imports_made():
         _modules_kept = len(sys.modules)
 
 
-@pytest.fixture(scope="session", autouse=True)
+@pytest.fixture(scope="module", autouse=True)
 def garbage_in_the_thread_of_the_window(qapp):
-    """As in the program: else a run's thread deletes the Qt objects of tests that are over."""
+    """As in the program: else a run's thread deletes the Qt objects of tests that are over.
+
+    Tests of other rooms, which run in between, have no window whose thread would do it.
+    """
     collector = GarbageCollector(qapp)
     yield
     collector.close()
