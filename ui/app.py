@@ -49,8 +49,8 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from ui.commands.language_choice import kept_language
-    from ui.commands.theme_choice import kept_theme
+    from ui.commands.language_choice import LANGUAGE
+    from ui.commands.theme_choice import THEME
     from ui.startup.unexpected_errors import UnexpectedErrors
     from ui.threads.garbage import GarbageCollector
     from ui.widgets import theme
@@ -60,8 +60,8 @@ def main(arguments: list[str] | None = None) -> int:
     beside_settings = QStandardPaths.StandardLocation.AppConfigLocation
     folder = Path(QStandardPaths.writableLocation(beside_settings)) / "recovery"
     settings = QSettings()
-    theme.choose(application, kept_theme(settings))
-    speak(application, kept_language(settings))
+    theme.choose(application, THEME.kept(settings))
+    speak(application, LANGUAGE.kept(settings))
     garbage = GarbageCollector(application)
     windows, unexpected = Windows(settings, folder), UnexpectedErrors()
     windows.loaded.connect(garbage.keep_what_is_there)

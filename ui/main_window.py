@@ -11,16 +11,17 @@ from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
 from ui.commands.availability import Situation
-from ui.commands.language_choice import offer_languages, show_language
+from ui.commands.language_choice import LANGUAGE, tell_of_language
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
-from ui.commands.theme_choice import offer_themes, show_theme
+from ui.commands.theme_choice import THEME, choose_theme
 from ui.document.document import ENDING, Document
 from ui.files.actions import Answer, FileActions
 from ui.files.chosen_files import ChosenFiles
 from ui.files.exporter import Exporter
 from ui.files.gallery import Gallery
 from ui.files.recent import RecentFiles
+from ui.files.recent_menu import RecentMenu
 from ui.files.reporter import Reporter
 from ui.help.help import TITLE, Help
 from ui.jobs.start import Start
@@ -101,12 +102,14 @@ class MainWindow(QMainWindow):
             )
         )
         self._settings = settings
-        self._recent = RecentFiles(settings)
+        recent = RecentFiles(settings)
         self._lens = LensOnShow(document, self)
         self.dialogs = dialogs = early.dialogs
         self._chosen = ChosenFiles(self.forms, dialogs, self.messages, self)
         lens, messages = self._lens, self.messages
-        self.files = FileActions(document, lens, self._recent, messages, dialogs, self)
+        self.files = FileActions(document, lens, recent, messages, dialogs, self)
+        recent_menu = self.commands.menus["Open &recent"]
+        self._recent = RecentMenu(recent_menu, recent, self.files.open_recent)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_cutting = AskCutting(self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
@@ -206,10 +209,10 @@ class MainWindow(QMainWindow):
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange:
             self._show_recent()
-            show_language(self._settings, self.commands)
+            LANGUAGE.show(self._settings, self.commands)
         if event.type() == QEvent.Type.PaletteChange:
             self.commands.colour_icons()
-            show_theme(self._settings, self.commands)
+            THEME.show(self._settings, self.commands)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Escape that nothing else has taken cancels a check."""
@@ -298,8 +301,9 @@ class MainWindow(QMainWindow):
                 **self.help.slots(),
             }
         )
-        offer_themes(self._settings, self.commands)
-        offer_languages(self._settings, self.commands, self.messages.note)
+        THEME.offer(self._settings, self.commands, choose_theme)
+        tell_later = partial(tell_of_language, self.messages.note)
+        LANGUAGE.offer(self._settings, self.commands, tell_later)
         self.commands.connect_toggles({"scene_view": self.workspace.show_scene_view})
         self.document.session_changed.connect(self._show_state)
         self.document.path_changed.connect(self._show_title)
@@ -347,13 +351,7 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.document.dirty)
 
     def _show_recent(self) -> None:
-        menu = self.commands.menus["Open &recent"]
-        menu.clear()
-        for number, path in enumerate(self._recent.paths(), 1):
-            text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
-            action = menu.addAction(text, partial(self.files.open_recent, path))
-            action.setEnabled(not self._busy)  # also in the palette, which asks no menu
-        menu.setEnabled(not (menu.isEmpty() or self._busy))
+        self._recent.show(allowed=not self._busy)
 
     def _tell_of_following(self, text: str) -> None:
         """Say how far a lens is, many times a second; little else changes by it."""

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDialogButtonBox, QLabel
 import ui
 import workbench.pictures
 import workbench.scene
-from ui.commands.language_choice import kept_language
+from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
@@ -168,21 +168,21 @@ def test_no_command_and_no_job_stays_english(speaking, open_window):
 
 
 def test_a_choice_is_kept_and_said_to_count_later(window, settings):
-    assert kept_language(settings) == "system"
+    assert LANGUAGE.kept(settings) == "system"
     window.commands["language_fr"].trigger()
-    assert kept_language(settings) == "fr"
+    assert LANGUAGE.kept(settings) == "fr"
     assert window.messages.text == "The language changes at the next start."
     assert window.commands["language_fr"].isChecked()
 
 
 def test_a_choice_of_what_is_spoken_needs_no_word(window, settings):
     window.commands["language_en"].trigger()
-    assert (kept_language(settings), window.messages.text) == ("en", "")
+    assert (LANGUAGE.kept(settings), window.messages.text) == ("en", "")
 
 
 def test_an_unknown_choice_is_that_of_the_system(settings):
     settings.setValue("window/language", "tlh")
-    assert kept_language(settings) == "system"
+    assert LANGUAGE.kept(settings) == "system"
 
 
 # What shows a text that it is given first, or by one of these names.

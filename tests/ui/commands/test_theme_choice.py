@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtGui import QPalette
 
 from ui.commands.table import THEMES
-from ui.commands.theme_choice import kept_theme
+from ui.commands.theme_choice import THEME
 from ui.widgets import theme
 
 
@@ -20,7 +20,7 @@ def test_a_chosen_theme_colours_the_windows_and_is_kept(coloured, window, settin
     window.commands[f"theme_{name}"].trigger()
     assert theme.is_dark(coloured.palette()) is dark
     assert theme._REFUSED[name] in coloured.styleSheet()
-    assert kept_theme(settings) == name
+    assert THEME.kept(settings) == name
 
 
 def test_the_theme_of_the_system_comes_back(coloured, window, settings):
@@ -29,7 +29,7 @@ def test_the_theme_of_the_system_comes_back(coloured, window, settings):
     assert coloured.palette().color(QPalette.ColorRole.Window) != ground
     window.commands["theme_system"].trigger()
     assert coloured.palette().color(QPalette.ColorRole.Window) == ground
-    assert kept_theme(settings) == "system"
+    assert THEME.kept(settings) == "system"
 
 
 def test_another_window_shows_which_theme_is_on(coloured, open_window, qtbot):
@@ -41,4 +41,4 @@ def test_another_window_shows_which_theme_is_on(coloured, open_window, qtbot):
 
 def test_an_unknown_choice_is_that_of_the_system(settings):
     settings.setValue("window/theme", "pink")
-    assert kept_theme(settings) == "system"
+    assert THEME.kept(settings) == "system"
