@@ -11,6 +11,7 @@ from PySide6.QtGui import QCursor, QGuiApplication, QImage, QImageWriter
 from ui.commands.table import PICTURES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
+from ui.widgets.colours import rgb_image
 from ui.widgets.message_bar import MessageBar
 from ui.words import later, tr
 from workbench.errors import Refused
@@ -101,8 +102,4 @@ class ScenePictures(QObject):
             pixels = self._view.picture(times)
         finally:
             QGuiApplication.restoreOverrideCursor()
-        if pixels is None:
-            return None
-        height, width, _ = pixels.shape
-        image = QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888)
-        return image.copy()  # the pixels are numpy's
+        return None if pixels is None else rgb_image(pixels)

@@ -1,10 +1,10 @@
 """What a kept run came to, in words and as a small picture."""
 
-import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtGui import QPixmap
 
 from ui.run.status import clock
+from ui.widgets.colours import rgb_image
 from ui.words import tr
 from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
@@ -34,9 +34,7 @@ def thumbnail_of(run: KeptRun, side: int) -> QPixmap:
     receiver, light = run.scene.receiver, run.result.state.irradiance
     top = full_scale(run.scene, run.target, receiver.total(light))
     step = max(1, max(light.shape) // (2 * side))
-    colours = np.ascontiguousarray(to_colours(light[::step, ::step], top))
-    rows, columns, _ = colours.shape
-    image = QImage(colours.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
+    image = rgb_image(to_colours(light[::step, ::step], top))
     (r_x, r_y) = receiver.half_extent
     width, height = (round(side * r / max(r_x, r_y)) or 1 for r in (r_x, r_y))
     stretched, smooth = (

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
-from workbench.pictures.images import ErrorImage, shown_error
+from workbench.pictures.images import ErrorImage
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,9 +34,8 @@ class ErrorContent(OnScreen):
         return self.image.update(frame.state.irradiance)
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        """The error of a frame, with its sign."""
-        session = frame.session
-        return shown_error(session.scene, session.target, frame.state.irradiance)
+        """Those of the image, with their sign."""
+        return self.image.values
 
 
 class ErrorView(ScreenImageView):

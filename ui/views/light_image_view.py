@@ -8,7 +8,6 @@ import numpy.typing as npt
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
 from ui.words import tr
-from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import IrradianceImage
 
 if TYPE_CHECKING:
@@ -51,8 +50,8 @@ class LightContent(OnScreen):
         return self.image.update(self._light(frame))
 
     def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
-        """The light of a frame in the scene's unit."""
-        return self._light(frame) * light_unit(frame.session.scene).density
+        """Those of the image, in the scene's unit."""
+        return self.image.values
 
     def set_look(self, logarithmic: bool, colours: str) -> bool:
         """Choose scale and colours; whether they were others."""

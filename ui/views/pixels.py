@@ -6,6 +6,8 @@ from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.widgets.colours import rgb_image
+
 _USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
 
 
@@ -25,12 +27,7 @@ class Pixels(QWidget):
 
     def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
         """Show a picture (n_y, n_x, 3), whose pixels are so many times as wide as high, or none."""
-        self._image, self._aspect = None, aspect
-        if values is not None:
-            rows, columns, _ = values.shape
-            data = np.ascontiguousarray(values)
-            image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
-            self._image = image.copy()  # the values are numpy's
+        self._image, self._aspect = None if values is None else rgb_image(values), aspect
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -167,7 +167,7 @@ class ScreenImageView(ImageView):
             return
         super()._press(event)
         if self._grip is not None and self._link.marking:
-            self._hand.press(self._marked_scene(), self._grip[1], self._reach())
+            self._hand.press(self._marked_scene(), self._grip[1], self._margin())
         shift = event.guiEvent.modifiers() & Qt.KeyboardModifier.ShiftModifier
         self._draws = self._grip is not None and (self._link.drawing or bool(shift))
 
@@ -191,7 +191,7 @@ class ScreenImageView(ImageView):
         assert self._session is not None  # since there is a picture
         return self._session.scene
 
-    def _reach(self) -> Place:
+    def _margin(self) -> Place:
         """How far from the pointer an edge is taken hold of, in the receiver's coordinates."""
         assert self._axes is not None
         box = self._axes.get_window_extent()

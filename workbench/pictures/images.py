@@ -145,7 +145,14 @@ class IrradianceImage(UpdatedPicture):
         Target image; gives the scale.
     name : str
         What the image is called; by default, what is on the receiver.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n_y, n_x)
+        What is shown, in the scene's `LightUnit`.
     """
+
+    values: Array
 
     def __init__(
         self,
@@ -166,7 +173,8 @@ class IrradianceImage(UpdatedPicture):
     def update(self, irradiance: Array) -> bool:
         """Show another image, shape (n_y, n_x)."""
         factor = self._unit.density
-        self._image.set_data(irradiance * factor)
+        self.values = irradiance * factor
+        self._image.set_data(self.values)
         flux = self._scene.receiver.total(irradiance)
         top = factor * full_scale(self._scene, self._target, flux)
         if top == self._top:
@@ -192,7 +200,14 @@ class ErrorImage(UpdatedPicture):
 
     The scale is symmetric about zero. It is one of 1, 2, 5, 10, ... and changes only when the
     errors leave it or fill less than a third of it.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n_y, n_x)
+        What is shown, in the scene's `LightUnit`.
     """
+
+    values: Array
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
         self._scene = scene
@@ -206,9 +221,9 @@ class ErrorImage(UpdatedPicture):
 
     def update(self, irradiance: Array) -> bool:
         """Show the error of another irradiance image, shape (n_y, n_x)."""
-        error = shown_error(self._scene, self._target, irradiance)
-        self._image.set_data(error)
-        scale = settled_scale(error, self._scale)
+        self.values = shown_error(self._scene, self._target, irradiance)
+        self._image.set_data(self.values)
+        scale = settled_scale(self.values, self._scale)
         if scale == self._scale:
             return False
         self._scale = scale
