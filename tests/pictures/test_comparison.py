@@ -13,7 +13,7 @@ from workbench.design.session import KeptRun
 from workbench.design.snapshot import Result
 from workbench.design.task import begin
 from workbench.geometry.faces import FaceArrays
-from workbench.pictures.comparison import Comparison, averaged
+from workbench.pictures.comparison import Comparison
 
 
 @pytest.fixture
@@ -77,11 +77,3 @@ def test_receivers_that_cover_different_places_are_not_subtracted(kept):
     assert len(images(figure)) == 2
     assert "nothing to subtract" in figure.axes[2].texts[0].get_text()
     assert drawn.in_words(figure.axes[1], 1.5, 0) == "0.1 / cm² at x = 1.5 cm, y = 0 cm"
-
-
-@pytest.mark.parametrize("shape", [(2, 3), (5, 7), (12, 9)])
-def test_averaging_keeps_the_mean(rng, shape):
-    image = rng.random((6, 9))
-    found = averaged(image, shape)
-    assert found.shape == shape
-    assert found.mean() == pytest.approx(image.mean())

@@ -1,7 +1,7 @@
 """The light of two runs side by side on one scale, what differs between them, and their losses."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,8 @@ from workbench.measured.light_unit import LightUnit, light_unit
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
-from workbench.scene import Scene
+from workbench.scene import Scene, Unit
+from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,14 +50,14 @@ class RunImage:
     top: float
 
     @classmethod
-    def of(cls, run: KeptRun, unit: Any) -> Self:
+    def of(cls, run: KeptRun, unit: Unit) -> Self:
         """The light of a run, with lengths in a unit."""
         session = Session(run.scene, run.target, run.result).of_image(0).in_unit(unit)
         assert session.result is not None
         scene, target, light = session.scene, session.target, session.result.state.irradiance
-        told = light_unit(scene)
-        top = told.density * full_scale(scene, target, scene.receiver.total(light))
-        return cls(run.name, scene, target, told.density * light, told, top)
+        light_in = light_unit(scene)
+        top = light_in.density * full_scale(scene, target, scene.receiver.total(light))
+        return cls(run.name, scene, target, light_in.density * light, light_in, top)
 
     def at(self, x: float, y: float) -> float | None:
         """The light at a place; None beside the receiver."""
@@ -80,7 +81,7 @@ class Comparison:
 
     Attributes
     ----------
-    lights : tuple[RunImage, Light]
+    lights : tuple[RunImage, RunImage]
         Their light.
     difference : ndarray, shape (n_y, n_x), optional
         Second minus first; None where the receivers cover different places.
@@ -143,29 +144,6 @@ def difference(one: RunImage, other: RunImage) -> Array | None:
     if not same_place or one.unit.words != other.unit.words:
         return None
     return averaged(other.irradiance, one.irradiance.shape) - one.irradiance
-
-
-def averaged(image: Array, shape: tuple[int, ...]) -> Array:
-    """An image averaged over the pixels of another raster that covers the same.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> averaged(np.array([[1.0, 3.0], [5.0, 7.0]]), (1, 4))
-    array([[3., 3., 5., 5.]])
-    """
-    if image.shape == shape:
-        return image
-    down, across = (_parts(old, new) for old, new in zip(image.shape, shape, strict=True))
-    return np.asarray(down @ image @ across.T)
-
-
-def _parts(old: int, new: int) -> Array:
-    """Which part of each new pixel is within each old one, shape (new, old)."""
-    before, after = np.linspace(0, 1, old + 1), np.linspace(0, 1, new + 1)
-    low = np.maximum(before[:-1], after[:-1, None])
-    high = np.minimum(before[1:], after[1:, None])
-    return np.asarray((high - low).clip(0) * new)
 
 
 def _title(axes: "Axes", name: str) -> None:

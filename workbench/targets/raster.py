@@ -47,6 +47,25 @@ def put(
     return light
 
 
+def averaged(image: Array, shape: tuple[int, ...]) -> Array:
+    """An image averaged over the pixels of another raster that covers the same.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> averaged(np.array([[1.0, 3.0], [5.0, 7.0]]), (1, 4))
+    array([[3., 3., 5., 5.]])
+    """
+    if image.shape == shape:
+        return image
+    down, across = (
+        _overlap(np.linspace(0, new, old + 1), new, (0, new))
+        for old, new in zip(image.shape, shape, strict=True)
+    )
+    light: Array = down @ image @ across.T
+    return light
+
+
 def _edges(receiver: AnyReceiver, half_u: float, half_v: float) -> list[tuple[float, float]]:
     """Columns of left and right, rows of top and bottom of a rectangle about the middle."""
     u, v = receiver.middle
