@@ -35,15 +35,6 @@ from workbench.scene.kinds import Kinds, summary_of, title_of
 
 CONTEXT = "workbench"
 OPTICS, RECEIVERS = (Lens, Mirror), (Screen, FarField)
-SAID_BY_ENGINE = (
-    "all control points are locked",
-    "all iterations are done",
-    "designed for this task",
-    "not designed for this task",
-    "not designed yet",
-    "stopped",
-)
-"""Whole sentences of the engine that the window shows."""
 
 _ROOT = Path(__file__).parent.parent
 _MARKS = ("tr", "later", "Said")
@@ -103,7 +94,6 @@ def _of_engine() -> Iterator[str]:
     for aspect in ASPECTS:
         yield from (aspect.name, aspect.tip)
     yield from MAPS
-    yield from SAID_BY_ENGINE
 
 
 def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:

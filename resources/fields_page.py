@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbench.scene import Part, Scene
@@ -49,7 +48,7 @@ def _section(path: str, part: type[Part]) -> str:
     return "\n".join(lines)
 
 
-def _row(field: FieldDescription, part: type[BaseModel]) -> str:
+def _row(field: FieldDescription, part: type[Part]) -> str:
     known = part.model_fields[field.name]
     default = "" if known.is_required() else _default(known)
     unit = field.measure.words_in("length")
@@ -75,8 +74,8 @@ def _written(default: object) -> str:
             return "none"
         case bool():
             return str(default).lower()
-        case BaseModel():
-            return title_of(type(default)).lower() if isinstance(default, Part) else "auto"
+        case Part():
+            return title_of(type(default)).lower()
         case tuple():
             return ", ".join(map(_written, default))
         case _:

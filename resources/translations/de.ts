@@ -3219,16 +3219,6 @@
             <translation>Wartet auf das Ende des Laufs: {edits}.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/forms.py" />
-            <source>Scene</source>
-            <translation>Szene</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/forms.py" />
-            <source>change of unit</source>
-            <translation>Einheit ändern</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>further image</source>
             <translation>weiteres Bild</translation>
@@ -3442,6 +3432,16 @@
             <location filename="../../ui/panels/run.py" />
             <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
             <translation>Wie viele Zahlen optimiert werden, und der Speicher, den sie mit ihrem Gradienten und den beiden Momenten des Optimierers brauchen. Ein Netzwerk, das nicht passt, wird beim Start abgelehnt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Scene</source>
+            <translation>Szene</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>change of unit</source>
+            <translation>Einheit ändern</translation>
         </message>
         <message>
             <location filename="../../ui/panels/source.py" />
@@ -6635,36 +6635,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Konvexe Krümmung</translation>
         </message>
         <message>
-            <location filename="../../workbench" />
-            <source>all control points are locked</source>
-            <translation>alle Kontrollpunkte sind gesperrt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>all iterations are done</source>
-            <translation>alle Iterationen sind ausgeführt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>designed for this task</source>
-            <translation>für diese Aufgabe entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>not designed for this task</source>
-            <translation>nicht für diese Aufgabe entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>not designed yet</source>
-            <translation>noch nicht entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>stopped</source>
-            <translation>gestoppt</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error below {error:g} %</source>
             <translation>konvergiert: Fehler unter {error:g} %</translation>
@@ -6678,6 +6648,36 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/auto.py" />
             <source>converged: less than {gain:g} % better in {patience} iterations</source>
             <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>not designed yet</source>
+            <translation>noch nicht entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>designed for this task</source>
+            <translation>für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>not designed for this task</source>
+            <translation>nicht für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>all iterations are done</source>
+            <translation>alle Iterationen sind ausgeführt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>all control points are locked</source>
+            <translation>alle Kontrollpunkte sind gesperrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
+            <source>stopped</source>
+            <translation>gestoppt</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />

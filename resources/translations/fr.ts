@@ -3219,16 +3219,6 @@
             <translation>Attend la fin de l'exécution : {edits}.</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/forms.py" />
-            <source>Scene</source>
-            <translation>Scène</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/forms.py" />
-            <source>change of unit</source>
-            <translation>changement d'unité</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>further image</source>
             <translation>autre image</translation>
@@ -3442,6 +3432,16 @@
             <location filename="../../ui/panels/run.py" />
             <source>How many numbers are optimised, and the memory that they take with their gradient and the optimiser's two moments. A network that does not fit is refused at the start.</source>
             <translation>Combien de nombres sont optimisés, et la mémoire qu'ils prennent avec leur gradient et les deux moments de l'optimiseur. Un réseau trop grand est refusé au départ.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>Scene</source>
+            <translation>Scène</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/scene.py" />
+            <source>change of unit</source>
+            <translation>changement d'unité</translation>
         </message>
         <message>
             <location filename="../../ui/panels/source.py" />
@@ -6635,36 +6635,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Courbure convexe</translation>
         </message>
         <message>
-            <location filename="../../workbench" />
-            <source>all control points are locked</source>
-            <translation>tous les points de contrôle sont verrouillés</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>all iterations are done</source>
-            <translation>toutes les itérations sont faites</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>designed for this task</source>
-            <translation>conçu pour cette tâche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>not designed for this task</source>
-            <translation>non conçu pour cette tâche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>not designed yet</source>
-            <translation>pas encore conçu</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>stopped</source>
-            <translation>arrêté</translation>
-        </message>
-        <message>
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error below {error:g} %</source>
             <translation>convergé : erreur sous {error:g} %</translation>
@@ -6678,6 +6648,36 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/auto.py" />
             <source>converged: less than {gain:g} % better in {patience} iterations</source>
             <translation>convergé : moins de {gain:g} % de mieux en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>not designed yet</source>
+            <translation>pas encore conçu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>designed for this task</source>
+            <translation>conçu pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>not designed for this task</source>
+            <translation>non conçu pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>all iterations are done</source>
+            <translation>toutes les itérations sont faites</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>all control points are locked</source>
+            <translation>tous les points de contrôle sont verrouillés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/snapshot.py" />
+            <source>stopped</source>
+            <translation>arrêté</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from workbench.design.session import KeptRun, Session, task_of
+from workbench.said import Said
 
 _MOST = 3  # differences between two tasks that are named
 
@@ -28,17 +29,17 @@ def origin(session: Session) -> str:
     """
     heights = session.heights
     if heights is None:
-        return "not designed yet"
+        return Said("not designed yet")
     found = [run for run in session.runs if run.result.state.heights == heights]
     if any(_is_of(session, run) for run in found):
-        return "designed for this task"
+        return Said("designed for this task")
     if found:
         named = _differences(found[-1], session)
         more = ", …" if len(named) > _MOST else ""
         return f"designed for another task ({found[-1].name}): {', '.join(named[:_MOST])}{more}"
     if session.result is not None and session.result.iterations:
-        return "designed for this task"
-    return "not designed for this task"
+        return Said("designed for this task")
+    return Said("not designed for this task")
 
 
 def _is_of(session: Session, run: KeptRun) -> bool:

@@ -21,11 +21,12 @@ from workbench.design.snapshot import Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
+from workbench.said import Said
 from workbench.scene import AutoNet, Optic, Scene
 
 Array = npt.NDArray[np.float64]
 
-_DONE, _LOCKED = "all iterations are done", "all control points are locked"
+_DONE, _LOCKED = Said("all iterations are done"), Said("all control points are locked")
 
 
 def run(

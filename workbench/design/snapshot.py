@@ -9,8 +9,11 @@ import numpy.typing as npt
 
 from workbench.design.lens_state import LensState
 from workbench.interruption import Interrupted
+from workbench.said import Said
 
 Array = npt.NDArray[np.float64]
+
+_STOPPED = Said("stopped")
 
 
 @dataclass(frozen=True)
@@ -133,9 +136,9 @@ class History:
             if self._losses and self._best is not None and self._best.iteration == 0:
                 self._ended += "; no iteration made the lens better"
         except Interrupted:
-            self._ended = "stopped"
+            self._ended = _STOPPED
         except (GeneratorExit, KeyboardInterrupt):
-            self._ended = "stopped"
+            self._ended = _STOPPED
             raise
         except Exception as error:
             self._ended = f"failed: {error}"
