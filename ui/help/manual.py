@@ -100,27 +100,30 @@ class Manual(QDialog):
         whole.addWidget(buttons)
 
     def _open(self, row: int) -> None:
-        if row >= 0:
-            url = QUrl.fromLocalFile(str(self._pages[row].file))
-            if self._text.source() != url:
-                self._text.setSource(url)
-            self._mark()
+        url = QUrl.fromLocalFile(str(self._pages[row].file))
+        if self._text.source() != url:  # else a link has led there
+            self._text.setSource(url)
 
     def _follow(self, source: QUrl) -> None:
-        """A link has led to another page: the list says which."""
+        """Another page is there, perhaps by a link: the list says which."""
         names = [page.file.name for page in self._pages]
         if (name := source.fileName()) in names:
             self._list.setCurrentRow(names.index(name))
+        self._mark()
 
     def _find(self, words: str) -> None:
         """List the pages that hold some words, and show the first of them."""
         for row, page in enumerate(self._pages):
             self._list.item(row).setHidden(not page.holds(words))
-        shown = [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
+        shown = self._listed()
         if shown and self._list.currentRow() not in shown:
             self._list.setCurrentRow(shown[0])
         else:
             self._mark()
+
+    def _listed(self) -> list[int]:
+        """The rows that the search has left."""
+        return [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
 
     def _mark(self) -> None:
         """Mark what is searched for on this page, and go to the first of it."""
@@ -151,11 +154,12 @@ class Manual(QDialog):
         if after is not None:
             self._go_to(after)
             return
-        rows = [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
-        if rows:
-            later = [row for row in rows if row > self._list.currentRow()]
-            self._list.setCurrentRow((later or rows)[0])
-            self._mark()
+        rows, here = self._listed(), self._list.currentRow()
+        following = next((row for row in rows if row > here), rows[0] if rows else here)
+        if following == here:
+            self._mark()  # from the top again
+        else:
+            self._list.setCurrentRow(following)
 
     def _go_to(self, place: QTextCursor) -> None:
         cursor = QTextCursor(place)

@@ -1,6 +1,7 @@
 """Words in pictures of the engine, in the language of the window."""
 
 import re
+from typing import cast
 
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -24,15 +25,17 @@ LABELS = later(
         "z of the screen",
     )
 )
-"""What stands at axes and in legends, as far as it is no unit and no number."""
+"""What stands at axes and in legends, as far as it is no unit and no number.
+
+Words in small letters alone could be names of fields; each is marked by itself.
+"""
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
 
 
 def translate(figure: Figure) -> None:
     """Say labels and legends of a picture that has just begun in the language that is spoken."""
-    for text in figure.findobj(Text):
-        assert isinstance(text, Text)
+    for text in cast("list[Text]", figure.findobj(Text)):
         english = text.get_text()
         parts = _WITH_UNIT.fullmatch(english)
         said = f"{tr(parts[1])} {parts[2]}" if parts else tr(english)

@@ -37,7 +37,7 @@ class Grip(NamedTuple):
     sides: tuple[int, ...] = ()
 
 
-def grip_at(regions: Sequence[AnyRegion], place: Place, reach: Place) -> Grip | None:
+def grip_at(regions: Sequence[AnyRegion], place: Place, margin: Place) -> Grip | None:
     """The edge or corner at a place, of the last region that has one there.
 
     Parameters
@@ -46,7 +46,7 @@ def grip_at(regions: Sequence[AnyRegion], place: Place, reach: Place) -> Grip | 
         In the order in which they are drawn.
     place : tuple[float, float]
         Where a hand takes hold.
-    reach : tuple[float, float]
+    margin : tuple[float, float]
         How far beside it an edge may be.
 
     Examples
@@ -57,11 +57,11 @@ def grip_at(regions: Sequence[AnyRegion], place: Place, reach: Place) -> Grip | 
     """
     for number, region in reversed(list(enumerate(regions))):
         if isinstance(region, PolygonRegion):
-            corners = _corners_at(np.array(region.corners) / reach, np.array(place) / reach)
+            corners = _corners_at(np.array(region.corners) / margin, np.array(place) / margin)
             if corners:
                 return Grip(number, corners=corners)
         else:
-            sides = _sides_at(_box(region), place, reach)
+            sides = _sides_at(_box(region), place, margin)
             if sides:
                 return Grip(number, sides=sides)
     return None
@@ -118,9 +118,9 @@ def _middle_and_size(box: Sequence[float]) -> tuple[Place, Place]:
     return middle, (round(right - left, _DIGITS), round(top - bottom, _DIGITS))
 
 
-def _sides_at(box: Sequence[float], place: Place, reach: Place) -> tuple[int, ...]:
+def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, ...]:
     """The sides of a box at a place: none, one, or two at a corner."""
-    (x, y), (near_x, near_y) = place, reach
+    (x, y), (near_x, near_y) = place, margin
     left, right, bottom, top = box
     if not (left - near_x <= x <= right + near_x and bottom - near_y <= y <= top + near_y):
         return ()
@@ -135,7 +135,7 @@ def _sides_at(box: Sequence[float], place: Place, reach: Place) -> tuple[int, ..
 def _corners_at(
     corners: npt.NDArray[np.float64], place: npt.NDArray[np.float64]
 ) -> tuple[int, ...]:
-    """The corner within 1 of a place, or both of the side that is; coordinates in reaches."""
+    """The corner within 1 of a place, or both of the side that is; coordinates in margins."""
     far = np.linalg.norm(corners - place, axis=1)
     if far.min() <= 1:
         return (int(far.argmin()),)

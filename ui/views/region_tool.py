@@ -34,10 +34,10 @@ class RegionTool:
         self._drawn: AnyRegion | None = None
         self._corners: list[Place] = []
 
-    def press(self, scene: "Scene", place: Place, reach: Place) -> None:
-        """Begin at a place of a scene's receiver; edges are taken hold of within reach."""
+    def press(self, scene: "Scene", place: Place, margin: Place) -> None:
+        """Begin at a place of a scene's receiver; edges are held from within a margin."""
         self._scene, self._start, self._drawn = scene, self._parts(scene.receiver, place), None
-        near = np.divide(reach, np.multiply(scene.receiver.half_extent, 2))
+        near = np.divide(margin, np.multiply(scene.receiver.half_extent, 2))
         if self._link.draft:  # the next corner of a polygon may be anywhere
             self._grip = None
         else:

@@ -133,9 +133,8 @@ def validating(
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
         one = yield from within(steps, partial(of_equal, len(images), done))
         clearest = (one.by_cells or one).irradiance
-        alone = image.scene
-        told = light_unit(alone)
-        regions = light_of_regions(alone.regions, alone.receiver, clearest, told)
+        own = image.scene
+        regions = light_of_regions(own.regions, own.receiver, clearest, light_unit(own))
         found.append(replace(one, weight=image.weight, regions=regions))
     first, *others = found
     return replace(first, further=tuple(others)) if others else first

@@ -74,13 +74,13 @@ def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool
         As for `between_origins`; an even number of cells.
     """
     grids = _grids(nodes.hits.double(), _cells(cells, mirrored))
-    places, flux = grids[:2], grids[2].sum((-2, -1))
+    hits, flux = grids[:2], grids[2].sum((-2, -1))
     middle = [0 if half else count // 2 for count, half in zip(cells, mirrored, strict=True)]
     x, y = middle
     # From rim to rim of the source, or from its middle to one rim.
-    wide = (places[..., y, -1] - places[..., y, 0]) * (1 + mirrored[0])
-    high = (places[..., -1, x] - places[..., 0, x]) * (1 + mirrored[1])
-    here = places[..., y, x]
+    wide = (hits[..., y, -1] - hits[..., y, 0]) * (1 + mirrored[0])
+    high = (hits[..., -1, x] - hits[..., 0, x]) * (1 + mirrored[1])
+    here = hits[..., y, x]
     farthest = torch.zeros_like(flux)
     for axis in (1, 2):
         step = here.diff(dim=axis)

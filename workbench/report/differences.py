@@ -43,8 +43,10 @@ def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
     if other.unit != one.unit:
         found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)
     differ = []
-    for path, row in (found[0] | {p: r for p, r in found[1].items() if p not in found[0]}).items():
-        values = tuple(rows[path].value if path in rows else _NONE for rows in found)
-        if values[0] != values[1]:
-            differ.append(Difference(row.title, (values[0], values[1])))
+    for path in found[0] | found[1]:
+        first, second = (rows.get(path) for rows in found)
+        before, after = (row.value if row else _NONE for row in (first, second))
+        if before != after:
+            title = (first or found[1][path]).title
+            differ.append(Difference(title, (before, after)))
     return tuple(differ)

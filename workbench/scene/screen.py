@@ -167,11 +167,10 @@ class Screen(AnyReceiver):
 
     def per_radian(self, z: float) -> tuple[float, float]:
         """How far from there its middle is, and more along a side that leans away."""
-        right, up, away = self.sides
         way = self.position - np.array([0.0, 0.0, z])
         far = math.hypot(*way)
-        across = max(abs(float(away @ way)), _GRAZING * far)
-        along_x, along_y = (far * math.hypot(1.0, float(s @ way) / across) for s in (right, up))
+        across = max(abs(float(self.sides[2] @ way)), _GRAZING * far)
+        along_x, along_y = (far * math.hypot(1.0, lean / across) for lean in self.lean(z))
         return along_x, along_y
 
     def lean(self, z: float) -> tuple[float, float]:
