@@ -6,13 +6,19 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-import pytest
-from hypothesis import settings
-from xdist.scheduler import LoadScopeScheduling
+from workbench.library_threads import calm_library_threads
 
-from tests.scenes import changed
-from workbench.scene import Scene
+# As the program does, before numpy is loaded: threads of OpenBLAS that wait for each other took
+# three quarters of the processor's time of a first lens where others worked on the same cores.
+calm_library_threads()
+
+import numpy as np  # noqa: E402
+import pytest  # noqa: E402
+from hypothesis import settings  # noqa: E402
+from xdist.scheduler import LoadScopeScheduling  # noqa: E402
+
+from tests.scenes import changed  # noqa: E402
+from workbench.scene import Scene  # noqa: E402
 
 # The first example of a test pays for imports and caches. The same examples each time: what passed
 # here passes elsewhere. New ones are tried by `pytest --hypothesis-profile explore`.
@@ -76,8 +82,6 @@ def pytest_xdist_make_scheduler(config, log):
 
 def pytest_configure(config):
     """Give each of several processes a screen of its own."""
-    # Threads of kernels that wait would keep cores from other processes: half of all CPU.
-    os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # read where torch is first imported
     if _XVFB and hasattr(config, "workerinput"):
         config.add_cleanup(_new_screen())
 
