@@ -4,7 +4,7 @@ import numpy as np
 import torch
 
 from tests.optics.rays import with_rays
-from tests.stress.checks import Make, Seen, as_near_as_rounding, see, ways
+from tests.stress.checks import Make, Seen, as_near_as_rounding, on_creases, see, ways
 from tests.stress.scenes import Case
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
@@ -23,7 +23,7 @@ def check_mirrored(case: Case, dtype: torch.dtype) -> None:
             (make, make)
             for way, makes in ways(case, dtype).items()
             if way not in ("exact", "mesh")  # rays drawn by chance; diagonals of triangles
-            and not _on_creases(case)
+            and not on_creases(case)
             for make in makes
         ]
         if not isinstance(scene.source, CollimatedSource):
@@ -36,18 +36,6 @@ def check_mirrored(case: Case, dtype: torch.dtype) -> None:
             gradient = {face: np.flip(each, axis) for face, each in other.gradient.items()}
             back = Seen(np.flip(other.flux, 1 - axis), gradient, other.lost, other.sum)
             as_near_as_rounding(case, make, one, back, dtype)
-
-
-def _on_creases(case: Case) -> bool:
-    """Whether rays meet a face of degree 1 where its slope jumps: they take that of one side."""
-    lens, source = case.scene.lens, case.scene.source
-    counts = source.rays if isinstance(source, CollimatedSource) else case.samples
-    places = [
-        (np.arange(count) + 0.5) / count * (points - 1)
-        for count, points, degree in zip(counts, lens.control_points, lens.degree, strict=True)
-        if degree == 1
-    ]
-    return any(np.isclose(place, place.round(), rtol=0, atol=1e-6).any() for place in places)
 
 
 def _mirrored(scene: Scene, axis: int) -> Scene:

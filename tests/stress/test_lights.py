@@ -32,6 +32,11 @@ NAMED = {
         {"source": LED, "screen": None, "far_field": FAR_FIELD, "lens.reflection": "fresnel"}
         | {"lens.absorption": 1.0, "lens.coating": [0.0, 0.3], "lens.outline": "ellipse"},
     ),
+    "a point far aside before a far field": plain(
+        {"source": {"kind": "point", "position": [3e5, -5e4, -1e6], "rays": 300}}
+        | {"screen": None, "far_field": FAR_FIELD},
+        samples=(2, 22),
+    ),
     "a lamp that is turned away gives no light": plain(
         {
             "source": {

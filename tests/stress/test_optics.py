@@ -15,6 +15,7 @@ MANY = settings(max_examples=1000, suppress_health_check=list(HealthCheck))
 
 ENTRANCE = {"shape": "freeform", "control_points": [9, 8], "height_range": [-0.05, 0.05]}
 BOWL = {"half_width": [1.0, 1.0], "control_points": [9, 8], "height_range": [-0.3, 0.3]}
+POINTS = {"kind": "grid", "points": [2, 3], "half_width": [0.2, 0.2], "rays": 25}
 BEAM = {"kind": "collimated", "rays": [5, 4], "profile": {"kind": "gaussian", "radius": 0.05}}
 ASIDE = {"z": -3.0, "half_width": [1.0, 1.0], "center": [4.0, 0.0], "tilt": [0.0, -50.0]}
 
@@ -25,6 +26,33 @@ NAMED = {
     ),
     "beams end between corners without light": plain(
         {"lens.entrance": ENTRANCE, "source": BEAM | {"direction": [0.0, 9.0]}}, samples=(12, 9)
+    ),
+    "rays far beside a face of high degree": plain(
+        {
+            "lens": None,
+            "mirror": {
+                "half_width": [0.3, 1.0],
+                "degree": [6, 3],
+                "control_points": [14, 11],
+                "base": {"shape": "sphere", "height": 2.0, "radius": 1.05, "form": "convex"},
+                "height_range": [-0.03, 0.03],
+            },
+            "source": POINTS | {"center": [1.0, -1.0, 0.1]},
+            "screen": None,
+            "far_field": {"half_angle": [45.0, 20.0], "pixels": [7, 7]},
+        },
+        face="wild",
+        samples=(7, 15),
+        seed=54,
+    ),
+    "a grid of points before two faces of triangles": plain(
+        {
+            "lens.entrance": ENTRANCE,
+            "source": POINTS
+            | {"center": [1.0, -1.0, -2.0]}
+            | {"intersection": {"method": "mesh", "subdivisions": [1, 2]}},
+        },
+        samples=(12, 9),
     ),
     "a mirror whose screen is beside it": plain(
         {"lens": None, "mirror": BOWL, "screen": ASIDE | {"pixels": [16, 17]}}, face="rough"

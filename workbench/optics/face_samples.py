@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import torch
 from torch import Tensor
 
@@ -15,11 +16,14 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.lattice import make_lattice
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
-from workbench.optics.samples import Samples
+from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources import PointEmitter
+from workbench.optics.sources.origins import splits_of
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
+
+Array = npt.NDArray[np.float64]
 
 
 class SampledFace(NamedTuple):
@@ -69,6 +73,14 @@ class SampledFace(NamedTuple):
             ) if emitter.source.axes is not None and _before_the_lens(emitter):
                 return cls(emitter, samples, missed, reflected, law, net, level, exit_face)
         return None
+
+    @property
+    def splits(self) -> tuple[Array, Array]:
+        """See `workbench.optics.light.BeamTracer`: columns and rows of points share samples."""
+        axes = self.emitter.source.axes
+        if axes is None or not isinstance(self.samples, Corners):
+            raise TypeError("these samples are no corners of cells that points share")
+        return splits_of(self.samples, (len(axes[0]), len(axes[1])))
 
 
 def _before_the_lens(emitter: PointEmitter) -> bool:

@@ -3,7 +3,7 @@
 Along a ray at depth t above z = 0, the entrance face or another datum, the face is met where
 f(t) = Z(x(t), y(t)) − t = 0. By the convex-hull property f is not negative where the ray
 is at the height of the lowest control point, and not positive at that of the highest, so the root
-is bracketed unless the ray leaves through the side before.
+is bracketed unless the ray leaves through the side before, or comes in over it later.
 
 *Exact*: where the slopes of face and ray say that f can only fall, Newton's method, safeguarded by
 the bracket, from the root of the last lens. Elsewhere f may have several roots, and the first
@@ -43,8 +43,9 @@ class Bundle(NamedTuple):
 
     @classmethod
     def of(cls, rays: RayBundle) -> "Bundle":
-        """The lines of rays to +z."""
+        """The lines of rays to +z; of those that are lost, or go elsewhere, some finite line."""
         (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+        d_z = torch.where(d_z > 0, d_z, 1.0)
         slope_x, slope_y = d_x / d_z, d_y / d_z
         lines = x - slope_x * z, y - slope_y * z, slope_x, slope_y, rays.flux
         shape = (lines[0] + lines[1]).shape  # parallel light has one direction for all
@@ -91,7 +92,7 @@ class ExactIntersection:
         self._bundle = bundle
         self._patches = patches
         with torch.no_grad():  # how far a search goes does not move what it finds
-            self._side = _depth_of_side(bundle, half_width)
+            self._enters, self._side = _depths_of_side(bundle, half_width)
         known = last is not None and last.shape == bundle.x.shape
         self._last = last if known else None
 
@@ -111,7 +112,9 @@ class ExactIntersection:
         # One step of Newton's method with a constant slope: it moves the depth by rounding at
         # most, and its derivative is that of the root. Rays that graze the face, where the slope
         # vanishes, are totally reflected there and need but a finite stand-in.
-        f, slope = self._f(table, self._bundle, depth)
+        # Polynomials of faces overflow where lines end that pass far beside them.
+        meeting = Bundle(*(torch.where(found, part, 0.0) for part in self._bundle))
+        f, slope = self._f(table, meeting, depth)
         depth = depth - torch.where(found, f / slope.detach().clamp_max(-1e-3), 0.0)
         return Met(depth, found)
 
@@ -126,13 +129,16 @@ class ExactIntersection:
         lowest, highest = heights.min().item(), heights.max().item()
         tolerance = 4 * torch.finfo(dtype).eps * max(abs(lowest), abs(highest))
         # Wider than the hull by more than the rounding of f, which then has its signs at the ends.
-        low = torch.full_like(self._side, lowest - 8 * tolerance)
-        high = self._side.clamp_max(highest + 8 * tolerance)
+        low = self._enters.clamp_min(lowest - 8 * tolerance)
+        high = self._side.clamp(min(lowest, 0.0), highest + 8 * tolerance)
         last = (low + high) / 2 if self._last is None else self._last
 
         bound_x, bound_y = self._patches.slope_bounds(heights)
         rise = bound_x * bundle.slope_x.abs() + bound_y * bundle.slope_y.abs()
-        depth, found = high.clone(), self._side >= lowest
+        depth, found = high.clone(), (self._side >= lowest) & (low <= high)
+        # A ray that comes in over the rim above the face there passes behind it.
+        late = (found & (low > lowest)).nonzero().squeeze(1)
+        found[late] = self._f(table, _take(bundle, late), low[late])[0] > 0
         falls = found & (rise < 1 - _FALLS)
         # A ray that the side cuts off meets the face before it only where f is not positive there.
         cut = (falls & (self._side <= highest)).nonzero().squeeze(1)
@@ -216,13 +222,18 @@ def _take(bundle: Bundle, rays: Tensor) -> Bundle:
     return Bundle(*(part[rays] for part in bundle))
 
 
-def _depth_of_side(bundle: Bundle, half_width: tuple[float, float]) -> Tensor:
-    """Depth at which each ray leaves the aperture; infinite for rays along the axis."""
-    depth = torch.full_like(bundle.x, torch.inf)
+def _depths_of_side(bundle: Bundle, half_width: tuple[float, float]) -> tuple[Tensor, Tensor]:
+    """Depths at which each ray comes in over the aperture, and leaves it.
+
+    Infinite for rays along the axis; those that are never over it leave before they come in.
+    """
+    enters, leaves = (torch.full_like(bundle.x, end) for end in (-torch.inf, torch.inf))
     for start, slope, r in zip(
         (bundle.x, bundle.y), (bundle.slope_x, bundle.slope_y), half_width, strict=True
     ):
-        room = torch.where(slope > 0, r * RIM - start, start + r * RIM)
-        depth_of_side = torch.where(slope == 0, torch.inf, room / slope.abs().clamp_min(1e-300))
-        depth = torch.minimum(depth, depth_of_side)
-    return depth
+        along = torch.where(slope < 0, -start, start)
+        steep, beside = slope.abs().clamp_min(1e-300), start.abs() > r * RIM
+        first = torch.where(beside, torch.inf, -torch.inf)
+        enters = enters.maximum(torch.where(slope == 0, first, (-r * RIM - along) / steep))
+        leaves = leaves.minimum(torch.where(slope == 0, torch.inf, (r * RIM - along) / steep))
+    return enters, leaves

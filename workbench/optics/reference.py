@@ -19,6 +19,7 @@ from workbench.optics.light import Light, Nodes
 from workbench.optics.mirror_samples import MirrorSamples, SharedMirror
 from workbench.optics.path import Path
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
+from workbench.optics.sources import Emitter
 from workbench.scene import Filter
 
 Array = npt.NDArray[np.float64]
@@ -45,23 +46,26 @@ class Reference:
         self._path = path
         self._walk: Callable[[Mapping[str, Tensor]], Arrival] = path.walk
         self.notes: list[str] = []
-        self._shared: SharedGrid | SharedMirror | None
-        face, self._shared = SampledFace.of(path), SharedGrid.of(path)
-        self._front = FrontGrid.of(path)
-        mirror = SharedMirror.of(path)
-        if mirror is not None:
-            self._shared = mirror
-            self._walk, self.notes = MirrorSamples(mirror, path).walk, [MirrorSamples.note]
-            return
-        if face is not None and (self._shared is None or path.outline.whole):
-            self._shared = None
-            self._walk, self.notes = FaceSamples(face, path).walk, [FaceSamples.note]
-        elif self._shared is not None:
-            self._walk = SharedSamples(self._shared, path).walk
-            self.notes = [SharedSamples.note]
-        elif self._front is not None:
-            self._walk = FrontSamples(self._front, path).walk
-            self.notes = [FrontSamples.note]
+        self._corners: SharedMirror | SampledFace | SharedGrid | FrontGrid | Emitter = path.emitter
+        # The kernel for samples of points, too, knows upright screens and rectangles alone.
+        by_points = path.outline.whole and path.receiver.upright
+        face, shared = SampledFace.of(path), SharedGrid.of(path)
+        if (mirror := SharedMirror.of(path)) is not None:
+            self._begin(mirror, MirrorSamples(mirror, path))
+        elif shared is not None and (face is None or not by_points):
+            self._begin(shared, SharedSamples(shared, path))
+        elif face is not None:
+            self._begin(face, FaceSamples(face, path))
+        elif (front := FrontGrid.of(path)) is not None:
+            self._begin(front, FrontSamples(front, path))
+
+    def _begin(
+        self,
+        corners: SharedMirror | SampledFace | SharedGrid | FrontGrid,
+        samples: MirrorSamples | FaceSamples | SharedSamples | FrontSamples,
+    ) -> None:
+        """Let light start at samples of a face, in place of a walk from the source."""
+        self._corners, self._walk, self.notes = corners, samples.walk, [samples.note]
 
     def arrival(self, heights: Mapping[str, Tensor]) -> Arrival:
         """The light of a lens at the receiver, before it becomes an image."""
@@ -93,7 +97,7 @@ class Reference:
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
-        return (self._shared or self._front or self._path.emitter).splits
+        return self._corners.splits
 
     def flux(self, heights: Mapping[str, Tensor], filter: Filter) -> Tensor:
         """The image alone, for `torch.func` transforms, which no sums survive as numbers."""

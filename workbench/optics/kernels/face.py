@@ -74,7 +74,7 @@ class FusedFaceSamples:
         kind = self._kind = kind_of(path.dtype)
         points = int(lattice.x.point.max()) + 1, int(lattice.y.point.max()) + 1
         halves = self._halves = Halves.of(sampled.samples, points, mirrored)
-        self.mirrored, self._emitter = halves.mirrored, sampled.emitter
+        self.mirrored, self._sampled = halves.mirrored, sampled
         across, up = (
             make_axis(net, axis, halves.first(along.t, axis), kind)
             for axis, along in enumerate((lattice.x, lattice.y))
@@ -115,7 +115,7 @@ class FusedFaceSamples:
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
-        return self._halves.splits(self._emitter.splits)
+        return self._halves.splits(self._sampled.splits)
 
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""

@@ -52,12 +52,10 @@ class PointEmitter:
 
     @property
     def splits(self) -> tuple[Array, Array]:
-        """See `Emitter`; points that make no grid come one after the other along y."""
+        """See `Emitter`; points come one after the other along y."""
         if not isinstance(self.samples, Corners):
             raise TypeError("these rays are no corners of cells")
-        axes = self.source.axes
-        points = (1, len(self.source.positions)) if axes is None else (len(axes[0]), len(axes[1]))
-        return splits_of(self.samples, points)
+        return splits_of(self.samples, (1, len(self.source.positions)))
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """Rays drawn by the seed, or at corners of cells; see `Emitter.rays`."""

@@ -143,7 +143,7 @@ class _Searching:
         last: Tensor | None = None,
     ) -> None:
         lines = Bundle.of(rays)
-        self._alive, self._shape = rays.alive, lines.x.shape
+        self._alive, self._shape = rays.alive & (rays.direction[2] > 0), lines.x.shape
         self._lines = Bundle(*(part.flatten() for part in lines))
         self._patches = patches
         self._intersection: ExactIntersection | MeshIntersection
@@ -159,7 +159,9 @@ class _Searching:
         met: Met = self._intersection.meet(heights, table)
         x = self._lines.x + self._lines.slope_x * met.depth
         y = self._lines.y + self._lines.slope_y * met.depth
-        _, slope_x, slope_y = self._patches.evaluate(table, self._patches.place(x, y))
+        # Polynomials overflow far beside the face, where lines end that do not meet it.
+        on_x, on_y = (torch.where(met.found, c, 0.0) for c in (x, y))
+        _, slope_x, slope_y = self._patches.evaluate(table, self._patches.place(on_x, on_y))
         x, y, z, slope_x, slope_y = (
             part.view(self._shape) for part in (x, y, met.depth, slope_x, slope_y)
         )
