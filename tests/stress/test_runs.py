@@ -19,6 +19,10 @@ NAMED = {
     "checkerboard": ("checkerboard", plain({"lens.degree": [1, 7]})),
     "denormal target": ("denormal", plain({"source": POINT})),
     "huge target": ("huge", plain({"source": POINT | {"position": [0.5, 0.0, -5.0]}})),
+    "a point beside an elliptic lens": (
+        "tophat",
+        plain({"lens.outline": "ellipse", "source": POINT | {"position": [1.5, 1.0, -5.0]}}),
+    ),
     "index 4": ("tophat", plain({"lens.refractive_index": 4.0}, face="critical")),
     "all light in one pixel": ("tophat", plain({"screen.z": 1e4, "screen.half_width": [1e6, 1e6]})),
 }

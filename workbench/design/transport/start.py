@@ -29,9 +29,11 @@ from workbench.design.transport.chart import Chart, Pair, SlopesFor, between
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
+from workbench.optics.face_samples import SampledFace
 from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
+from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import PointSource, Scene
@@ -252,14 +254,25 @@ class _Light:
                 entering = TransmittanceLaw.constant(1 / n, 0.0)  # it bends as any other
                 self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
         self._sharp = origins
-        path = Path.of(scene, net, torch.float64, samples=(cells // _SHARED, cells // _SHARED))
+        samples = cells // _SHARED, cells // _SHARED
+        path = Path.of(scene, net, torch.float64, samples=samples)
+        # From beside a curved outline no cell of the face has a ray of its own, but corners have.
+        by_cells = origins.infinite or scene.mirror is not None or SampledFace.of(path) is not None
+        self._by_corners = not by_cells
+        if not by_cells:
+            path = Path.of(scene, net, torch.float64, samples=Corners(*samples))
         self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
             leaving = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
-        flux = leaving.numpy().astype(np.float64).repeat(_SHARED, 0).repeat(_SHARED, 1)
+        flux = leaving.numpy().astype(np.float64)
+        if self._by_corners:
+            across, up = self._reference.splits
+            flux = flux[:-1] * across[:-1, 1:2] + flux[1:] * across[1:, :1]
+            flux = flux[:, :-1] * up[:-1, 1] + flux[:, 1:] * up[1:, 0]
+        flux = flux.repeat(_SHARED, 0).repeat(_SHARED, 1)
         if self._given.pattern is not None:
             flux = flux * self._brighter(self._fit.surface(heights))
         total = float(flux.sum())
