@@ -13,6 +13,7 @@ MANY = settings(max_examples=200, suppress_health_check=list(HealthCheck))
 GIGABYTE = 1 << 20  # of resource.getrusage, which counts in KiB
 
 POINT = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 500}
+BOWL = {"half_width": [1.0, 1.0], "control_points": [9, 8], "height_range": [-0.3, 0.3]}
 NAMED = {
     "one bright pixel": ("one pixel", plain({})),
     "one bright line, aspect 100 to 1": ("line", plain({"lens.half_width": [0.01, 1.0]})),
@@ -22,6 +23,13 @@ NAMED = {
     "a point beside an elliptic lens": (
         "tophat",
         plain({"lens.outline": "ellipse", "source": POINT | {"position": [1.5, 1.0, -5.0]}}),
+    ),
+    "a mirror of triangles before a point": (
+        "tophat",
+        plain(
+            {"lens": None, "mirror": BOWL, "screen.z": -3.0}
+            | {"source": POINT | {"intersection": {"method": "mesh", "subdivisions": [1, 2]}}}
+        ),
     ),
     "index 4": ("tophat", plain({"lens.refractive_index": 4.0}, face="critical")),
     "all light in one pixel": ("tophat", plain({"screen.z": 1e4, "screen.half_width": [1e6, 1e6]})),

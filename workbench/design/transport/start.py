@@ -36,7 +36,7 @@ from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import PointSource, Scene
+from workbench.scene import ExactMethod, PointSource, Scene
 
 Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
@@ -242,6 +242,8 @@ class _Light:
         if self._given.pattern is not None:  # a file's origin need not be where its light is
             x, y, z = (float(c) for c in self._given.middle(self.x, self.y, self._entrance_z))
             sharp = PointSource(kind="point", position=(x, y, z))
+        if isinstance(sharp, PointSource):  # a first lens needs no triangles
+            sharp = sharp.model_copy(update={"intersection": ExactMethod()})
         scene = scene.model_copy(update={"source": sharp})
         origins = emitter_of(scene.source, scene.optic).origins
         (x, y, z), n = origins.places[0], scene.optic.index
