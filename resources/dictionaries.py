@@ -29,6 +29,7 @@ from workbench.jobs import JOBS
 from workbench.optics.account import words_for
 from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
+from workbench.refusals import SENTENCES
 from workbench.scene import FarField, Lens, Mirror, Part, Scene, Screen, Unit
 from workbench.scene.fields import BOUNDS
 from workbench.scene.kinds import Kinds, summary_of, title_of
@@ -88,6 +89,7 @@ def _of_engine() -> Iterator[str]:
     for part in (Scene, *JOBS):
         yield from _of_part(part, seen)
     yield from BOUNDS.values()
+    yield from SENTENCES.values()
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)
     yield from (light.title for light in LIGHTS.values())

@@ -14,6 +14,7 @@ from typing import TypeVar
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 import resources
+from workbench.errors import Refused, RunFailed
 from workbench.said import Said
 
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
@@ -53,6 +54,16 @@ def _said(said: Said) -> str:
     }
     kinds = {name: str(values[name]) for name in ("optic", "receiver") if name in values}
     return tr(said.words, **kinds).format(**values)
+
+
+def told(error: Refused | RunFailed) -> str:
+    """What an error of the engine says, in the language that is spoken.
+
+    Paths of fields stay as scene files have them.
+    """
+    if isinstance(error, Refused):
+        return f"{error.path}: {tr(error.reason)}"
+    return tr(*error.args)
 
 
 def later(texts: Texts) -> Texts:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from workbench.errors import Refused, shown
+from workbench.said import Said
 
 
 @dataclass(frozen=True)
@@ -75,12 +76,19 @@ def refractive_index(name: str, wavelength_um: float) -> float:
     if material is None:
         known = ", ".join(CATALOGUE)
         raise Refused(
-            "lens.refractive_index", f"{shown(name)} is not in the catalogue; known: {known}"
+            "lens.refractive_index",
+            Said("{name} is not in the catalogue; known: {known}", name=shown(name), known=known),
         )
     low, high = material.range_um
     if not low <= wavelength_um <= high:
         raise Refused(
             "lens.wavelength_um",
-            f"{wavelength_um:g} is outside the data for {name}; {low:g} to {high:g}",
+            Said(
+                "{wavelength:g} is outside the data for {name}; {low:g} to {high:g}",
+                wavelength=wavelength_um,
+                name=name,
+                low=low,
+                high=high,
+            ),
         )
     return material.index(wavelength_um)

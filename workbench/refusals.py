@@ -6,9 +6,9 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from workbench.errors import LONGEST_QUOTE, Refused, shown
+from workbench.said import Said
 
-# What is wrong, by pydantic's error type; {x} are the values pydantic reports with it.
-_SENTENCES = {
+SENTENCES = {
     "missing": "missing; it is required",
     "greater_than": "{input} is too small; must be greater than {gt:.10g}",
     "greater_than_equal": "{input} is too small; at least {ge:.10g}",
@@ -26,7 +26,13 @@ _SENTENCES = {
     "tuple_type": "{input} is not a list; a list of numbers is needed",
     "model_type": "{input} is not an object; an object with named fields is needed",
     "model_attributes_type": "{input} is not an object; an object with named fields is needed",
+    "json_invalid": "not valid JSON: {error}",
+    "extra_forbidden": "unknown field; known here: {fields}",
+    "unknown_kind": "{input} is not available; allowed: {expected}",
+    "too_long": "{actual_length} values given; exactly {max_length} are needed",
+    "auto_net": "{input}: two whole numbers or 'auto' are needed",
 }
+"""What is wrong, by pydantic's error type; {x} are the values pydantic reports with it."""
 
 
 def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene") -> Refused:
@@ -87,28 +93,20 @@ def _models(annotation: object) -> list[type[BaseModel]]:
 
 
 def _sentence(details: ErrorDetails, fields: list[str]) -> str:
-    kind = details["type"]
-    value = shown(details["input"])
-    context: dict[str, Any] = details.get("ctx", {})
-    if kind == "json_invalid":
-        return f"not valid JSON: {context.get('error', '')}"
+    kind, given = details["type"], details["input"]
+    values: dict[str, Any] = {**details.get("ctx", {}), "input": shown(given)}
     if kind == "extra_forbidden":
-        return f"unknown field; known here: {', '.join(fields)}"
-    if kind == "unknown_kind":
-        if not isinstance(details["input"], dict):
-            return _SENTENCES["model_type"].format(input=value)
-        field, allowed = details["msg"].split(": ", 1)
-        given = details["input"].get(field)
-        if given is None:
-            return _SENTENCES["missing"]
-        return f"{shown(given)} is not available; allowed: {allowed}"
-    if kind == "too_long":
-        most = context["max_length"]
-        return f"{context['actual_length']} values given; exactly {most} are needed"
-    if kind in _SENTENCES:
-        return _SENTENCES[kind].format(**{**context, "input": value})
+        values["fields"] = ", ".join(fields)
+    elif kind == "unknown_kind" and not isinstance(given, dict):
+        kind = "model_type"
+    elif kind == "unknown_kind":
+        field, values["expected"] = details["msg"].split(": ", 1)
+        values["input"] = shown(given.get(field))
+        kind = kind if given.get(field) is not None else "missing"
+    if kind in SENTENCES:
+        return Said(SENTENCES[kind], **values)
     message = details["msg"]
-    return f"{value}: {message[:1].lower()}{message[1:]}"
+    return f"{values['input']}: {message[:1].lower()}{message[1:]}"
 
 
 def field_name(name: str) -> str:

@@ -3154,6 +3154,11 @@
             <translation>auto</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/edits.py" />
+            <source>this task has no such field any more</source>
+            <translation>diese Aufgabe hat kein solches Feld mehr</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} von {count}</translation>
@@ -3652,6 +3657,16 @@
             <location filename="../../ui/run/follow.py" />
             <source>Following: error {error:.1f} %, still getting better</source>
             <translation>Folgen: Fehler {error:.1f} %, wird noch besser</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the lens</source>
+            <translation>Entwurf der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/follow.py" />
+            <source>design of the mirror</source>
+            <translation>Entwurf des Spiegels</translation>
         </message>
         <message>
             <location filename="../../ui/run/lens_on_show.py" />
@@ -5921,8 +5936,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is. They do not change the lens.</source>
-            <translation>Teile des Schirms, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig. Sie ändern die Linse nicht.</translation>
+            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
+            <translation>Teile des Schirms, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig; bei mehreren Bildern dieselben Teile von jedem. Sie ändern die Linse nicht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6246,6 +6261,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; left empty, in parts of all light.</source>
+            <translation>Alles Licht der Lampe, wie im Datenblatt. Damit wird Licht in Lux und Lumen angegeben; bleibt es leer, in Teilen des ganzen Lichts.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Lamp to lens</source>
             <translation>Lampe bis Linse</translation>
         </message>
@@ -6456,6 +6476,101 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>missing; it is required</source>
+            <translation>fehlt; es wird gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is too small; must be greater than {gt:.10g}</source>
+            <translation>{input} ist zu klein; nötig ist mehr als {gt:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is too small; at least {ge:.10g}</source>
+            <translation>{input} ist zu klein; mindestens {ge:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is too large; must be less than {lt:.10g}</source>
+            <translation>{input} ist zu groß; nötig ist weniger als {lt:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is too large; at most {le:.10g}</source>
+            <translation>{input} ist zu groß; höchstens {le:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not available; allowed: {expected}</source>
+            <translation>{input} gibt es nicht; erlaubt: {expected}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is even; an odd number is needed</source>
+            <translation>{input} ist gerade; eine ungerade Zahl ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not finite; a finite number is needed</source>
+            <translation>{input} ist nicht endlich; eine endliche Zahl ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not a number; a number is needed</source>
+            <translation>{input} ist keine Zahl; eine Zahl ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not a whole number; a whole number is needed</source>
+            <translation>{input} ist keine ganze Zahl; eine ganze Zahl ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is neither true nor false; true or false is needed</source>
+            <translation>{input} ist weder true noch false; true oder false ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not text; text is needed</source>
+            <translation>{input} ist kein Text; Text ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is empty; some text is needed</source>
+            <translation>{input} ist leer; Text ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not a list; a list of numbers is needed</source>
+            <translation>{input} ist keine Liste; eine Liste von Zahlen ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is not an object; an object with named fields is needed</source>
+            <translation>{input} ist kein Objekt; ein Objekt mit benannten Feldern ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>not valid JSON: {error}</source>
+            <translation>kein gültiges JSON: {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>unknown field; known here: {fields}</source>
+            <translation>unbekanntes Feld; hier bekannt: {fields}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{actual_length} values given; exactly {max_length} are needed</source>
+            <translation>{actual_length} Werte angegeben; genau {max_length} sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input}: two whole numbers or 'auto' are needed</source>
+            <translation>{input}: zwei ganze Zahlen oder 'auto' sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Largest angle between lens and optical axis</source>
             <translation>Größter Winkel zwischen Linse und optischer Achse</translation>
         </message>
@@ -6635,6 +6750,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Konvexe Krümmung</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/cells/image.py" />
+            <source>no light of this lens reaches the screen, so there is no image to judge</source>
+            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/cross_check.py" />
+            <source>no light of this lens reaches the screen, so there is nothing to compare</source>
+            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu vergleichen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>no light of this lens reaches the screen, so there is nothing to see</source>
+            <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu sehen</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error below {error:g} %</source>
             <translation>konvergiert: Fehler unter {error:g} %</translation>
@@ -6650,6 +6780,51 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/memory.py" />
+            <source>{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, and {available} are free; take fewer of both, or close other programs</source>
+            <translation>{n_x} × {n_y} Pixel mit {n_u} × {n_v} Kontrollpunkten brauchen etwa {needed} Speicher, und {available} sind frei; weniger von beiden helfen, oder andere Programme zu schließen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the lens, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the lens, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zur Linse, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the mirror, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Schirms, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie den Schirm zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
+            <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>none of its light goes to the lens; turn or move it</source>
+            <translation>kein Licht von ihr trifft die Linse; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>none of its light goes to the mirror; turn or move it</source>
+            <translation>kein Licht von ihr trifft den Spiegel; drehen oder verschieben Sie sie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte der fertigen Linse, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
+            <translation>{net} sind nicht die Kontrollpunkte des fertigen Spiegels, die gesperrt sind; lassen Sie das Netz der Stufe weg, oder entsperren Sie diese</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/origin.py" />
             <source>not designed yet</source>
             <translation>noch nicht entworfen</translation>
@@ -6663,6 +6838,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/origin.py" />
             <source>not designed for this task</source>
             <translation>nicht für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/paper.py" />
+            <source>'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'</source>
+            <translation>'box' ist innerhalb eines Pixels konstant und gibt der Methode der Veröffentlichung keinen Gradienten; 'gaussian'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/paper.py" />
+            <source>the paper's method</source>
+            <translation>die Methode der Veröffentlichung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/parametrisation.py" />
+            <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
+            <translation>'{name}' hat hier {count:,} Parameter und braucht {needed} für sie, ihren Gradienten und die Momente von Adam; {available} sind frei</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -6758,6 +6948,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/jobs/prospect.py" />
             <source>Light on the screen</source>
             <translation>Licht auf dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>{sentence}.</source>
+            <translation>{sentence}.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -6858,6 +7053,376 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/jobs/prospect.py" />
             <source>All of it can be changed in the window.</source>
             <translation>Alles davon lässt sich im Fenster ändern.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/materials.py" />
+            <source>{name} is not in the catalogue; known: {known}</source>
+            <translation>{name} ist nicht im Katalog; bekannt: {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/materials.py" />
+            <source>{wavelength:g} is outside the data for {name}; {low:g} to {high:g}</source>
+            <translation>{wavelength:g} liegt außerhalb der Daten für {name}; {low:g} bis {high:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
+            <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
+            <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/base.py" />
+            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt die Linse nicht; mehr als ihre halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/base.py" />
+            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt den Spiegel nicht; mehr als seine halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/collimated_source.py" />
+            <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
+            <translation>{angle:g} bringt Licht {steepest:g} Grad von der Achse, das nicht dorthin kommt ({front}); weniger als 90 insgesamt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/collimated_source.py" />
+            <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für eine Linse mit halber Breite {half:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/collimated_source.py" />
+            <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
+            <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/emission.py" />
+            <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
+            <translation>{parts} ergeben {across} × {up} Rechtecke; höchstens {most} insgesamt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/entrance.py" />
+            <source>[{low:g}, {high:g}] is empty; low before high</source>
+            <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/far_field.py" />
+            <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
+            <translation>{half:g} um {middle:g} reicht über {most:g} Grad hinaus; höchstens {left:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/far_field.py" />
+            <source>is at no distance; a screen is needed</source>
+            <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/grid_source.py" />
+            <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
+            <translation>{rays} von jedem der {points} Punkte sind zu viele; höchstens {most} Strahlen insgesamt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/kinds.py" />
+            <source>missing; it or {other} is required</source>
+            <translation>fehlt; dies oder {other} wird gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/kinds.py" />
+            <source>is given together with a {one}; one of them is needed</source>
+            <translation>ist zusammen mit {one} angegeben; nur eines davon ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
+            <translation>{value} ist weder Zahl noch Name; eine Zahl über 1 oder der Name eines Materials</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>{value}; a number greater than 1 is needed</source>
+            <translation>{value}; eine Zahl über 1 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>{index:g}; greater than 1 is needed</source>
+            <translation>{index:g}; mehr als 1 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>{height:g} leaves no room above the minimal thickness; more than {least:g}</source>
+            <translation>{height:g} lässt keinen Raum über der kleinsten Dicke; mehr als {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>{height:g} leaves no room below the maximal thickness; less than {most:g}</source>
+            <translation>{height:g} lässt keinen Raum unter der größten Dicke; weniger als {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/lens.py" />
+            <source>missing; it goes with {material}</source>
+            <translation>fehlt; sie gehört zu {material}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if need be</source>
+            <translation>mit {large:g} lässt sich nicht rechnen; von {least:g} bis {most:g}, nötigenfalls in einer anderen Einheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{half:g} makes the lens slimmer than {most:g} to 1; at least {least:g}</source>
+            <translation>{half:g} macht die Linse schmaler als {most:g} zu 1; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{half:g} makes the mirror slimmer than {most:g} to 1; at least {least:g}</source>
+            <translation>{half:g} macht den Spiegel schmaler als {most:g} zu 1; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{index:g} is more than any material has; at most {most:g}</source>
+            <translation>{index:g} ist mehr, als ein Material hat; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{absorption:g} leaves less than {least:g} of the light behind {thickness:g} of glass; at most {most:g}</source>
+            <translation>{absorption:g} lässt weniger als {least:g} des Lichts hinter {thickness:g} Glas übrig; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/limits.py" />
+            <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
+            <translation>{length:g} ist zu lang neben einer halben Breite von {half:g}; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/measured_source.py" />
+            <source>'{file}' is none of these: {endings}</source>
+            <translation>'{file}' ist keines von diesen: {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/net.py" />
+            <source>{count} is too few for degree {degree}; at least {least}</source>
+            <translation>{count} sind zu wenige für Grad {degree}; mindestens {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/optic.py" />
+            <source>'auto' needs a target to choose for; numbers</source>
+            <translation>'auto' braucht ein Ziel, um zu wählen; Zahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/part.py" />
+            <source>{value:g} is too small for this one; a number that it can hold</source>
+            <translation>{value:g} ist zu klein für diese; eine Zahl, die sie fasst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/points.py" />
+            <source>{z:g} is not before {front}; less than {most:g}</source>
+            <translation>{z:g} liegt nicht davor ({front}); weniger als {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/points.py" />
+            <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für eine Linse mit halber Breite {size:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/points.py" />
+            <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
+            <translation>{way:g} davor ({front}) ist zu nah für einen Spiegel mit halber Breite {size:g}; mindestens {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/points.py" />
+            <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für eine Linse mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/points.py" />
+            <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
+            <translation>{way:g} davor ({front}) ist zu fern für einen Spiegel mit halber Breite {size:g}; höchstens {most:g}, oder kollimiertes Licht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/region.py" />
+            <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
+            <translation>{size:g} um {middle:g} endet jenseits des Empfängers; dort höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/region.py" />
+            <source>have no area between them; a polygon with some</source>
+            <translation>umschließen keine Fläche; ein Polygon mit Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/region.py" />
+            <source>make sides that cross; in their order around the polygon</source>
+            <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/region.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sind angegeben; höchstens {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/run.py" />
+            <source>unknown field; the automatic method has none</source>
+            <translation>unbekanntes Feld; die automatische Methode hat keines</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
+            <translation>[{x:g}, {y:g}] dreht die Rückseite des Schirms zum Licht der Linse; seine Vorderseite muss der ganzen Linse zugewandt sein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>[{x:g}, {y:g}] turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
+            <translation>[{x:g}, {y:g}] dreht die Rückseite des Schirms zum Licht des Spiegels; seine Vorderseite muss dem ganzen Spiegel zugewandt sein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{z:g} may touch the lens; more than {least:g}, the highest that the exit face can become</source>
+            <translation>{z:g} kann die Linse berühren; mehr als {least:g}, der höchste Wert, den die Austrittsfläche erreichen kann</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more than {least:g}, the highest that the exit face can become and the tilt adds</source>
+            <translation>{z:g} legt seine unterste Kante auf z = {nearest:g}, was die Linse berühren kann; mehr als {least:g}, der höchste Wert, den die Austrittsfläche erreichen kann, und was die Neigung hinzufügt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{z:g} may touch the lens, or be behind it; less than {most:g}, the lowest that it can become</source>
+            <translation>{z:g} kann die Linse berühren oder hinter ihr liegen; weniger als {most:g}, der tiefste Wert, den sie erreichen kann</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{z:g} may touch the mirror, or be behind it; less than {most:g}, the lowest that it can become</source>
+            <translation>{z:g} kann den Spiegel berühren oder hinter ihm liegen; weniger als {most:g}, der tiefste Wert, den er erreichen kann</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>takes {across:g} of the width away; at most {most:g}</source>
+            <translation>schneidet {across:g} der Breite weg; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/target.py" />
+            <source>takes {up:g} of the height away; at most {most:g}</source>
+            <translation>schneidet {up:g} der Höhe weg; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
+            <translation>{value:g} betrifft die Krümmung, und Flächen vom Grad 1 sind zwischen Kanten eben; {field} von mindestens 2</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; none</source>
+            <translation>{count} angegeben, die nicht berücksichtigt werden können ({who}); keine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
+            <translation>sie lassen keine der {count} Iterationen für die Szene selbst; mehr als {least} insgesamt sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is a folder; an image file is needed</source>
+            <translation>ist ein Ordner; eine Bilddatei ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is not an existing file; an image file is needed</source>
+            <translation>gibt es nicht; eine Bilddatei ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>cannot be read: {why}</source>
+            <translation>kann nicht gelesen werden: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>holds a value that is NaN or infinite; finite values are needed</source>
+            <translation>enthält einen Wert, der NaN oder unendlich ist; endliche Werte sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>holds {least:g}; values of at least 0 are needed</source>
+            <translation>enthält {least:g}; Werte von mindestens 0 sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>'{tone}' is for shades, and '{path}' holds numbers; 'linear'</source>
+            <translation>'{tone}' ist für Tonwerte, und '{path}' enthält Zahlen; 'linear'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>'{path}' {reason}</source>
+            <translation>'{path}' {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>has {columns} × {rows} pixels; at least one is needed</source>
+            <translation>hat {columns} × {rows} Pixel; mindestens eines ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>has {columns} × {rows} pixels; at most {most} on a side are allowed</source>
+            <translation>hat {columns} × {rows} Pixel; höchstens {most} auf einer Seite sind erlaubt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is not a whole .npy array of numbers: {why}</source>
+            <translation>ist kein vollständiges .npy-Feld von Zahlen: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>has {count} dimensions; 2 (rows, columns) are needed</source>
+            <translation>hat {count} Dimensionen; 2 (Zeilen, Spalten) sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>holds values of type {kind}; real numbers are needed</source>
+            <translation>enthält Werte vom Typ {kind}; reelle Zahlen sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
+            <translation>ist kein vollständiges .npy-Feld von Zahlen: es fehlen einige von {size} Byte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is an SVG of more than {most} MB</source>
+            <translation>ist ein SVG von mehr als {most} MB</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is an SVG that cannot be drawn: {why}</source>
+            <translation>ist ein SVG, das nicht gezeichnet werden kann: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is not an image that can be read; known: {known}</source>
+            <translation>ist kein Bild, das gelesen werden kann; bekannt: {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>has too many pixels; at most {most} on a side are allowed</source>
+            <translation>hat zu viele Pixel; höchstens {most} auf einer Seite sind erlaubt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>is damaged or incomplete: {why}</source>
+            <translation>ist beschädigt oder unvollständig: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/prepare.py" />
+            <source>is too small to light any pixel of the screen; enlarge the shape</source>
+            <translation>ist zu klein, um ein Pixel des Schirms zu beleuchten; vergrößern Sie die Form</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/prepare.py" />
+            <source>'{path}' is black all over; some light is needed</source>
+            <translation>'{path}' ist ganz schwarz; etwas Licht ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/prepare.py" />
+            <source>true leaves '{path}', which is uniform, black all over</source>
+            <translation>true macht '{path}', das gleichmäßig ist, ganz schwarz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/text.py" />
+            <source>{text!r} draws nothing; letters, digits or signs are needed</source>
+            <translation>{text!r} zeichnet nichts; Buchstaben, Ziffern oder Zeichen sind nötig</translation>
         </message>
     </context>
 </TS>

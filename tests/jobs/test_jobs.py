@@ -71,6 +71,14 @@ def test_an_impossible_answer_is_refused_at_its_question(kind, answers, field):
     assert refused.value.path.startswith(field)
 
 
+@pytest.mark.parametrize("kind", [LedRectangle, Torch, WallWasher])
+def test_a_lamp_has_the_flux_of_its_data_sheet_or_none(kind):
+    assert kind().scene().source.lumens is None
+    assert kind().with_answers({"lamp_flux": 120.0}).scene().source.lumens == 120.0
+    with pytest.raises(Refused, match="lamp_flux"):
+        kind().with_answers({"lamp_flux": -1.0})
+
+
 def test_full_widths_become_half_widths():
     job = SunPlate().with_answers({"size": [100.0, 80.0], "image_size": [300.0, 200.0]})
     scene = job.scene()

@@ -143,3 +143,10 @@ def test_an_image_file_is_read_anew_when_asked(make_scene, tmp_path):
     np.testing.assert_array_equal(before, session.scene.further_images[0].wanted)
     assert not np.array_equal(before, after)
     assert anew.scene != session.scene
+
+
+def test_all_images_have_the_same_regions(make_scene):
+    scene = make_scene({"further_images": [SECOND], "regions": [{"name": "Desk"}]})
+    first, second = scene.single
+    assert [region.name for region in first.regions] == ["Desk"]
+    assert second.regions == first.regions

@@ -95,6 +95,13 @@ class Hand:
         "light" or "dark".
     program : sequence, optional
         Module and its arguments; by default this one, which writes down what is seen.
+    language : str
+        Code of that which the program speaks.
+
+    Attributes
+    ----------
+    steps : int
+        Clicks, keys and words typed so far.
     """
 
     def __init__(
@@ -104,13 +111,15 @@ class Hand:
         scale: str = "1",
         theme: str = "light",
         program: Sequence[object] = (),
+        language: str = "en",
     ) -> None:
         self._screen, self.folder = screen, folder
+        self.steps = 0
         self._file = folder / "seen.json"
         home = folder / "home"
         settings = home / ".config" / "freeform-workbench" / "freeform-workbench.conf"
         settings.parent.mkdir(parents=True, exist_ok=True)
-        settings.write_text(f"[window]\ntheme={theme}\n")
+        settings.write_text(f"[window]\ntheme={theme}\nlanguage={language}\n")
         environment = {
             name: value for name, value in screen.environment.items() if "XDG" not in name
         }
@@ -171,6 +180,7 @@ class Hand:
 
     def click_at(self, x: int, y: int, times: int = 1) -> None:
         """Click somewhere."""
+        self.steps += 1
         self._screen.do("mousemove", x, y)
         time.sleep(0.1)
         self._screen.do("click", "--repeat", times, "--delay", 60, 1)
@@ -179,6 +189,7 @@ class Hand:
     def press(self, *keys: str) -> None:
         """Press keys, one after the other."""
         for key in keys:
+            self.steps += 1
             self._screen.do("key", key)
             time.sleep(0.1)
         time.sleep(0.3)
@@ -191,6 +202,7 @@ class Hand:
     def type(self, text: str) -> None:
         """Type into the field that has the keyboard, in place of what it holds, and enter it."""
         self.press("ctrl+a")
+        self.steps += 1
         self._screen.do("type", "--delay", 15, text)
         self.press("Tab")
 

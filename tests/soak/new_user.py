@@ -2,46 +2,54 @@
 
 The real program starts with an empty home folder on a screen of its own. Mouse and keyboard choose
 a job, wait for what can be expected of it, begin it, and wait until its lens is as good as it gets.
-The folder gets pictures of each stage, to be looked at; printed are seconds, and what is told.
+The folder gets pictures of each stage, to be looked at; printed are seconds, clicks and keys, and
+what is told.
 """
 
 import argparse
 import time
 from pathlib import Path
 
+from PySide6.QtCore import QCoreApplication
+
 from tests.soak.hand import Hand
 from tests.soak.screen import SIZE, virtual_screen
+from ui.words import LANGUAGES, speak, tr
 from workbench.jobs import JOBS
 from workbench.scene.kinds import title_of
 
-_PAGE, _WINDOW = "New design", "Freeform"
+_WINDOW = "Freeform"
 _PATIENCE = 300.0  # seconds, on a machine that does much else
 _STILL = 15  # looks in succession at which no lens follows
 
 
 def do(job: str, hand: Hand) -> dict[str, float]:
     """Do one job; seconds from the start of the program, and from Begin to lenses."""
+    page, begin = tr("New design"), tr("&Begin").replace("&", "")
+    computing = tr("Computing what can be expected…")
+    follows = tr("Following: error {error:.1f} %, still getting better").partition("{")[0]
+    designing = tr("Following: the first design is under way")
     begun = time.monotonic()
-    hand.until(lambda: hand.find(_PAGE), "start page", _PATIENCE)
+    hand.until(lambda: hand.find(page), "start page", _PATIENCE)
     hand.fill_screen(_WINDOW)
-    hand.focus(_PAGE)
+    hand.focus(page)
     hand.click(job)
     hand.picture("1-chosen")
-    hand.until(lambda: not hand.having("Computing what"), "what can be expected", _PATIENCE)
+    hand.until(lambda: not hand.having(computing), "what can be expected", _PATIENCE)
     reported = {"prospect": time.monotonic() - begun}
     hand.picture("2-prospect")
     begun = time.monotonic()
-    hand.click("Begin", "QPushButton")
-    hand.until(lambda: not hand.find(_PAGE), "the window behind the page")
+    hand.click(begin, "QPushButton")
+    hand.until(lambda: not hand.find(page), "the window behind the page")
     hand.picture("3-begun")
-    hand.until(lambda: "error" in hand.having("Following"), "first lens", _PATIENCE)
+    hand.until(lambda: hand.having(follows), "first lens", _PATIENCE)
     reported["first lens"] = time.monotonic() - begun
     hand.picture("4-first")
     still = 0
     give_up = begun + _PATIENCE
     while still < _STILL and time.monotonic() < give_up:
         time.sleep(0.1)
-        still = 0 if hand.having("ollowing") else still + 1
+        still = 0 if hand.having(follows) or hand.having(designing) else still + 1
     reported["good lens"] = time.monotonic() - begun
     hand.picture("5-good")
     return reported
@@ -54,17 +62,21 @@ def main() -> None:
     parser.add_argument("--size", type=int, nargs=2, default=SIZE, metavar="PIXELS")
     parser.add_argument("--scale", default="1", help="of the user interface, as QT_SCALE_FACTOR")
     parser.add_argument("--theme", choices=("light", "dark"), default="light")
-    parser.add_argument("--job", action="append", help="title of one; all by default")
+    parser.add_argument("--language", choices=LANGUAGES, default="en")
+    parser.add_argument("--job", action="append", help="title of one in English; all by default")
     options = parser.parse_args()
+    application = QCoreApplication([])
+    speak(application, options.language)
     for job in options.job or [title_of(kind) for kind in JOBS]:
         folder = options.folder / job.lower().replace(" ", "-")
         folder.mkdir(parents=True)
         with virtual_screen(folder, tuple(options.size)) as screen:
-            hand = Hand(screen, folder, options.scale, options.theme)
+            hand = Hand(screen, folder, options.scale, options.theme, language=options.language)
             try:
-                reported = do(job, hand)
+                reported = do(tr(job), hand)
                 figures = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in reported.items())
-                print(f"{job}: {figures}; {hand.having('Error ')}", flush=True)
+                told = hand.having(tr("Error {error} · light {place} {shares}").partition("{")[0])
+                print(f"{job}: {figures}, {hand.steps} steps; {told}", flush=True)
             finally:
                 hand.close()
 

@@ -16,8 +16,10 @@ from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
-from ui.words import inside, later, speak, spoken, spoken_by_system, tr
+from ui.words import inside, later, speak, spoken, spoken_by_system, told, tr
+from workbench.errors import Refused, RunFailed
 from workbench.jobs import JOBS
+from workbench.jobs.sun_plate import SunPlate
 from workbench.said import Said
 
 
@@ -67,6 +69,32 @@ def test_sentences_of_the_engine_keep_their_values(speaking):
     speaking("de")
     assert tr(thick) == "2.5 mm dick, 9 × 8 Kontrollpunkte, 7 × 6 Pixel"
     assert tr(caught) == "Licht auf dem Spiegel"
+
+
+@pytest.mark.parametrize(
+    ("answers", "said"),
+    [
+        (
+            {"distance": 3.0},
+            "distance: 3 kann die Linse berühren; mehr als 12.5, der höchste Wert, den die "
+            "Austrittsfläche erreichen kann",
+        ),
+        ({"size": [-1.0, 100.0]}, "size[0]: -1.0 ist zu klein; nötig ist mehr als 0"),
+        ({"material": "wood"}, "material: 'wood' gibt es nicht; erlaubt: "),
+    ],
+)
+def test_refusals_are_said_in_the_language_of_the_window(answers, said, speaking):
+    with pytest.raises(Refused) as refused:
+        SunPlate(thickness=12.5).with_answers(answers)
+    assert told(refused.value) == str(refused.value)
+    speaking("de")
+    assert told(refused.value).startswith(said)
+
+
+def test_a_run_that_fails_says_why_in_the_language_of_the_window(speaking):
+    dark = "no light of this lens reaches the screen, so there is nothing to see"
+    speaking("fr")
+    assert told(RunFailed(Said(dark))).startswith("aucune lumière")
 
 
 def test_labels_of_pictures_are_translated_and_units_stay(speaking):

@@ -150,7 +150,7 @@ class JobForm(QScrollArea):
             concerned = partial(_first_concerned, present)
             culprit = concerned(waiting.refused.path) or concerned(path)
             if culprit is not None:
-                culprit.refuse(waiting.refused.reason)
+                culprit.refuse(tr(waiting.refused.reason))
 
 
 def _first_concerned(rows: list[Row], path: str) -> Row | None:

@@ -136,7 +136,9 @@ class Outlook(QWidget):
     def _add(self, row: int, figure: "Figure") -> None:
         name = QLabel(tr(figure.name))
         mark = "\N{WARNING SIGN} " if figure.warns else ""
-        said = QLabel(f"<b>{mark}{tr(figure.value)}</b><br>{tr(figure.meaning)}", wordWrap=True)
+        meaning = tr(figure.meaning)
+        sentence = f"{meaning[:1].upper()}{meaning[1:]}"
+        said = QLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}", wordWrap=True)
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         self._figures.addWidget(said, row, 1)
         self._labels += [name, said]

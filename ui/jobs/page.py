@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -69,8 +69,9 @@ class StartPage(QDialog):
             form.image_asked.connect(self._choose_image)
             form.light_asked.connect(self._choose_light)
             self._stack.addWidget(form)
-        wide = self._jobs.sizeHintForColumn(0) + 4 * self._jobs.frameWidth()
-        self._jobs.setFixedWidth(max(wide, _JOBS_WIDE))
+        beside = self._jobs.frameWidth() + self._jobs.spacing()
+        self._jobs.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._jobs.setFixedWidth(max(self._jobs.sizeHintForColumn(0) + 2 * beside, _JOBS_WIDE))
         self._lay_out()
         self._finder.ready.connect(self._take)
         self._finder.found.connect(self._outlook.show_prospect)

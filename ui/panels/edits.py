@@ -8,6 +8,7 @@ from typing import Any
 
 from workbench.errors import Refused
 from workbench.quantity import read_number
+from workbench.said import Said
 from workbench.scene import Measure, Part, Scene, Unit
 
 _STEP = re.compile(r"[^.\[\]]+")
@@ -250,7 +251,7 @@ def _holder_in(data: dict[str, Any], scene: Part, path: str) -> tuple[Any, int |
             around[name] = list(usual)
             holder, last = holder_of(data, path)
     if not isinstance(holder, list | dict):
-        raise Refused(path, "this task has no such field any more")
+        raise Refused(path, Said("this task has no such field any more"))
     return holder, last
 
 

@@ -20,7 +20,7 @@ from ui.panels.scene import ScenePanel
 from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
-from ui.words import tr
+from ui.words import told, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import ImageTarget, Scene
@@ -192,7 +192,7 @@ class Forms(QScrollArea):
             aspect = picture_aspect(target, session.picture)
         except Refused as refused:
             self.file_refused.emit(
-                tr("The picture has no aspect: {refused}").format(refused=refused)
+                tr("The picture has no aspect: {refused}").format(refused=told(refused))
             )
             return
         (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
@@ -242,10 +242,10 @@ class Forms(QScrollArea):
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
             self._pending[edit.path] = Waiting(edit, refused)
-            self.message.emit(tr("Refused: {refused}").format(refused=refused))
+            self.message.emit(tr("Refused: {refused}").format(refused=told(refused)))
         else:
             self.file_refused.emit(
-                tr("The {edit} is refused: {refused}").format(edit=edit.text, refused=refused)
+                tr("The {edit} is refused: {refused}").format(edit=edit.text, refused=told(refused))
             )
 
     def _try(self, edits: list[Edit]) -> Refused | None:
@@ -275,7 +275,7 @@ class Forms(QScrollArea):
         except Refused as refused:
             path = "target.image"
             self._pending[path] = Waiting(Edit(path, tr("new reading of the image"), {}), refused)
-            self.message.emit(tr("Refused: {refused}").format(refused=refused))
+            self.message.emit(tr("Refused: {refused}").format(refused=told(refused)))
             self._show()
 
     def _postpone(self, edits: list[Edit], scene: Scene) -> None:
@@ -328,7 +328,7 @@ class Forms(QScrollArea):
         for path, waiting in self._pending.items():
             culprit = _row_of(waiting.refused.path, present)
             edited = _row_of(path, present)
-            reason = waiting.refused.reason
+            reason = tr(waiting.refused.reason)
             if culprit is not None:
                 reasons[culprit] = reason
             if edited is not None and edited is not culprit:

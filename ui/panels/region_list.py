@@ -1,7 +1,7 @@
 """The regions of a scene as a list."""
 
 from ui.panels.part_list import PartListRow
-from ui.words import tr
+from ui.words import inside, tr
 from workbench.scene import AnyRegion, RectangleRegion, Scene
 from workbench.scene.kinds import title_of
 
@@ -41,4 +41,4 @@ class RegionListRow(PartListRow[AnyRegion]):
         low, high = part.outline.min(axis=0), part.outline.max(axis=0)
         width, height = (high - low) * receiver.half_extent * 2
         unit = receiver.measure.sign_in(self._scene.unit)
-        return f"{part.name}: {title_of(type(part)).lower()}, {width:.4g} × {height:.4g} {unit}"
+        return f"{part.name}: {inside(tr(title_of(type(part))))}, {width:.4g} × {height:.4g} {unit}"

@@ -6,7 +6,8 @@
    is done with the best lens so far, and undoing the edit takes it back.
 3. An edit changes the document once. Where it has changed more often something else was done, such
    as undo or opening a file, and the lens that followed before is none to go on from.
-4. A run or a check goes first. What follows ends when one begins, and edits during a check are
+4. An edit that asks for no other lens, such as a region, lets the design go on from its best lens.
+5. A run or a check goes first. What follows ends when one begins, and edits during a check are
    followed after it; those during a run wait in the forms as ever.
 """
 
@@ -186,13 +187,17 @@ class Follow(QObject):
             self._begin(session, patient=True)
 
     def _follow(self, before: "Session", after: "Session") -> None:
-        goes_on = self._chain and self._changes == 1
-        self._changes = 0
-        if not self.follows(after) or not asks_for_another_lens(before, after):
+        alone, self._changes = self._changes == 1, 0
+        if not self.follows(after):
             self._chain = False
             self.rest()
+        elif asks_for_another_lens(before, after):
+            self._begin(after, self._chain and alone)
+        elif alone and self._wanted is not None:
+            self._begin(after, patient=True)  # the lens under way is wanted as before
         else:
-            self._begin(after, goes_on)
+            self._chain = False
+            self.rest()
 
     def _begin(
         self,
@@ -293,7 +298,7 @@ class Follow(QObject):
         if wanted:
             self.rest()
             called = design.session.scene.optic.called
-            self.failed.emit(sentence_of(error, f"design of the {called}"))
+            self.failed.emit(sentence_of(error, tr("design of the {optic}", optic=called)))
 
     def _is_wanted(self, design: _Design) -> bool:
         return design.session is self._wanted and not (self._changes or self._held)

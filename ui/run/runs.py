@@ -149,7 +149,7 @@ class Runs(QObject):
         except Refused as refused:
             self.refused.emit(
                 tr("The run is still called {name}: {reason}").format(
-                    name=run.name, reason=refused.reason
+                    name=run.name, reason=tr(refused.reason)
                 )
             )
             self.show()

@@ -47,6 +47,7 @@ _COLUMNS = later(
 )
 _LEFT = ("Target", "Ended")  # words; numbers stand at the right
 _PICTURE = 40  # pixels of the light beside the name
+_BETWEEN = 6  # pixels from one picture to the next
 _WIDEST = 32  # characters of a column; longer texts are cut, and whole in a tip
 _VERIFIED = list(_COLUMNS).index("Verified")
 
@@ -93,6 +94,7 @@ class RunTable(QWidget):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setAlternatingRowColors(True)
         self.table.setIconSize(QSize(_PICTURE, _PICTURE))
+        self.table.setWordWrap(False)
         self.table.setFrameShape(QTableWidget.Shape.NoFrame)
         for column, (title, tip) in enumerate(_COLUMNS.items()):
             heading = QTableWidgetItem(tr(title))
@@ -100,7 +102,8 @@ class RunTable(QWidget):
             self.table.setHorizontalHeaderItem(column, heading)
         rows = self.table.verticalHeader()
         rows.hide()
-        rows.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setDefaultSectionSize(max(_PICTURE, self.fontMetrics().height()) + _BETWEEN)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setMaximumSectionSize(_WIDEST * self.fontMetrics().averageCharWidth())

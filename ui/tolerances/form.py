@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import NumberRow
-from ui.words import later, tr
+from ui.words import later, told, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
 from workbench.scene import LENGTH, Measure, Scene, Unit
@@ -157,9 +157,9 @@ class ToleranceForm(QWidget):
         except Refused as refused:
             row = next((row for row in self._rows if row.concerns(refused.path)), None)
             if row is not None:
-                row.refuse(refused.reason)
+                row.refuse(tr(refused.reason))
             else:
-                self.obstacle = f"{refused}"
+                self.obstacle = told(refused)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
         """Without errors of what a scene does not have, whatever was typed before."""

@@ -87,9 +87,7 @@ class ImageLink(QObject):
         self._set("colours", colours)
 
     def show_image(self, number: int) -> None:
-        """See another one of the scene's images; 0 is the first, which alone has regions."""
-        if number:
-            self.set_marking(False)
+        """See another one of the scene's images; 0 is the first."""
         self._set("number", number)
 
     def number_in(self, scene: "Scene") -> int:

@@ -167,11 +167,12 @@ class ImageView(PlotView):
             value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
             if np.isnan(self._values[pixel]):
                 value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
-            self._readout.setText(
-                tr("{value} at {x}, {y}").format(
-                    value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
-                )
+            whole = tr("{value} at {x}, {y}").format(
+                value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
+            short = f"{value} ({x:.3g}, {y:.3g})"  # in a narrow view
+            fits = self._readout.fontMetrics().horizontalAdvance(whole) <= self._readout.width()
+            self._readout.setText(whole if fits else short)
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class RegionTool:
-    """Draws regions of the first image of a scene, and changes them.
+    """Draws regions on an image of a scene, and changes them.
 
     Parameters
     ----------

@@ -187,9 +187,9 @@ class ScreenImageView(ImageView):
             self._link.drawn.emit(self._link.line)
 
     def _marked_scene(self) -> "Scene":
-        """The scene whose regions are marked, as it is by now."""
+        """The scene of the image on which regions are marked, as it is by now."""
         assert self._session is not None  # since there is a picture
-        return self._session.scene
+        return self._session.of_image(self._number(self._session)).scene
 
     def _margin(self) -> Place:
         """How far from the pointer an edge is taken hold of, in the receiver's coordinates."""

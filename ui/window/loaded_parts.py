@@ -206,10 +206,9 @@ class LoadedParts(QObject):
         commands.connect_choices(self.views.choices())
 
     def _mark_regions(self, on: bool) -> None:
-        """Let the mouse mark regions on images, the first of which gets the keyboard."""
+        """Let the mouse mark regions on images of light; the irradiance gets the keyboard."""
         link = self.views.link
         if on and not link.marking:
-            link.show_image(0)  # which has the regions
             self._early.workspace.show_dock("irradiance")
             self.views.docked["irradiance"].setFocus()
         link.set_marking(on)

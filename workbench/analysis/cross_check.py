@@ -13,6 +13,7 @@ from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.through_focus import through_focus
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
+from workbench.said import Said
 from workbench.scene import Lens, Scene
 from workbench.scene.losses import TakesLight
 from workbench.watch import Watch, fraction_of, unwatched
@@ -140,7 +141,8 @@ def cross_check(
         ],
     }
     if not all(image.sum() > 0 for images in light.values() for image in images):
-        raise RunFailed("no light of this lens reaches the screen, so there is nothing to compare")
+        dark = Said("no light of this lens reaches the screen, so there is nothing to compare")
+        raise RunFailed(dark)
     (m_1, m_2), (o_1, o_2) = ([i / i.sum() for i in images] for images in light.values())
     size = _norm((o_1 + o_2) / 2)
     products = (m_1 - o_1) * (m_2 - o_2) / size**2

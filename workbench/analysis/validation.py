@@ -30,6 +30,7 @@ from workbench.analysis.validation_figures import Validation
 from workbench.errors import RunFailed
 from workbench.measured.light_unit import light_unit
 from workbench.optics.account import Account
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
@@ -220,7 +221,8 @@ def _traced(
     assert total is not None
     account = _account(total)
     if account.on_screen == 0:
-        raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
+        dark = Said("no light of this lens reaches the screen, so there is no image to judge")
+        raise RunFailed(dark)
     irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
     return account, irradiance, distances, images
 

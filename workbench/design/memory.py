@@ -31,6 +31,7 @@ from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Corners
 from workbench.optics.tracers import beam_kernel_of
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.system_memory import as_bytes, available_memory
 
@@ -95,8 +96,16 @@ def check_auto(scene: Scene) -> None:
     (n_x, n_y), (n_u, n_v) = scene.receiver.pixels, scene.optic.net_shape
     raise Refused(
         f"{scene.receiver.called}.pixels",
-        f"{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {as_bytes(needed)} of "
-        f"memory, and {as_bytes(available)} are free; take fewer of both, or close other programs",
+        Said(
+            "{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, "
+            "and {available} are free; take fewer of both, or close other programs",
+            n_x=n_x,
+            n_y=n_y,
+            n_u=n_u,
+            n_v=n_v,
+            needed=as_bytes(needed),
+            available=as_bytes(available),
+        ),
     )
 
 

@@ -14,6 +14,7 @@ from workbench.geometry.body import check_body
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of
 from workbench.optics.sources import emitter_of
+from workbench.said import Said
 from workbench.scene import Scene
 
 Array = npt.NDArray[np.float64]
@@ -66,15 +67,18 @@ def check_stages(
         check_body(finished, kept)
 
 
-def grazed(scene: Scene) -> str | None:
+def grazed(scene: Scene) -> Said | None:
     """What will be worse for light that grazes a receiver, and what helps; None where none does."""
     for part in scene.single:
         slant = part.receiver.slant(part.optic)
         if slant > _GRAZES:
-            return (
-                f"light grazes the far side of the {part.receiver.called}, at {slant:.0f} degrees "
-                f"from across it, where the image is less exact; turn the {part.receiver.called} "
-                f"towards the {part.optic.called}, or move its middle nearer to the axis"
+            return Said(
+                "light grazes the far side of the {receiver}, at {slant:.0f} degrees from "
+                "across it, where the image is less exact; turn the {receiver} towards the "
+                "{optic}, or move its middle nearer to the axis",
+                receiver=part.receiver.called,
+                slant=slant,
+                optic=part.optic.called,
             )
     return None
 
@@ -86,7 +90,8 @@ def _check_lit(part: Scene) -> None:
     x, y = torch.cartesian_prod(r_x * places, r_y * places).T
     if not emitter_of(part.source, part.optic).towards(x, y).flux.any():
         raise Refused(
-            "source", f"none of its light goes to the {part.optic.called}; turn or move it"
+            "source",
+            Said("none of its light goes to the {optic}; turn or move it", optic=part.optic.called),
         )
 
 
@@ -95,6 +100,10 @@ def _check_net(part: Scene, finished: Scene) -> None:
     if freeform_nets(part.optic) != freeform_nets(finished.optic):
         raise Refused(
             f"{part.optic.called}.control_points",
-            f"{list(part.optic.net_shape)} are not the control points of the finished "
-            f"{part.optic.called} that are locked; leave the stage's net out or unlock them",
+            Said(
+                "{net} are not the control points of the finished {optic} that are locked; leave "
+                "the stage's net out or unlock them",
+                net=list(part.optic.net_shape),
+                optic=part.optic.called,
+            ),
         )

@@ -15,6 +15,7 @@ from workbench.design.step import Step
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of
+from workbench.said import Said
 from workbench.scene import Scene
 
 
@@ -29,9 +30,12 @@ def check_paper(scene: Scene) -> None:
     if not scene.filter.smooth:
         raise Refused(
             "filter.kind",
-            "'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'",
+            Said(
+                "'box' is constant within a pixel and gives the paper's method no gradient; "
+                "'gaussian'"
+            ),
         )
-    scene.check_one_image("the paper's method")
+    scene.check_one_image(Said("the paper's method"))
     check_memory(scene)
 
 

@@ -7,6 +7,7 @@ import math
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.system_memory import as_bytes, available_memory
 
@@ -61,7 +62,12 @@ def check_memory(scene: Scene) -> None:
     if needed > available:
         raise Refused(
             "run.parametrisation",
-            f"{scene.run.parametrisation!r} has {parameter_count(scene):,} parameters here and "
-            f"needs {as_bytes(needed)} for them, their gradient and Adam's moments; "
-            f"{as_bytes(available)} are free",
+            Said(
+                "'{name}' has {count:,} parameters here and needs {needed} for them, their "
+                "gradient and Adam's moments; {available} are free",
+                name=scene.run.parametrisation,
+                count=parameter_count(scene),
+                needed=as_bytes(needed),
+                available=as_bytes(available),
+            ),
         )

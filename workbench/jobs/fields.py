@@ -31,6 +31,16 @@ LampDistance = Annotated[
     LENGTH,
     about("Lamp to lens", "From the lamp to the entrance face of the lens."),
 ]
+LampFlux = Annotated[
+    Positive | None,
+    Measure("lm", "lumen"),
+    about(
+        "Luminous flux",
+        "All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; "
+        "left empty, in parts of all light.",
+        le=1e9,
+    ),
+]
 MATERIALS = (
     ("PMMA", "Acrylic (PMMA)"),
     ("PC", "Polycarbonate"),

@@ -74,5 +74,6 @@ _USUAL = {
     "lens.wavelength_um": "wavelength",
     "lens.refractive_index": "material",
     "mirror.half_width": "size",
+    "source.flux": "lamp_flux",
     "source": "lamp_distance",
 }

@@ -8,6 +8,7 @@ from workbench.jobs.fields import (
     Distance,
     ImageSize,
     LampDistance,
+    LampFlux,
     Material,
     Pair,
     Picture,
@@ -31,6 +32,7 @@ class LedRectangle(LensJob):
         LENGTH,
         about("LED size", "Full width and height of the LED's bright face."),
     ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 15.0
     size: Size = (40.0, 30.0)
     material: Material = "PC"
@@ -40,5 +42,5 @@ class LedRectangle(LensJob):
 
     def scene(self) -> Scene:
         """The LED's face on the axis, which shines into the whole half-space."""
-        light = emitter(self.lamp_distance, self.lamp_size)
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
         return self.through_lens(light, screen=screen(self.distance, self.image_size))

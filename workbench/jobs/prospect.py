@@ -161,7 +161,7 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
     if said is None:
         return ()
     slant = Said("up to {slant:.0f}°", slant=scene.receiver.slant(scene.optic))
-    return (Figure(Said("Light on the screen"), slant, f"{said[0].upper()}{said[1:]}.", True),)
+    return (Figure(Said("Light on the screen"), slant, Said("{sentence}.", sentence=said), True),)
 
 
 def _caught(scene: Scene) -> tuple[Figure, ...]:

@@ -107,11 +107,13 @@ def _beginnings(scene: Scene, places: Array, image: Array, axis: int) -> Array:
 def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[Dimension, ...]:
     optic, receiver, unit = scene.optic, scene.receiver, scene.unit
     half, front = optic.half_width[axis], optic.front_z
+    sign = receiver.measure.sign_in(unit)
+    gap = "" if sign == "°" else " "
     found = [
         Dimension(np.array([[front, -half], [front, half]]), f"{2 * half:.4g} {unit}"),
         Dimension(
             image[[0, -1]],
-            f"{2 * receiver.half_extent[axis]:.4g} {receiver.measure.sign_in(unit)}",
+            f"{2 * receiver.half_extent[axis]:.4g}{gap}{sign}",
         ),
     ]
     if receiver.at_distance:

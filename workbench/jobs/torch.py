@@ -8,6 +8,7 @@ from workbench.jobs.fields import (
     Distance,
     ImageSize,
     LampDistance,
+    LampFlux,
     Material,
     Pair,
     Picture,
@@ -32,6 +33,7 @@ class Torch(LensJob):
         LENGTH,
         about("Lamp size", "Full width and height of what shines: 1 to 2 mm in a telephone."),
     ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 80.0
     size: Size = (60.0, 60.0)
     material: Material = "PMMA"
@@ -41,5 +43,5 @@ class Torch(LensJob):
 
     def scene(self) -> Scene:
         """A small bright face on the axis."""
-        light = emitter(self.lamp_distance, self.lamp_size)
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
         return self.through_lens(light, screen=screen(self.distance, self.image_size))

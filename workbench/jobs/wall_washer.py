@@ -5,7 +5,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import ConfigDict
 
-from workbench.jobs.fields import LampDistance, Material, Pair, Picture, Size, Thickness
+from workbench.jobs.fields import LampDistance, LampFlux, Material, Pair, Picture, Size, Thickness
 from workbench.jobs.lens_job import LensJob
 from workbench.jobs.parts import emitter, halves
 from workbench.scene import Positive, RectangleTarget, Scene
@@ -47,6 +47,7 @@ class WallWasher(LensJob):
         LENGTH,
         about("LED size", "Full width and height of the LED's bright face."),
     ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 25.0
     size: Size = (40.0, 40.0)
     material: Material = "PMMA"
@@ -54,7 +55,7 @@ class WallWasher(LensJob):
 
     def scene(self) -> Scene:
         """The wall as a screen that is turned about x, since the lamp looks at it aslant."""
-        light = emitter(self.lamp_distance, self.lamp_size)
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
         return self.through_lens(light, screen=self._wall())
 
     def _wall(self) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.tracers import Tracers
+from workbench.said import Said
 from workbench.scene import Filter, Scene
 
 
@@ -111,6 +112,7 @@ def device_of(scene: Scene) -> torch.device:
     """
     if scene.run.device == "cuda" and not torch.cuda.is_available():
         raise Refused(
-            "run.device", "'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"
+            "run.device",
+            Said("'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"),
         )
     return torch.device(scene.run.device)

@@ -8,6 +8,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.fields import LENGTH, about
 from workbench.scene.kinds import Kinds
@@ -86,8 +87,12 @@ class SphereBase(Part):
         if self.radius <= math.hypot(*half_width):
             raise Refused(
                 path,
-                f"{self.radius:g} does not span the {called}; "
-                f"more than its half-diagonal {math.hypot(*half_width):g}",
+                Said(
+                    "{radius:g} does not span the {optic}; more than its half-diagonal {least:g}",
+                    radius=self.radius,
+                    optic=called,
+                    least=math.hypot(*half_width),
+                ),
             )
 
 

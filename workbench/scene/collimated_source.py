@@ -8,6 +8,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.kinds import Kinds
@@ -183,15 +184,26 @@ class CollimatedSource(AnySource):
             axis = 0 if abs(self.direction[0]) >= abs(self.direction[1]) else 1
             raise Refused(
                 f"source.direction[{axis}]",
-                f"{self.direction[axis]:g} brings light {steepest:g} degrees from the axis, which "
-                f"does not come to {optic.front_called}; less than 90 in all",
+                Said(
+                    "{angle:g} brings light {steepest:g} degrees from the axis, which does not "
+                    "come to {front}; less than 90 in all",
+                    angle=self.direction[axis],
+                    steepest=steepest,
+                    front=optic.front_called,
+                ),
             )
         radius, least = self.profile.radius, _NARROWEST * max(optic.half_width)
         if radius < least:
             raise Refused(
                 "source.profile.radius",
-                f"{radius:g} is too narrow for a {optic.called} with a half-width of "
-                f"{max(optic.half_width):g}; at least {least:g}",
+                Said(
+                    "{radius:g} is too narrow for a {optic} with a half-width of {half:g}; at "
+                    "least {least:g}",
+                    radius=radius,
+                    optic=optic.called,
+                    half=max(optic.half_width),
+                    least=least,
+                ),
             )
         if math.isfinite(radius):
             limits.check_lengths(

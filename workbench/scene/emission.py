@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import Choices, ForMethod, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.optic import Optic
@@ -54,8 +55,13 @@ class MeshMethod(Part):
         if across * up > _MOST:
             raise Refused(
                 "source.intersection.subdivisions",
-                f"{list(self.subdivisions)} make {across} × {up} rectangles; "
-                f"at most {_MOST} in all",
+                Said(
+                    "{parts} make {across} × {up} rectangles; at most {most} in all",
+                    parts=list(self.subdivisions),
+                    across=across,
+                    up=up,
+                    most=_MOST,
+                ),
             )
 
 

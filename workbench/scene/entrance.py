@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.fields import LENGTH, RANGE, about
 from workbench.scene.kinds import Kinds
@@ -95,7 +96,7 @@ class FreeformEntrance(Part):
             if not low < high:
                 raise Refused(
                     "lens.entrance.height_range",
-                    f"[{low:g}, {high:g}] is empty; low before high",
+                    Said("[{low:g}, {high:g}] is empty; low before high", low=low, high=high),
                 )
 
     def lengths(self) -> list[tuple[str, float]]:

@@ -7,6 +7,7 @@ import numpy as np
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import ANGLE, PLACE, about
 from workbench.scene.receiver import AnyReceiver, Array, Pixels
 
@@ -68,8 +69,13 @@ class FarField(AnyReceiver):
             if half + abs(middle) > _MOST:
                 raise Refused(
                     f"far_field.half_angle[{axis}]",
-                    f"{half:g} about {middle:g} goes beyond {_MOST:g} degrees; "
-                    f"at most {_MOST - abs(middle):g}",
+                    Said(
+                        "{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}",
+                        half=half,
+                        middle=middle,
+                        most=_MOST,
+                        left=_MOST - abs(middle),
+                    ),
                 )
 
     @property
@@ -111,11 +117,11 @@ class FarField(AnyReceiver):
     @property
     def plane_z(self) -> float:
         """None: refused."""
-        raise Refused("far_field", "is at no distance; a screen is needed")
+        raise Refused("far_field", Said("is at no distance; a screen is needed"))
 
     def moved_to(self, z: float) -> "FarField":
         """Refused."""
-        raise Refused("far_field", "is at no distance; a screen is needed")
+        raise Refused("far_field", Said("is at no distance; a screen is needed"))
 
     def towards(
         self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative
@@ -123,8 +124,12 @@ class GridSource(WideSource, LightOfPoints):
         if self.ray_count > MOST_RAYS:
             raise Refused(
                 "source.rays",
-                f"{self.rays} from each of {math.prod(self.points)} points are too many; "
-                f"at most {MOST_RAYS} rays in all",
+                Said(
+                    "{rays} from each of {points} points are too many; at most {most} rays in all",
+                    rays=self.rays,
+                    points=math.prod(self.points),
+                    most=MOST_RAYS,
+                ),
             )
         super().check_before(optic)
 

@@ -8,6 +8,7 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
@@ -108,9 +109,10 @@ def only(parts: Mapping[str, AnyPart | None]) -> AnyPart:
     one, other = parts
     given = [part for part in parts.values() if part is not None]
     if not given:
-        raise Refused(one, f"missing; it or {other} is required")
+        raise Refused(one, Said("missing; it or {other} is required", other=other))
     if len(given) > 1:
-        raise Refused(other, f"is given together with a {one}; one of them is needed")
+        both = Said("is given together with a {one}; one of them is needed", one=one)
+        raise Refused(other, both)
     return given[0]
 
 

@@ -8,6 +8,7 @@ from pydantic import Field, field_validator
 
 from workbench import materials
 from workbench.errors import Refused, shown
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import Entrance, FlatEntrance
@@ -56,7 +57,7 @@ class Lens(Optic):
     most_faces = 2
     face_called = "exit face"
     body_called = "body of glass"
-    front_called = "the entrance face"
+    front_called = Said("the entrance face")
     onwards = 1
     losses = LENS_LOSSES
 
@@ -188,12 +189,15 @@ class Lens(Optic):
         if isinstance(value, bool) or not isinstance(value, (int, float, str)):
             raise Refused(
                 "lens.refractive_index",
-                f"{shown(value)} is neither a number nor a name; "
-                "a number above 1 or a material name",
+                Said(
+                    "{value} is neither a number nor a name; a number above 1 or a material name",
+                    value=shown(value),
+                ),
             )
         if isinstance(value, (int, float)) and not 1 < value < math.inf:
             raise Refused(
-                "lens.refractive_index", f"{shown(value)}; a number greater than 1 is needed"
+                "lens.refractive_index",
+                Said("{value}; a number greater than 1 is needed", value=shown(value)),
             )
         return value
 
@@ -209,13 +213,17 @@ class Lens(Optic):
         )
         self.entrance.check_within(self.known_shape)
         if not self.index > 1:
-            raise Refused("lens.refractive_index", f"{self.index:g}; greater than 1 is needed")
+            low = Said("{index:g}; greater than 1 is needed", index=self.index)
+            raise Refused("lens.refractive_index", low)
         limits.check_index(self.index)
         if self.floor >= self.ceiling:
             raise Refused(
                 "lens.max_thickness",
-                f"{self.max_thickness:g} leaves no room above the minimal thickness; "
-                f"more than {self.min_thickness:g}",
+                Said(
+                    "{height:g} leaves no room above the minimal thickness; more than {least:g}",
+                    height=self.max_thickness,
+                    least=self.min_thickness,
+                ),
             )
         if self.height_range is not None:
             self._check_range(*self.height_range)
@@ -235,14 +243,20 @@ class Lens(Optic):
         if lowest + high <= self.floor:
             raise Refused(
                 "lens.height_range[1]",
-                f"{high:g} leaves no room above the minimal thickness; "
-                f"more than {self.floor - lowest:g}",
+                Said(
+                    "{height:g} leaves no room above the minimal thickness; more than {least:g}",
+                    height=high,
+                    least=self.floor - lowest,
+                ),
             )
         if highest + low >= self.ceiling:
             raise Refused(
                 "lens.height_range[0]",
-                f"{low:g} leaves no room below the maximal thickness; "
-                f"less than {self.ceiling - highest:g}",
+                Said(
+                    "{height:g} leaves no room below the maximal thickness; less than {most:g}",
+                    height=low,
+                    most=self.ceiling - highest,
+                ),
             )
 
     @property
@@ -368,5 +382,7 @@ class Lens(Optic):
             return float(self.refractive_index)
         if self.wavelength_um is None:
             named = shown(self.refractive_index)
-            raise Refused("lens.wavelength_um", f"missing; it goes with {named}")
+            raise Refused(
+                "lens.wavelength_um", Said("missing; it goes with {material}", material=named)
+            )
         return materials.refractive_index(self.refractive_index, self.wavelength_um)

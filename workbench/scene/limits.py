@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 LARGEST_INDEX = 10.0
 """No transparent material has a larger refractive index."""
@@ -37,14 +38,24 @@ def check_width(called: str, half_width: tuple[float, float]) -> None:
     if not _SMALLEST <= large <= _LARGEST:
         raise Refused(
             f"{called}.half_width[{axis}]",
-            f"{large:g} cannot be computed with; from {_SMALLEST:g} to {_LARGEST:g}, "
-            "in another unit if need be",
+            Said(
+                "{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if "
+                "need be",
+                large=large,
+                least=_SMALLEST,
+                most=_LARGEST,
+            ),
         )
     if half_width[1 - axis] < _SLIMMEST * large:
         raise Refused(
             f"{called}.half_width[{1 - axis}]",
-            f"{half_width[1 - axis]:g} makes the {called} slimmer than {1 / _SLIMMEST:g} to 1; "
-            f"at least {_SLIMMEST * large:g}",
+            Said(
+                "{half:g} makes the {optic} slimmer than {most:g} to 1; at least {least:g}",
+                half=half_width[1 - axis],
+                optic=called,
+                most=1 / _SLIMMEST,
+                least=_SLIMMEST * large,
+            ),
         )
 
 
@@ -59,7 +70,11 @@ def check_index(index: float) -> None:
     if index > LARGEST_INDEX:
         raise Refused(
             "lens.refractive_index",
-            f"{index:g} is more than any material has; at most {LARGEST_INDEX:g}",
+            Said(
+                "{index:g} is more than any material has; at most {most:g}",
+                index=index,
+                most=LARGEST_INDEX,
+            ),
         )
 
 
@@ -74,8 +89,14 @@ def check_absorption(absorption: float, thickness: float) -> None:
     if absorption * thickness > -math.log(DARKEST):
         raise Refused(
             "lens.absorption",
-            f"{absorption:g} leaves less than {DARKEST:g} of the light behind {thickness:g} of "
-            f"glass; at most {-math.log(DARKEST) / thickness:g}",
+            Said(
+                "{absorption:g} leaves less than {least:g} of the light behind {thickness:g} of "
+                "glass; at most {most:g}",
+                absorption=absorption,
+                least=DARKEST,
+                thickness=thickness,
+                most=-math.log(DARKEST) / thickness,
+            ),
         )
 
 
@@ -103,6 +124,10 @@ def check_lengths(
         if abs(length) > longest:
             raise Refused(
                 path,
-                f"{length:g} is too long beside a half-width of {max(half_width):g}; "
-                f"at most {longest:g}",
+                Said(
+                    "{length:g} is too long beside a half-width of {half:g}; at most {most:g}",
+                    length=length,
+                    half=max(half_width),
+                    most=longest,
+                ),
             )

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.content import Content
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, Version, about
 from workbench.scene.optic import Optic
@@ -90,7 +91,12 @@ class MeasuredSource(AnySource):
         """Refuse a file that is surely of another kind."""
         if PurePath(self.file).suffix.lower() not in self.endings:
             raise Refused(
-                "source.file", f"'{self.file}' is none of these: {', '.join(self.endings)}"
+                "source.file",
+                Said(
+                    "'{file}' is none of these: {endings}",
+                    file=self.file,
+                    endings=", ".join(self.endings),
+                ),
             )
 
     @property

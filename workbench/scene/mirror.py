@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field
 
+from workbench.said import Said
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import FlatEntrance
 from workbench.scene.fields import LENGTH, RANGE, Version, about
@@ -36,7 +37,7 @@ class Mirror(Optic):
     most_faces = 1
     face_called = "mirror"
     body_called = "mirror"
-    front_called = "the mirror"
+    front_called = Said("the mirror")
     onwards = -1
     losses = _LOSSES
 

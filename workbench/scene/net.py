@@ -5,6 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.auto_net import AutoNet, NumbersOrAuto
 from workbench.scene.fields import about
 
@@ -38,5 +39,10 @@ def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> Non
         if count < degree[axis] + 1:
             raise Refused(
                 f"{path}[{axis}]",
-                f"{count} is too few for degree {degree[axis]}; at least {degree[axis] + 1}",
+                Said(
+                    "{count} is too few for degree {degree}; at least {least}",
+                    count=count,
+                    degree=degree[axis],
+                    least=degree[axis] + 1,
+                ),
             )

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.base import Base
@@ -178,7 +179,7 @@ class Optic(Part):
         """
         if self.known_shape is None:
             path = f"{self.called}.control_points"
-            raise Refused(path, "'auto' needs a target to choose for; numbers")
+            raise Refused(path, Said("'auto' needs a target to choose for; numbers"))
         return self.known_shape
 
     @property
@@ -233,7 +234,8 @@ class Optic(Part):
             low, high = self.height_range
             if not low < high:
                 raise Refused(
-                    f"{self.called}.height_range", f"[{low:g}, {high:g}] is empty; low before high"
+                    f"{self.called}.height_range",
+                    Said("[{low:g}, {high:g}] is empty; low before high", low=low, high=high),
                 )
 
     def net_remarks(self) -> dict[str, str]:

@@ -10,6 +10,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from workbench import units
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import FieldDescription, NamesFile, Since, Version, describe
 
 if TYPE_CHECKING:
@@ -180,5 +181,6 @@ def _scaled(value: Any, factor: Fraction, power: int) -> Any:
         return value
     found = units.times(value, factor**power)
     if value and not found:
-        raise Refused("unit", f"{value:g} is too small for this one; a number that it can hold")
+        small = Said("{value:g} is too small for this one; a number that it can hold", value=value)
+        raise Refused("unit", small)
     return found

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
 from workbench.scene.fields import LENGTH, PLACE, about
@@ -314,14 +315,27 @@ def check_place(path: str, place: Place, optic: Optic) -> None:
     limits.check_lengths(aside, optic.half_width, limits.FARTHEST)
     front, size, way = optic.front_called, max(optic.half_width), optic.front_z - z
     if z >= optic.lowest:
-        raise Refused(f"{path}[2]", f"{z:g} is not before {front}; less than {optic.lowest:g}")
+        behind = Said(
+            "{z:g} is not before {front}; less than {most:g}", z=z, front=front, most=optic.lowest
+        )
+        raise Refused(f"{path}[2]", behind)
+    there = {"way": way, "front": front, "optic": optic.called, "size": size}
     least, most = limits.NEAREST * size, limits.FARTHEST * size
-    beside = f"for a {optic.called} with a half-width of {size:g}"
     if way < least:
-        near = f"{way:g} before {front} is too near {beside}; at least {least:g}"
+        near = Said(
+            "{way:g} before {front} is too near for a {optic} with a half-width of {size:g}; at "
+            "least {least:g}",
+            least=least,
+            **there,
+        )
         raise Refused(f"{path}[2]", near)
     if way > most:
-        far = f"{way:g} before {front} is too far {beside}; at most {most:g}, or collimated light"
+        far = Said(
+            "{way:g} before {front} is too far for a {optic} with a half-width of {size:g}; at "
+            "most {most:g}, or collimated light",
+            most=most,
+            **there,
+        )
         raise Refused(f"{path}[2]", far)
 
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import PLACE, Measure, Version, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
@@ -65,8 +66,13 @@ class _Placed(AnyRegion):
             if abs(middle) + size / 2 > 0.5 + _ROUNDING:
                 raise Refused(
                     f"size[{axis}]",
-                    f"{size:g} about {middle:g} ends beyond the receiver; at most "
-                    f"{1 - 2 * abs(middle):g} there",
+                    Said(
+                        "{size:g} about {middle:g} ends beyond the receiver; at most {most:g} "
+                        "there",
+                        size=size,
+                        middle=middle,
+                        most=1 - 2 * abs(middle),
+                    ),
                 )
 
 
@@ -120,9 +126,10 @@ class PolygonRegion(AnyRegion):
         """Refuse a polygon without area, or whose sides cross."""
         sides = list(zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True))
         if abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in sides)) < _ROUNDING:
-            raise Refused("corners", "have no area between them; a polygon with some")
+            raise Refused("corners", Said("have no area between them; a polygon with some"))
         if any(_cross(one, other) for one, other in combinations(sides, 2)):
-            raise Refused("corners", "make sides that cross; in their order around the polygon")
+            crossed = Said("make sides that cross; in their order around the polygon")
+            raise Refused("corners", crossed)
 
     @property
     def outline(self) -> Array:
@@ -139,7 +146,8 @@ def check_regions(regions: Sequence[AnyRegion]) -> None:
         With the path of the field in the scene.
     """
     if len(regions) > _MOST:
-        raise Refused("regions", f"{len(regions)} are given; at most {_MOST}")
+        many = Said("{count} are given; at most {most}", count=len(regions), most=_MOST)
+        raise Refused("regions", many)
     for number, region in enumerate(regions):
         try:
             region.check_outline()

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import ConfigDict
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
 from workbench.scene.filter import Filter
 from workbench.scene.kinds import Kinds
@@ -233,6 +234,7 @@ def during(run: Run, stage: Stage) -> Run:
         run = PaperRun() if stage.method == "paper" else AutoRun()
     if stage.learning_rate is not None:
         if "learning_rate" not in type(run).model_fields:
-            raise Refused("run.learning_rate", "unknown field; the automatic method has none")
+            unknown = Said("unknown field; the automatic method has none")
+            raise Refused("run.learning_rate", unknown)
         changes["learning_rate"] = stage.learning_rate
     return run.model_copy(update=changes)

@@ -8,6 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.part import Positive
@@ -194,22 +195,33 @@ class Screen(AnyReceiver):
         if not self.upright and not before.all():
             raise Refused(
                 "screen.tilt",
-                f"[{self.tilt[0]:g}, {self.tilt[1]:g}] turns the back of the screen to light of "
-                f"the {optic.called}; its front has to face all of the {optic.called}",
+                Said(
+                    "[{x:g}, {y:g}] turns the back of the screen to light of the {optic}; its "
+                    "front has to face all of the {optic}",
+                    x=self.tilt[0],
+                    y=self.tilt[1],
+                    optic=optic.called,
+                ),
             )
         if optic.onwards < 0:
             self._check_below(optic)
             return
         nearest = self.nearest_to(optic)
         if nearest <= optic.highest:
-            low, more = "", ""
-            if not self.upright:
-                low, more = f"puts its lowest edge at z = {nearest:g}, which ", " and the tilt adds"
+            places = {"z": self.z, "nearest": nearest, "least": optic.highest + (self.z - nearest)}
             raise Refused(
                 "screen.z",
-                f"{self.z:g} {low}may touch the lens; more than "
-                f"{optic.highest + (self.z - nearest):g}, the highest that the exit face can "
-                f"become{more}",
+                Said(
+                    "{z:g} may touch the lens; more than {least:g}, the highest that the exit "
+                    "face can become",
+                    **places,
+                )
+                if self.upright
+                else Said(
+                    "{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more "
+                    "than {least:g}, the highest that the exit face can become and the tilt adds",
+                    **places,
+                ),
             )
 
     def _check_below(self, optic: "Optic") -> None:
@@ -217,6 +229,11 @@ class Screen(AnyReceiver):
         if self.z >= optic.lowest and self.upright:
             raise Refused(
                 "screen.z",
-                f"{self.z:g} may touch the {optic.called}, or be behind it; less than "
-                f"{optic.lowest:g}, the lowest that it can become",
+                Said(
+                    "{z:g} may touch the {optic}, or be behind it; less than {most:g}, the lowest "
+                    "that it can become",
+                    z=self.z,
+                    optic=optic.called,
+                    most=optic.lowest,
+                ),
             )

@@ -6,6 +6,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene.fields import FILE, PLACE, SINCE_2, Choices, Measure, Version, about
 from workbench.scene.kinds import Kinds, title_of
 from workbench.scene.part import Part
@@ -129,11 +130,13 @@ class ImageTarget(Finish):
     def check(self) -> None:
         """Refuse to cut all of the picture away."""
         left, top, right, bottom = self.crop
-        for along, cut in (("width", left + right), ("height", top + bottom)):
-            if cut > _MOST_CUT:
-                raise Refused(
-                    "target.crop", f"takes {cut:g} of the {along} away; at most {_MOST_CUT:g}"
-                )
+        cut, most = {"across": left + right, "up": top + bottom}, _MOST_CUT
+        if cut["across"] > most:
+            wide = Said("takes {across:g} of the width away; at most {most:g}", most=most, **cut)
+            raise Refused("target.crop", wide)
+        if cut["up"] > most:
+            high = Said("takes {up:g} of the height away; at most {most:g}", most=most, **cut)
+            raise Refused("target.crop", high)
 
 
 _Radius = Annotated[

@@ -15,6 +15,7 @@ from pydantic import (
 from workbench import units
 from workbench.errors import Refused
 from workbench.refusals import refusal
+from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
@@ -126,7 +127,8 @@ class Scene(Part):
         about(
             "Regions",
             "Parts of the screen whose light is told by itself, as on a desk or a lane: how much "
-            "there is, and how even it is. They do not change the lens.",
+            "there is, and how even it is; of several images, the same parts of each. They do not "
+            "change the lens.",
         ),
     ] = ()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
@@ -148,8 +150,12 @@ class Scene(Part):
             if value is not None and min(optic.degree) < 2:
                 raise Refused(
                     f"run.{field}",
-                    f"{value:g} is about curvature, and faces of degree 1 are flat between edges; "
-                    f"{optic.called}.degree of at least 2",
+                    Said(
+                        "{value:g} is about curvature, and faces of degree 1 are flat between "
+                        "edges; {field} of at least 2",
+                        value=value,
+                        field=f"{optic.called}.degree",
+                    ),
                 )
         self.stage_scenes()
 
@@ -165,7 +171,12 @@ class Scene(Part):
         """Refuse further images that the optic cannot light, or too many."""
         if len(self.further_images) > MOST_IMAGES:
             raise Refused(
-                "further_images", f"{len(self.further_images)} are given; at most {MOST_IMAGES}"
+                "further_images",
+                Said(
+                    "{count} are given; at most {most}",
+                    count=len(self.further_images),
+                    most=MOST_IMAGES,
+                ),
             )
         for number, image in enumerate(self.further_images):
             try:
@@ -209,7 +220,7 @@ class Scene(Part):
             {name: getattr(image, name) for name in ("screen", "far_field", "target")}
             for image in self.further_images
         )
-        return (alone, *(alone.model_copy(update={**changes, "regions": ()}) for changes in others))
+        return (alone, *(alone.model_copy(update=changes) for changes in others))
 
     def images(self, target: Array) -> tuple[WantedImage, ...]:
         """All images that are wanted, the first one first.
@@ -250,7 +261,12 @@ class Scene(Part):
         if self.further_images:
             count = len(self.further_images)
             raise Refused(
-                "further_images", f"{count} given, which {who} cannot take into account; none"
+                "further_images",
+                Said(
+                    "{count} given, which {who} cannot take into account; none",
+                    count=count,
+                    who=who,
+                ),
             )
 
     @property
@@ -303,13 +319,20 @@ class Scene(Part):
         if not stages:
             return (self,)
         if len(stages) > MOST_STAGES:
-            raise Refused("run.stages", f"{len(stages)} are given; at most {MOST_STAGES}")
+            raise Refused(
+                "run.stages",
+                Said("{count} are given; at most {most}", count=len(stages), most=MOST_STAGES),
+            )
         left = self.run.iterations - sum(stage.iterations for stage in stages)
         if left < 1:
             raise Refused(
                 "run.stages",
-                f"they leave none of the {self.run.iterations} iterations for the scene itself; "
-                f"more than {self.run.iterations - left} in all are needed",
+                Said(
+                    "they leave none of the {count} iterations for the scene itself; more than "
+                    "{least} in all are needed",
+                    count=self.run.iterations,
+                    least=self.run.iterations - left,
+                ),
             )
         parts = []
         for number, stage in enumerate(stages):

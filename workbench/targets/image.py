@@ -11,6 +11,7 @@ import numpy.typing as npt
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.targets.svg import draw_svg, is_svg
 from workbench.targets.tone import LINEAR, Tone
 
@@ -71,13 +72,13 @@ def read_image(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Array:
     """
     try:
         if path.is_dir():
-            raise _refused(path, "is a folder; an image file is needed")
+            raise _refused(path, Said("is a folder; an image file is needed"))
         if not path.is_file():
-            raise _refused(path, "is not an existing file; an image file is needed")
+            raise _refused(path, Said("is not an existing file; an image file is needed"))
         with path.open("rb") as file:
             return decode_image(path, file, side, tone)
     except OSError as error:
-        raise _refused(path, f"cannot be read: {error.strerror or error}") from error
+        raise _refused(path, Said("cannot be read: {why}", why=error.strerror or error)) from error
 
 
 def decode_image(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LINEAR) -> Array:
@@ -98,9 +99,13 @@ def decode_image(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LINE
     else:
         pixels = _read_picture(path, file, side, tone)
     if not np.isfinite(pixels).all():
-        raise _refused(path, "holds a value that is NaN or infinite; finite values are needed")
+        raise _refused(
+            path, Said("holds a value that is NaN or infinite; finite values are needed")
+        )
     if pixels.min() < 0:
-        raise _refused(path, f"holds {pixels.min():g}; values of at least 0 are needed")
+        raise _refused(
+            path, Said("holds {least:g}; values of at least 0 are needed", least=pixels.min())
+        )
     return pixels
 
 
@@ -108,20 +113,38 @@ def _check_known(path: Path, tone: Tone) -> None:
     """Refuse to take numbers for shades of a monitor, whose brightest one is not known."""
     if tone is not LINEAR:
         raise Refused(
-            "target.tone", f"'{tone.name}' is for shades, and '{path}' holds numbers; 'linear'"
+            "target.tone",
+            Said(
+                "'{tone}' is for shades, and '{path}' holds numbers; 'linear'",
+                tone=tone.name,
+                path=path,
+            ),
         )
 
 
-def _refused(path: Path, reason: str) -> Refused:
-    return Refused("target.image", f"'{path}' {reason}")
+def _refused(path: Path, reason: Said) -> Refused:
+    return Refused("target.image", Said("'{path}' {reason}", path=path, reason=reason))
 
 
 def _check_size(path: Path, rows: int, columns: int) -> None:
     if min(rows, columns) < 1:
-        raise _refused(path, f"has {columns} × {rows} pixels; at least one is needed")
+        raise _refused(
+            path,
+            Said(
+                "has {columns} × {rows} pixels; at least one is needed",
+                columns=columns,
+                rows=rows,
+            ),
+        )
     if max(rows, columns) > LARGEST_SIDE:
         raise _refused(
-            path, f"has {columns} × {rows} pixels; at most {LARGEST_SIDE} on a side are allowed"
+            path,
+            Said(
+                "has {columns} × {rows} pixels; at most {most} on a side are allowed",
+                columns=columns,
+                rows=rows,
+                most=LARGEST_SIDE,
+            ),
         )
 
 
@@ -134,15 +157,25 @@ def _read_npy(path: Path, file: BinaryIO) -> Array:
             shape, fortran, dtype = _HEADER_READERS[version](header)
             shape = tuple(map(int, shape))  # numpy lets True be a length
     except Exception as error:  # the header is a Python literal: whatever parsing one raises
-        raise _refused(path, f"is not a whole .npy array of numbers: {error}") from error
+        raise _refused(
+            path, Said("is not a whole .npy array of numbers: {why}", why=error)
+        ) from error
     if len(shape) != 2:
-        raise _refused(path, f"has {len(shape)} dimensions; 2 (rows, columns) are needed")
+        raise _refused(
+            path,
+            Said("has {count} dimensions; 2 (rows, columns) are needed", count=len(shape)),
+        )
     if dtype.kind not in "buif":
-        raise _refused(path, f"holds values of type {dtype}; real numbers are needed")
+        raise _refused(
+            path, Said("holds values of type {kind}; real numbers are needed", kind=dtype)
+        )
     _check_size(path, *shape)
     begin, size = header.tell(), dtype.itemsize * math.prod(shape)
     if file.seek(0, SEEK_END) - begin < size:
-        raise _refused(path, f"is not a whole .npy array of numbers: it lacks some of {size} bytes")
+        raise _refused(
+            path,
+            Said("is not a whole .npy array of numbers: it lacks some of {size} bytes", size=size),
+        )
     file.seek(begin)
     stored = np.frombuffer(file.read(size), dtype).reshape(shape, order="F" if fortran else "C")
     with np.errstate(over="ignore"):  # too large for float64 becomes infinite, refused above
@@ -158,11 +191,11 @@ def _read_picture(path: Path, file: BinaryIO, side: int, tone: Tone) -> Array:
         return _decode(path, file, tone)
     content = file.read(_LARGEST_DRAWING + 1)
     if len(content) > _LARGEST_DRAWING:
-        raise _refused(path, f"is an SVG of more than {_LARGEST_DRAWING >> 20} MB")
+        raise _refused(path, Said("is an SVG of more than {most} MB", most=_LARGEST_DRAWING >> 20))
     try:
         drawn = draw_svg(content, side)
     except ValueError as error:
-        raise _refused(path, f"is an SVG that cannot be drawn: {error}") from error
+        raise _refused(path, Said("is an SVG that cannot be drawn: {why}", why=error)) from error
     return _decode(path, BytesIO(drawn), tone)
 
 
@@ -178,13 +211,16 @@ def _decode(path: Path, file: BinaryIO, tone: Tone) -> Array:
         raise
     except UnidentifiedImageError as error:
         known = ", ".join((*FORMATS, "SVG", "NPY"))
-        raise _refused(path, f"is not an image that can be read; known: {known}") from error
+        raise _refused(
+            path, Said("is not an image that can be read; known: {known}", known=known)
+        ) from error
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
         raise _refused(
-            path, f"has too many pixels; at most {LARGEST_SIDE} on a side are allowed"
+            path,
+            Said("has too many pixels; at most {most} on a side are allowed", most=LARGEST_SIDE),
         ) from error
     except Exception as error:  # decoders raise whatever a damaged file makes them stumble over
-        raise _refused(path, f"is damaged or incomplete: {error}") from error
+        raise _refused(path, Said("is damaged or incomplete: {why}", why=error)) from error
 
 
 def _grey(path: Path, image: Image.Image, tone: Tone) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import ImageTarget, Scene
 from workbench.targets.coverage import coverage
 from workbench.targets.image import decode_image, read_image
@@ -62,7 +63,8 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
             frame = [(-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y)]
             light = np.maximum(coverage(frame, receiver) - light, 0.0)
     if not light.any():
-        raise Refused("target", "is too small to light any pixel of the screen; enlarge the shape")
+        small = Said("is too small to light any pixel of the screen; enlarge the shape")
+        raise Refused("target", small)
     return _blurred(light, target.blur) if target.blur else light
 
 
@@ -114,12 +116,14 @@ def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
 def _bright_pixels(path: Path, picture: Array, invert: bool, tone: Tone) -> Array:
     """Pixels of an image file scaled to a maximum of 1, inverted as they are stored on request."""
     if not picture.any():
-        raise Refused("target.image", f"'{path}' is black all over; some light is needed")
+        black = Said("'{path}' is black all over; some light is needed", path=path)
+        raise Refused("target.image", black)
     picture = picture / picture.max()
     if invert:
         picture = tone.light(1.0 - tone.stored(picture))
         if not picture.any():
             raise Refused(
-                "target.invert", f"true leaves '{path}', which is uniform, black all over"
+                "target.invert",
+                Said("true leaves '{path}', which is uniform, black all over", path=path),
             )
     return picture

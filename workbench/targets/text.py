@@ -8,6 +8,7 @@ import numpy.typing as npt
 from PIL import Image, ImageDraw, ImageFont
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 Array = npt.NDArray[np.float64]
 
@@ -43,7 +44,8 @@ def picture_of_text(text: str) -> Array:
     ImageDraw.Draw(drawn).text((-left, -top), text, fill=255, font=font, align="center")
     lit = drawn.getbbox()
     if lit is None:
-        raise Refused("target.text", f"{text!r} draws nothing; letters, digits or signs are needed")
+        nothing = Said("{text!r} draws nothing; letters, digits or signs are needed", text=text)
+        raise Refused("target.text", nothing)
     return np.asarray(drawn.crop(lit)) / 255.0
 
 

@@ -31,6 +31,13 @@ def row_of(page, path):
     return next(row for row in page.form.rows if row.path == path)
 
 
+def test_no_title_of_a_job_is_cut(page):
+    jobs = page._jobs
+    wide = [jobs.visualItemRect(jobs.item(row)).width() for row in range(jobs.count())]
+    assert jobs.viewport().width() >= max(wide)
+    assert not jobs.horizontalScrollBar().isVisible()
+
+
 def choose(page, kind):
     page._jobs.setCurrentRow(JOBS.index(kind))
 

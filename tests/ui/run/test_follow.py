@@ -306,6 +306,24 @@ def test_edit_that_needs_no_other_lens_is_not_followed(change, make_desk, design
     assert not desk.follow._background.running
 
 
+@pytest.mark.parametrize("has_lens", [True, False])
+def test_an_edit_that_asks_for_no_other_lens_lets_the_design_before_it_go_on(has_lens, desk):
+    desk.engine.hold()
+    desk.edit(7)
+    if has_lens:
+        desk.come_to_a_lens()
+    scene = desk.document.session.scene
+    regions = Scene.from_data({**scene.to_data(), "version": 2, "regions": [{"name": "Desk"}]})
+    desk.document.edit(regions, "new region", "")
+    assert desk.follow.text
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    session = desk.document.session
+    assert session.result.ended == "converged"
+    assert session.scene.screen.z == 7
+    assert session.scene.regions[0].name == "Desk"
+
+
 def test_switching_off_ends_what_follows_and_keeps_its_lens(desk, qtbot):
     desk.engine.hold()
     desk.edit(7)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 from matplotlib.backend_bases import MouseEvent
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from tests.ui.hands import move_screen
@@ -91,6 +91,14 @@ def texts(window, row):
 def verified(window):
     """What stands in the column of verified errors."""
     return [texts(window, row)[3] for row in range(table(window).rowCount())]
+
+
+def test_all_lines_are_as_high_whatever_stands_in_them(two_runs):
+    lines = table(two_runs)
+    with QSignalBlocker(lines):
+        lines.item(0, lines.columnCount() - 1).setText("long words " * 20)
+    heights = [lines.rowHeight(row) for row in range(lines.rowCount())]
+    assert heights[0] == heights[1] > lines.iconSize().height()
 
 
 def test_each_run_is_kept_in_one_step_with_its_result(window, run):

@@ -120,6 +120,16 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     assert [view._readout.text() for view in views] == ["", "", ""]
 
 
+def test_value_and_place_under_the_pointer_are_said_in_short_where_there_is_little_room(views):
+    view = views[0]
+    for width, words in ((400, "at x ="), (150, "(0.4")):
+        view._readout.resize(width, view._readout.height())
+        view._point((0.4, 0.2))
+        text = view._readout.text()
+        assert words in text
+        assert view._readout.fontMetrics().horizontalAdvance(text) <= width
+
+
 def test_light_has_a_logarithmic_scale(views, qtbot):
     qtbot.mouseClick(views[0]._logarithmic, Qt.MouseButton.LeftButton)
     light, target, error = (view._content.image.artists[0] for view in views)

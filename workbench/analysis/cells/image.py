@@ -17,6 +17,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, within
 
@@ -125,7 +126,8 @@ def imaging(
                 break
         level += 1
     if not image.any():
-        raise RunFailed("no light of this lens reaches the screen, so there is no image to judge")
+        dark = Said("no light of this lens reaches the screen, so there is no image to judge")
+        raise RunFailed(dark)
     irradiance = image / scene.receiver.pixel_measure
     return CellImage(irradiance, bound, levels.cells(level), accuracy, levels.sized)
 

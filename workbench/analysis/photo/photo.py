@@ -26,6 +26,7 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
@@ -155,7 +156,8 @@ def photographing(
         image = yield from within(steps, partial(of_equal, len(wavelengths), done))
         rgb += (image / scene.receiver.pixel_measure)[..., None] * weight
     if not rgb.any():
-        raise RunFailed("no light of this lens reaches the screen, so there is nothing to see")
+        dark = Said("no light of this lens reaches the screen, so there is nothing to see")
+        raise RunFailed(dark)
     receiver, wanted = scene.receiver, target / target.max()
     white = receiver.total(luminance(rgb)) / receiver.total(wanted)
     width, height = np.divide(receiver.half_extent, receiver.pixels).tolist()
