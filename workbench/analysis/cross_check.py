@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
+from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.through_focus import through_focus
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
@@ -147,11 +148,12 @@ def cross_check(
     size = _norm((o_1 + o_2) / 2)
     products = (m_1 - o_1) * (m_2 - o_2) / size**2
     square, spread = float(products.sum()), _95 * _norm(products - products.mean())
+    corrected = CorrectedDistance.of_square(square, spread)
     return CrossCheck(
         difference=_norm(m_1 + m_2 - o_1 - o_2) / (2 * size),
         noise=math.hypot(_norm(m_1 - m_2), _norm(o_1 - o_2)) / (2 * size),
-        difference_corrected=root(square),
-        difference_corrected_interval=(root(square - spread), root(square + spread)),
+        difference_corrected=corrected.distance,
+        difference_corrected_interval=corrected.interval,
         ours=_seen(light["ours"], target),
         mitsuba=_seen(light["mitsuba"], target),
         rays=2 * half,

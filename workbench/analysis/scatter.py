@@ -45,7 +45,7 @@ class CorrectedDistance(NamedTuple):
         # The scatter of the second image shows in the products. That of the first, which has more
         # rays, adds less to the variance than its part of the rays says.
         spread = STUDENT_T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / FEWER) / BATCHES)
-        return cls._of(square, spread)
+        return cls.of_square(square, spread)
 
     @classmethod
     def of_pairs(
@@ -73,10 +73,11 @@ class CorrectedDistance(NamedTuple):
         without = (products.sum() - 2 * products.sum(axis=1)) / ((count - 1) * (count - 2))
         variance = (count - 1) / count * float(np.square(without - square).sum())
         spread = STUDENT_T * math.sqrt(variance)
-        return cls._of(square, spread)
+        return cls.of_square(square, spread)
 
     @classmethod
-    def _of(cls, square: float, spread: float) -> "CorrectedDistance":
+    def of_square(cls, square: float, spread: float) -> "CorrectedDistance":
+        """From an estimate of the square, and how far that may be off."""
         # A square below 0 by more than its spread tells that images are evener together than ones
         # that are independent, as parts of a file whose rays are laid out evenly: by so much the
         # true one may be above 0 as well.
