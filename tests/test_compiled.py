@@ -58,6 +58,56 @@ def test_code_is_compiled_once_and_taken_from_disk_later(places):
     assert not compiled.unkept()
 
 
+_PROGRAM = """
+import sys
+import numpy as np
+from workbench.compiled import jit
+
+@jit()
+def squares(count):
+    if count < 0:
+        raise ValueError("fewer than none")
+    found = np.zeros(count)
+    for k in range(count):
+        found[k] = k * k
+    return found
+
+@jit()
+def norm(values):
+    return np.sqrt((values * values).sum())
+
+def found():
+    values = squares(4).tolist()
+    try:
+        squares(-1)
+    except ValueError as error:
+        return values, str(error)
+
+print(found(), bool(squares.stats.cache_hits), "numba.np.arrayobj" in sys.modules)
+if len(sys.argv) > 1:
+    print(norm(np.array([3.0, 4.0])), bool(norm.stats.cache_hits))
+"""
+
+
+def test_code_from_disk_runs_without_the_compilers_modules_and_beside_new_code(tmp_path):
+    program, kept = tmp_path / "program.py", tmp_path / "kept"
+    program.write_text(_PROGRAM)
+
+    def printed(*arguments):
+        return subprocess.run(
+            [sys.executable, program, *arguments],
+            env={**os.environ, "NUMBA_CACHE_DIR": str(kept), "PYTHONPATH": str(ROOT.parent)},
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout.splitlines()
+
+    same = "([0.0, 1.0, 4.0, 9.0], 'fewer than none')"
+    assert printed() == [f"{same} False True"]
+    assert printed("both") == [f"{same} True False", "5.0 False"]
+    assert printed("both") == [f"{same} True False", "5.0 True"]
+
+
 def test_compiling_is_logged_once_and_what_is_kept_needs_no_word(places, caplog):
     caplog.set_level("INFO", logger="workbench")
     compiled._tell.cache_clear()

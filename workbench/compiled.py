@@ -11,6 +11,7 @@
 """
 
 import hashlib
+import io
 import logging
 import os
 import pickle
@@ -30,6 +31,8 @@ from llvmlite.binding import Linkage  # type: ignore[import-untyped]
 from numba.core.caching import _Cache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler, CompileResult
+from numba.core.environment import Environment, lookup_environment
+from numba.core.runtime.nrt import rtsys
 from numba.core.serialize import dumps
 
 _HERE = Path(__file__).parent
@@ -129,12 +132,14 @@ class _Kept(_Cache):
         return str(next(folders()))
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        target_context.refresh()  # as numba's own cache does
+        # What code needs to run. A compiler's tables, which numba's own cache fills here too, are
+        # filled when something is compiled: with `_Parts` a quarter of a second of each start.
+        rtsys.initialize(target_context)
         name = self._file(sig, target_context.codegen())
         for folder in folders():
             data = _unsealed(folder / name)
             if data is not None:
-                parts = pickle.loads(data)
+                parts = _Parts(io.BytesIO(data)).load()
                 return CompileResult._rebuild(target_context, *parts)  # type: ignore[no-untyped-call]
         _tell()
         return None
@@ -166,6 +171,25 @@ class _Kept(_Cache):
 
     def flush(self) -> None:
         """Nothing to do: what is compiled again replaces what was kept."""
+
+
+class _Parts(pickle.Unpickler):
+    """Loads the parts of compiled code without the modules of numba from which some were made."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        return _environment if name == "_rebuild_env" else super().find_class(module, name)
+
+
+def _environment(module: str, constants: list[Any], name: str) -> Environment:
+    """What code shares with Python; only code that works on Python's objects asks for a module."""
+    known: Environment | None = lookup_environment(name)  # type: ignore[no-untyped-call]
+    if known is not None:
+        return known
+    made = Environment({"__name__": module})
+    made.consts[:] = constants
+    made.env_name = name
+    Environment._memo[name] = made
+    return made
 
 
 @cache

@@ -57,9 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def command() -> NoReturn:
     """Run the command of this process, and end the process with its exit status."""
-    status = main()
-    end(status)
-    sys.exit(status)
+    end(main())
 
 
 class _Printer(logging.Handler):
