@@ -6780,6 +6780,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
+            <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/memory.py" />
             <source>{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, and {available} are free; take fewer of both, or close other programs</source>
             <translation>{n_x} × {n_y} Pixel mit {n_u} × {n_v} Kontrollpunkten brauchen etwa {needed} Speicher, und {available} sind frei; weniger von beiden helfen, oder andere Programme zu schließen</translation>

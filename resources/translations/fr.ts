@@ -6780,6 +6780,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>convergé : moins de {gain:g} % de mieux en {patience} itérations</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/auto.py" />
+            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
+            <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/memory.py" />
             <source>{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, and {available} are free; take fewer of both, or close other programs</source>
             <translation>{n_x} × {n_y} pixels avec {n_u} × {n_v} points de contrôle demandent environ {needed} de mémoire, et {available} sont libres ; prenez-en moins, ou fermez d'autres programmes</translation>

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from workbench.design import auto
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
@@ -41,6 +42,12 @@ def test_auto_says_that_it_converged(make_scene, disc):
         "converged: no step makes the image better",
         "converged: error below 0.1 %",
     )
+
+
+def test_auto_ends_where_errors_fall_by_less_than_eyes_see(make_scene, disc, monkeypatch):
+    monkeypatch.setattr(auto, "_UNSEEN", 0.5)
+    why = ended(run(make_scene({"run.iterations": 1000}), disc))
+    assert why == "converged: error less than 50 percentage points lower in 8 iterations"
 
 
 def test_the_last_stage_says_why(make_scene, disc):

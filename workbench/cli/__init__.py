@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import NoReturn
 
 from workbench.cli.ending import end
-from workbench.cli.garbage import seldom_collected
+from workbench.cli.garbage import collect_seldom
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
@@ -34,7 +34,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         Exit status.
     """
     calm_library_threads()
-    with Streams() as streams, _logging(), seldom_collected():
+    with Streams() as streams, _logging():
         try:
             with Interruptible():
                 _run(arguments)
@@ -57,6 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def command() -> NoReturn:
     """Run the command of this process, and end the process with its exit status."""
+    collect_seldom()
     end(main())
 
 

@@ -5,19 +5,11 @@ searches through them again and again while they come: a quarter of the time of 
 """
 
 import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 # New objects, searches of these, and of those again, before the next wider search.
 _THRESHOLDS = 400_000, 50, 1000
 
 
-@contextmanager
-def seldom_collected() -> Iterator[None]:
-    """Search for cyclic garbage seldom while entered."""
-    before = gc.get_threshold()
+def collect_seldom() -> None:
+    """Search for cyclic garbage seldom from now on, until the process ends."""
     gc.set_threshold(*_THRESHOLDS)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)

@@ -25,7 +25,12 @@ def test_few_rays_are_left_to_one_thread():
     assert threads.parts(10**9) == torch.get_num_threads()
 
 
-def test_all_parts_run_and_at_the_same_time():
+@pytest.fixture
+def three_threads(monkeypatch):
+    monkeypatch.setattr(torch, "get_num_threads", lambda: 3)
+
+
+def test_as_many_parts_as_threads_run_at_the_same_time(three_threads):
     meet = threading.Barrier(3, timeout=30)
     done = []
 
@@ -37,11 +42,42 @@ def test_all_parts_run_and_at_the_same_time():
     assert sorted(done) == [0, 1, 2]
 
 
+def test_a_part_that_takes_long_leaves_the_others_to_other_threads(three_threads):
+    others = threading.Semaphore(0)
+
+    def work(part):
+        if part == 0:
+            assert all(others.acquire(timeout=30) for _ in range(7))
+        else:
+            others.release()
+
+    threads.run(work, 8)
+
+
+def test_a_thread_that_has_other_work_is_not_waited_for():
+    busy, free = threading.Event(), threading.Event()
+    done = []
+
+    def hold(part):
+        busy.set()
+        assert free.wait(timeout=30)
+
+    other = threading.Thread(target=threads.run, args=(hold, torch.get_num_threads()))
+    other.start()
+    assert busy.wait(timeout=30)
+    threads.run(done.append, 4)
+    free.set()
+    other.join()
+    assert sorted(done) == [0, 1, 2, 3]
+
+
 @pytest.mark.parametrize("failing", [0, 1])
-def test_a_failure_in_any_part_is_raised_after_all_have_ended(failing):
+def test_a_failure_in_any_part_is_raised_after_those_at_work_have_ended(failing, three_threads):
+    meet = threading.Barrier(2, timeout=30)
     done = []
 
     def work(part):
+        meet.wait()
         if part == failing:
             raise ZeroDivisionError
         done.append(part)

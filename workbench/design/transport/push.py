@@ -14,13 +14,12 @@ Array = npt.NDArray[np.float64]
 _MOST_PARTS = 8
 
 
-@jit()
-def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
+def mapped(potential: Array, weight_0: float, weight_1: float) -> tuple[Array, Array]:
     """Where the map y = x − ∇φ(x) / w brings the places of a grid with spacing 1.
 
     Parameters
     ----------
-    potential : ndarray of float64, shape (m_0, m_1)
+    potential : ndarray, shape (m_0, m_1)
         φ.
     weight_0, weight_1 : float
         Weights of the squared distances along the two axes.
@@ -30,9 +29,21 @@ def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
     tuple of two ndarrays, shape (m_0, m_1)
         Coordinates along the two axes, within the cells of the grid.
     """
+    to_0, to_1 = np.empty_like(potential), np.empty_like(potential)
+    parts, bounds = _lines(potential)
+
+    def work(part: int) -> None:
+        _mapped(potential, weight_0, weight_1, bounds[part], bounds[part + 1], to_0, to_1)
+
+    threads.run(work, parts)
+    return to_0, to_1
+
+
+@jit(allocates=False)
+def _mapped(potential, weight_0, weight_1, begin, end, to_0, to_1):  # type: ignore[no-untyped-def]
+    """The lines from number ``begin`` to ``end``; see `mapped`."""
     m_0, m_1 = potential.shape
-    to_0, to_1 = np.empty((m_0, m_1)), np.empty((m_0, m_1))
-    for a in range(m_0):
+    for a in range(begin, end):
         below, above = max(a - 1, 0), min(a + 1, m_0 - 1)
         for b in range(m_1):
             left, right = max(b - 1, 0), min(b + 1, m_1 - 1)
@@ -40,7 +51,6 @@ def mapped(potential, weight_0, weight_1):  # type: ignore[no-untyped-def]
             rise_1 = (potential[a, right] - potential[a, left]) / (right - left)
             to_0[a, b] = min(max(a - rise_0 / weight_0, -0.5), m_0 - 0.5)
             to_1[a, b] = min(max(b - rise_1 / weight_1, -0.5), m_1 - 0.5)
-    return to_0, to_1
 
 
 def push(mass: Array, to_0: Array, to_1: Array) -> Array:
@@ -60,8 +70,7 @@ def push(mass: Array, to_0: Array, to_1: Array) -> Array:
     -------
     ndarray, shape (m_0, m_1)
     """
-    parts = min(threads.parts(mass.size), len(mass))
-    bounds = threads.bounds(len(mass), parts)
+    parts, bounds = _lines(mass)
     pushed = np.zeros((parts, *mass.shape))
 
     def work(part: int) -> None:
@@ -69,6 +78,12 @@ def push(mass: Array, to_0: Array, to_1: Array) -> Array:
 
     threads.run(work, parts)
     return np.asarray(pushed.sum(axis=0))
+
+
+def _lines(values: Array) -> tuple[int, list[int]]:
+    """How many threads work on a grid, and where the lines of each of them begin and end."""
+    parts = min(threads.parts(values.size), len(values))
+    return parts, threads.bounds(len(values), parts)
 
 
 @jit()

@@ -26,6 +26,8 @@ Array = npt.NDArray[np.float64]
 AnyArray = npt.NDArray[np.floating[Any]]
 Splits = tuple[Array, Array]
 
+# Parts for each thread where a part needs no image of its own: rows take more time where light is.
+_SHARES = 4
 # Grids of so few rows are drawn as one: what lies between them costs less than a call for each.
 _SMALL = 32
 
@@ -103,9 +105,9 @@ def _grids(splits: Splits) -> list[slice]:
     return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
 
 
-def _bounds(rows: int, nodes: int) -> tuple[list[int], int]:
+def _bounds(rows: int, nodes: int, shares: int = 1) -> tuple[list[int], int]:
     """Where the parts of so many rows of nodes begin and end, and how many parts there are."""
-    parts = min(threads.parts(nodes), rows)
+    parts = min(threads.parts(nodes) * shares, rows)
     return threads.bounds(rows, parts), parts
 
 
@@ -209,7 +211,7 @@ def _to_the_right(cotangent: Array) -> Array:
 def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     rows, columns = nodes.shape[1:]
-    at, parts = _bounds(rows, nodes[0].size)
+    at, parts = _bounds(rows, nodes[0].size, _SHARES)
     column, row, density, parted = mesh
     right = _to_the_right(cotangent)
     d_nodes, d_density = np.zeros((3, rows + 1, columns)), np.zeros_like(density)

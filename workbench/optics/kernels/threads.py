@@ -27,18 +27,28 @@ def bounds(items: int, parts: int) -> list[int]:
 
 
 def run(work: Callable[[int], None], parts: int) -> None:
-    """Call ``work(part)`` for each part at the same time, and wait for all.
+    """Call ``work(part)`` for each part, several at the same time, and wait for all.
 
-    The caller's thread does the last part itself. ``work`` should spend its time in a kernel
-    compiled with ``nogil=True`` and may not call `run` again.
+    There are no more threads at work than torch has, and each takes the next part that is left:
+    with more parts than threads, none waits long for another. The caller's thread is one of them.
+    ``work`` should spend its time in a kernel compiled with ``nogil=True`` and may not call `run`
+    again.
     """
-    others = [_pool(parts - 1).submit(work, part) for part in range(parts - 1)]
+    left = iter(range(parts))  # its next number is taken by one thread alone: Python's lock is held
+
+    def take() -> None:
+        for part in left:
+            work(part)
+
+    count = min(parts, torch.get_num_threads()) - 1
+    others = [_pool(count).submit(take) for _ in range(count)]
     try:
-        work(parts - 1)
+        take()
     finally:
         # Even after a failure here: the others still write to arrays of the caller.
         for other in others:
-            other.result()
+            if not other.cancel():  # it has begun
+                other.result()
 
 
 @cache
