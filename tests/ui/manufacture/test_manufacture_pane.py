@@ -33,7 +33,7 @@ def pane(settings, session, bowl, show, qtbot):
     pane.show_design(session)
     pane.show_frame(bowl(0.2))
     show(pane, 760, 420)
-    qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty, timeout=10_000)
+    qtbot.waitUntil(lambda: pane._found is not None and not pane.map.empty)
     return pane
 
 
@@ -72,7 +72,7 @@ def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
     heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.net_shape)
     pane.show_frame(frames(1, session, heights=FaceArrays({"exit": heights})))
     shown = pane._figures.found
-    qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm", timeout=10_000)
+    qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm")
     assert (shown["steepest"].text(), shown["sag_range"].text()) == ("0°", "0 cm")
 
 
@@ -144,7 +144,7 @@ def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch,
     before = pane._figures.found["steepest"].text()
     assert not pane._background.busy and not pane._rest.isActive()
     pane.allow(resting=True)
-    qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before, timeout=10_000)
+    qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before)
     assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
 
 
@@ -163,7 +163,7 @@ def test_without_a_lens_there_are_no_figures(pane, session, qtbot):
 
 def test_closing_the_window_ends_a_computation(pane, bowl, qtbot):
     pane.show_frame(bowl(0.1))
-    qtbot.waitUntil(lambda: pane._background.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: pane._background.busy)
     pane.close_thread()
     assert not pane._background.busy
 
@@ -183,7 +183,7 @@ def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, fr
     pane.show_design(session)
     pane.show_frame(frames(1, session, heights=heights))
     found = pane._figures.found
-    qtbot.waitUntil(lambda: found.get("entrance steepest") is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: found.get("entrance steepest") is not None)
     figures = manufacture(session.scene.lens, heights)
     assert found["steepest"].text() == f"{figures.steepest.value:.4g}°"
     assert found["entrance steepest"].text() == f"{figures.entrance.steepest.value:.4g}°"
@@ -203,5 +203,5 @@ def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, fr
     flat = make_session()
     pane.show_design(flat)
     pane.show_frame(frames(1, flat))
-    qtbot.waitUntil(lambda: not found["entrance steepest"].isVisibleTo(pane), timeout=10_000)
+    qtbot.waitUntil(lambda: not found["entrance steepest"].isVisibleTo(pane))
     assert not pane.map.faces.isVisibleTo(pane)
