@@ -218,6 +218,12 @@ EXAMPLES = (
         "LED close by: square through a dome",
         "The entrance face comes towards the LED in its middle; compare with a flat one.",
     ),
+    Example(
+        "two-distances",
+        _TWO_FACES,
+        "Photograph at two distances",
+        "Thick glass moves the light, its exit face makes it parallel; compare both images.",
+    ),
     *(
         Example(
             f"derivative-degree{degree}-filter{size}",

@@ -64,5 +64,30 @@ SCENES = {
         {"z": 200, "half_width": [140, 140], "pixels": [40, 40]},
         "rectangle-20x20",
     ),
+    # The same photograph at 0.9 and 1.1 times 150 mm behind the lens and as wide as it: light goes
+    # straight on behind the lens, and is moved between its faces alone.
+    "two-distances": _scene(
+        {
+            "half_width": [50, 50],
+            "base": {"shape": "flat", "height": 100},
+            "min_thickness": 2,
+            "entrance": {
+                "shape": "freeform",
+                "control_points": "auto",
+                "height_range": [-20, 20],
+            },
+        },
+        {"kind": "collimated"},
+        {"z": 235, "half_width": [50, 50], "pixels": [128, 128]},
+        "photo-256",
+    )
+    | {
+        "further_images": [
+            {
+                "screen": {"z": 265, "half_width": [50, 50], "pixels": [128, 128]},
+                "target": {"image": "../targets/photo-256.png"},
+            }
+        ]
+    },
 }
 """Scenes by the names of their examples."""

@@ -425,6 +425,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Photograph at two distances</source>
+            <translation>Fotografie in zwei Abständen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
+            <translation>Dickes Glas verschiebt das Licht, die Austrittsfläche richtet es parallel; beide Bilder vergleichen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Degrees (3, 3), filter 3 × 3</source>
             <translation>Grade (3, 3), Filter 3 × 3</translation>
         </message>

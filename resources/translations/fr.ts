@@ -425,6 +425,16 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>Photograph at two distances</source>
+            <translation>Photographie à deux distances</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
+            <translation>Le verre épais déplace la lumière, la face de sortie la rend parallèle ; comparer les deux images.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>Degrees (3, 3), filter 3 × 3</source>
             <translation>Degrés (3, 3), filtre 3 × 3</translation>
         </message>
