@@ -56,10 +56,10 @@ def test_samples_of_one_point_are_the_middles_of_cells(make_scene):
     assert lattice.x.place.tolist() == [-0.75, -0.25, 0.25, 0.75]
     assert lattice.x.width.tolist() == [0.5] * 4
     assert lattice.x.away == pytest.approx(lattice.x.place - 0.5)
-    assert not lattice.x.reach.any()
+    assert not lattice.x.rim_from_point.any()
     # Above the aperture by 2: its rays cross the entrance face 2 or more below the point.
-    assert lattice.y.reach.tolist() == [-2.0] * 5
-    assert lattice.y.beyond == pytest.approx(1 - lattice.y.place)
+    assert lattice.y.rim_from_point.tolist() == [-2.0] * 5
+    assert lattice.y.rim_from_place == pytest.approx(1 - lattice.y.place)
 
 
 @pytest.mark.parametrize("points", [(1, 1), (3, 4)])

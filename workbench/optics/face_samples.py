@@ -150,9 +150,13 @@ class FaceSamples:
         # Flux per area right before the points, but for Fresnel's loss.
         self._brightest = lattice.intensity / lattice.distance**2
         self._rims = [
-            (axis.cell, constant(axis.reach).reshape(shape), constant(axis.beyond).reshape(shape))
+            (
+                axis.cell,
+                constant(axis.rim_from_point).reshape(shape),
+                constant(axis.rim_from_place).reshape(shape),
+            )
             for axis, shape in ((lattice.x, (-1, 1)), (lattice.y, (1, -1)))
-            if axis.reach.any()
+            if axis.rim_from_point.any()
         ]
 
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
@@ -171,9 +175,9 @@ class FaceSamples:
         lean = 1 - slope_x * face_x - slope_y * face_y
         met = inside & (lean > 0)  # a face that leans away further has met the light before
         flux = self._brightest * self._area[0] * self._area[1] * light.density * lean
-        for cell, reach, beyond in self._rims:
+        for cell, rim_from_point, rim_from_place in self._rims:
             # Part of the sample's cell that sees its point through the entrance face.
-            sees = beyond + reach * (depth * light.steepness)
+            sees = rim_from_place + rim_from_point * (depth * light.steepness)
             flux = flux * (0.5 + sees / cell).clamp(0, 1)
         flux = torch.where(met, flux, 0.0)
 

@@ -29,7 +29,7 @@ class LightInGlass(NamedTuple):
 
     Attributes
     ----------
-    part : Tensor
+    radius_ratio : Tensor
         r = ρ_e / ρ.
     steepness : Tensor
         g: slope of the ray over ρ_e.
@@ -38,7 +38,7 @@ class LightInGlass(NamedTuple):
         face but for Fresnel's loss there.
     """
 
-    part: Tensor
+    radius_ratio: Tensor
     steepness: Tensor
     density: Tensor
 
@@ -64,34 +64,34 @@ class FlatGlass:
     def light(self, radius2: Tensor, depth: Tensor) -> LightInGlass:
         """The light at places ``radius2`` = ρ² from the axis, at depths t ≥ 0; smooth in t."""
         with torch.no_grad():
-            part = self._part(radius2, depth.detach())
-            spread = self._residual(part, radius2, depth.detach())[1]
+            radius_ratio = self._radius_ratio(radius2, depth.detach())
+            spread = self._residual(radius_ratio, radius2, depth.detach())[1]
         # One step more with a constant slope has the derivative of the root.
-        part = part - self._residual(part, radius2, depth)[0] / spread
+        radius_ratio = radius_ratio - self._residual(radius_ratio, radius2, depth)[0] / spread
 
-        steepness = self._steepness(part, radius2)
-        cos = (1 + part.square() * (radius2 / self._distance**2)).rsqrt()
-        inside = (1 + part.square() * (radius2 * steepness.square())).rsqrt()
+        steepness = self._steepness(radius_ratio, radius2)
+        cos = (1 + radius_ratio.square() * (radius2 / self._distance**2)).rsqrt()
+        inside = (1 + radius_ratio.square() * (radius2 * steepness.square())).rsqrt()
         behind = cos * cos.square() * self._law.at(cos, inside)
         if self._lambertian:
             behind = behind * cos
-        spread = self._residual(part, radius2, depth)[1]
-        return LightInGlass(part, steepness, behind * part / spread)
+        spread = self._residual(radius_ratio, radius2, depth)[1]
+        return LightInGlass(radius_ratio, steepness, behind * radius_ratio / spread)
 
     def slope(self, radius2: Tensor, depth: Tensor) -> Tensor:
         """Slope over ρ of the ray through places as in `light`, r g; without a derivative."""
         with torch.no_grad():
-            part = self._part(radius2, depth)
-            return part * self._steepness(part, radius2)
+            radius_ratio = self._radius_ratio(radius2, depth)
+            return radius_ratio * self._steepness(radius_ratio, radius2)
 
-    def _part(self, radius2: Tensor, depth: Tensor) -> Tensor:
+    def _radius_ratio(self, radius2: Tensor, depth: Tensor) -> Tensor:
         """The r of places, to rounding."""
-        part = self._start(radius2, depth)
+        radius_ratio = self._start(radius2, depth)
         widest = radius2.max().sqrt().item()
         for _ in range(self.steps(widest, depth.max().item(), depth.dtype)):
-            residual, spread = self._residual(part, radius2, depth)
-            part = part - residual / spread
-        return part
+            residual, spread = self._residual(radius_ratio, radius2, depth)
+            radius_ratio = radius_ratio - residual / spread
+        return radius_ratio
 
     def steps(self, widest: float, deepest: float, dtype: torch.dtype) -> int:
         """How many steps of Newton's method reach rounding at all radii and depths up to these.
@@ -107,13 +107,13 @@ class FlatGlass:
         cone = deepest / (self._index**2 - 1) ** 0.5
         radius = torch.cat([widest * fractions, (cone * fractions).clamp_max(widest)])
         depth, radius2 = deepest * fractions[:, None], radius.square()
-        part = self._start(radius2, depth)
+        radius_ratio = self._start(radius2, depth)
         count = 0
         while count < _MOST_STEPS:
-            residual, spread = self._residual(part, radius2, depth)
-            part = part - residual / spread
+            residual, spread = self._residual(radius_ratio, radius2, depth)
+            radius_ratio = radius_ratio - residual / spread
             # The residual has the rounding of 1.
-            if (residual.abs() <= 4 * eps * (1 + part * spread)).all():
+            if (residual.abs() <= 4 * eps * (1 + radius_ratio * spread)).all():
                 break
             count += 1
         self._known = (deepest, widest, dtype, count)
@@ -124,10 +124,10 @@ class FlatGlass:
         """Distance at which the point seems to be from within the glass, on the axis."""
         return self._index * self._distance
 
-    def _steepness(self, part: Tensor, radius2: Tensor) -> Tensor:
+    def _steepness(self, radius_ratio: Tensor, radius2: Tensor) -> Tensor:
         # In units of the distance: of a near point the squares of lengths leave float32's range.
         widening = (self._index**2 - 1) * (radius2 / self._apparent**2)
-        return (1 + part.square() * widening).rsqrt() / self._apparent
+        return (1 + radius_ratio.square() * widening).rsqrt() / self._apparent
 
     def _start(self, radius2: Tensor, depth: Tensor) -> Tensor:
         """Two lower bounds of r: g is largest on the axis, and no slope exceeds (n² − 1)^(−½)."""
@@ -137,7 +137,9 @@ class FlatGlass:
             self._apparent / (self._apparent + depth), 1 - depth / widening.clamp_min(tiny)
         )
 
-    def _residual(self, part: Tensor, radius2: Tensor, depth: Tensor) -> tuple[Tensor, Tensor]:
+    def _residual(
+        self, radius_ratio: Tensor, radius2: Tensor, depth: Tensor
+    ) -> tuple[Tensor, Tensor]:
         """By how much r leads too far, in units of ρ, and the derivative of that, dρ/dρ_e."""
-        g = self._steepness(part, radius2)
-        return part * (1 + depth * g) - 1, 1 + depth * (self._apparent * g).square() * g
+        g = self._steepness(radius_ratio, radius2)
+        return radius_ratio * (1 + depth * g) - 1, 1 + depth * (self._apparent * g).square() * g

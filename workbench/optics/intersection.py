@@ -196,18 +196,19 @@ class ExactIntersection:
         f + f' δ − M δ² / 2 does. The second step is that of Newton's method close to a root.
         """
         (bound_x, bound_y) = self._patches.slope_bounds(heights)
-        bend_xx, bend_xy, bend_yy = self._patches.curvature_bounds(heights)
+        curvature_xx, curvature_xy, curvature_yy = self._patches.curvature_bounds(heights)
         eps = torch.finfo(low.dtype).eps  # keeps a product with an infinite bound infinite
         across, up = bundle.slope_x.abs().clamp_min(eps), bundle.slope_y.abs().clamp_min(eps)
         steepest = 1 + bound_x * across + bound_y * up
-        bend = bend_xx * across * across + 2 * bend_xy * across * up + bend_yy * up * up
+        curvature = curvature_xx * across * across + 2 * curvature_xy * across * up
+        curvature = curvature + curvature_yy * up * up
         found = torch.zeros_like(low, dtype=torch.bool)
         depth = low.clone()
         on = torch.arange(len(low), device=low.device)
         for _ in range(_WALK_STEPS):
             here = depth[on]
             f, slope = self._f(table, _take(bundle, on), here)
-            parabola = 2 * f / ((slope.square() + 2 * bend[on] * f).sqrt() - slope)
+            parabola = 2 * f / ((slope.square() + 2 * curvature[on] * f).sqrt() - slope)
             step = torch.maximum(f / steepest[on], parabola)
             arrived = (f <= 0) | (step <= tolerance)
             found[on] = arrived

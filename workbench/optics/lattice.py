@@ -35,9 +35,9 @@ class SampleAxis(NamedTuple):
         Number of the point.
     away : ndarray
         From the point to the place.
-    reach, beyond : ndarray
+    rim_from_point, rim_from_place : ndarray
         A point beside the aperture lights a place only if its ray crosses the entrance face, which
-        ends ``reach`` from the point, counted in the direction away from the lens, and ``beyond``
+        ends so far from the point, counted in the direction away from the lens, and so far from
         the place. 0 and one cell for points before the aperture.
     cell : float
         Distance of neighbouring samples of the same point, where cells are equal: they are for all
@@ -51,8 +51,8 @@ class SampleAxis(NamedTuple):
     width: Array
     point: npt.NDArray[np.int64]
     away: Array
-    reach: Array
-    beyond: Array
+    rim_from_point: Array
+    rim_from_place: Array
     cell: float
 
 
@@ -146,10 +146,10 @@ def _axis(
     begin, end = (_spread(ends, centre, half_width, lit) for ends in (low, high))
     cell = 2 * half_width * float((high - low).max())
     sign = np.sign(centre) * (np.abs(centre) > half_width)
-    reach = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
+    rim_from_point = np.where(sign == 0, 0.0, half_width - np.abs(centre))[point]
     side = sign[point]
     # Not as a difference of two ways from the point, which may be far.
-    beyond = np.where(side == 0, cell, half_width - side * place)
+    rim_from_place = np.where(side == 0, cell, half_width - side * place)
     return SampleAxis(
         place,
         begin,
@@ -158,8 +158,8 @@ def _axis(
         end - begin,
         point,
         place - centre[point],
-        reach,
-        beyond,
+        rim_from_point,
+        rim_from_place,
         cell,
     )
 

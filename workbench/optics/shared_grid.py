@@ -304,28 +304,28 @@ class SharedSamples:
         radius2 = away_x.square() + away_y.square()
         glass = FlatGlass(distance, self._shared.law, lambertian=False)
         light = glass.light(radius2, depth)
-        part = light.part
+        radius_ratio = light.radius_ratio
         apparent = distance * self._index
         narrow = 1 / (1 + depth * (apparent * light.steepness).square() * light.steepness)
         # p_x + p (x − p_x), without the cancellation for a point far beside the lens: 1 − p is
         # the slope times the depth.
-        way = part * light.steepness * depth
+        way = radius_ratio * light.steepness * depth
         (low_x, high_x), (low_y, high_y) = (
             (low - way * (low - p), high - way * (high - p))
             for low, high, p in ((self._low_x, self._high_x, p_x), (self._low_y, self._high_y, p_y))
         )
         wide_x = _seen(low_x, high_x, self._half_width[0])
         wide_y = _seen(low_y, high_y, self._half_width[1])
-        cos = (1 + part.square() * radius2 / distance**2).rsqrt()
+        cos = (1 + radius_ratio.square() * radius2 / distance**2).rsqrt()
         lit = cos.square() * cos / distance**2
         if self._shared.origins.lambertian:
             lit = lit * cos
         # Of a ring around the axis 1 / (p dρ_e/dρ) is lit, of a sample's part 1 / p².
-        flux = self._flux * lit * wide_x * wide_y * narrow / part
+        flux = self._flux * lit * wide_x * wide_y * narrow / radius_ratio
         x, y = self._x - way * away_x, self._y - way * away_y
         if self._patterns is not None:
             flux = flux * interpolated(self._patterns, (x, y), self._shared.half_width)
-        slope_x, slope_y = part * away_x / distance, part * away_y / distance
+        slope_x, slope_y = radius_ratio * away_x / distance, radius_ratio * away_y / distance
         return (x, y), (slope_x * cos, slope_y * cos, cos), flux
 
 

@@ -145,8 +145,8 @@ def fill_spots(places, flux, whole, rim, canvas):  # type: ignore[no-untyped-def
                 f += rim[corner, ray] * flux[spot, ray]
             corners[corner, 0], corners[corner, 1], light[corner] = x, y, f
         for corner in range(n):
-            part = flux[spot, 0] + light[corner] + light[(corner + 1) % n]
-            light_of[corner] = part / (3 * n)
+            total = flux[spot, 0] + light[corner] + light[(corner + 1) % n]
+            light_of[corner] = total / (3 * n)
         _fan(places[spot, 0], corners, light_of, here, behind)
 
 
@@ -206,12 +206,12 @@ def _edge(x_0, y_0, x_1, y_1, density, here, behind):  # type: ignore[no-untyped
     while y < last:
         y_next = min(row + 1.0, last)
         x_next = x_1 if y_next == y_1 else x_0 + (y_next - y_0) * slope
-        _part(min(x, x_next), max(x, x_next), density * (y_next - y), here[row], behind[row])
+        _add_in_row(min(x, x_next), max(x, x_next), density * (y_next - y), here[row], behind[row])
         x, y, row = x_next, y_next, row + 1
 
 
 @jit(error_model="numpy")
-def _part(x_0, x_1, value, here, behind):  # type: ignore[no-untyped-def]
+def _add_in_row(x_0, x_1, value, here, behind):  # type: ignore[no-untyped-def]
     """Add the part of an edge from x_0 to x_1 ≥ x_0 within one row of pixels.
 
     ``value`` is what a pixel that is wholly to the right of it gets.

@@ -102,7 +102,7 @@ def _push(mass, to_0, to_1, begin, end, pushed):  # type: ignore[no-untyped-def]
             stretch_11 = (to_1[a, right] - to_1[a, left]) / (right - left)
             parts_0 = _parts(max(abs(stretch_00), abs(stretch_10)))
             parts_1 = _parts(max(abs(stretch_01), abs(stretch_11)))
-            part = mass[a, b] / (parts_0 * parts_1)
+            share = mass[a, b] / (parts_0 * parts_1)
             for i in range(parts_0):
                 s = (i + 0.5) / parts_0 - 0.5
                 for j in range(parts_1):
@@ -113,10 +113,10 @@ def _push(mass, to_0, to_1, begin, end, pushed):  # type: ignore[no-untyped-def]
                     place_1 = min(max(place_1, 0.0), m_1 - 1.0)
                     near_0, near_1 = min(int(place_0), m_0 - 2), min(int(place_1), m_1 - 2)
                     f, g = place_0 - near_0, place_1 - near_1
-                    pushed[near_0, near_1] += part * (1 - f) * (1 - g)
-                    pushed[near_0 + 1, near_1] += part * f * (1 - g)
-                    pushed[near_0, near_1 + 1] += part * (1 - f) * g
-                    pushed[near_0 + 1, near_1 + 1] += part * f * g
+                    pushed[near_0, near_1] += share * (1 - f) * (1 - g)
+                    pushed[near_0 + 1, near_1] += share * f * (1 - g)
+                    pushed[near_0, near_1 + 1] += share * (1 - f) * g
+                    pushed[near_0 + 1, near_1 + 1] += share * f * g
 
 
 @jit()

@@ -127,11 +127,11 @@ def add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _see_piece(begin, end, x, d_x, i, j, cotangent, right):  # type: ignore[no-untyped-def]
     """Integrals along a piece of an edge, which is in one pixel; see `see_edge`."""
-    part, middle, here = end - begin, 0.5 * (begin + end), cotangent[i, j]
+    length, middle, here = end - begin, 0.5 * (begin + end), cotangent[i, j]
     ahead = np.float64(j) + 1.0 - (x + middle * d_x)
-    lit = part * here
+    lit = length * here
     later = middle * lit
-    return part * right[i, j + _ONE] + lit * ahead, lit - later, later
+    return length * right[i, j + _ONE] + lit * ahead, lit - later, later
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)

@@ -22,12 +22,12 @@ import numpy as np
 from workbench.compiled import jit
 from workbench.optics.kernels.beam_raster import FARTHEST
 
-_PART = 1 / 12
+_TWELFTH = 1 / 12
 _ZERO, _ONE = np.uintp(0), np.uintp(1)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
-def _bend(before, here, after):  # type: ignore[no-untyped-def]
+def _second_diff(before, here, after):  # type: ignore[no-untyped-def]
     """Second difference of hits."""
     return np.float64(before) + np.float64(after) - 2.0 * np.float64(here)
 
@@ -56,11 +56,13 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
             shifted[i, j] = hits[i, j]
         if along_u[i, 2] > 0.0:
             for j in range(m):
-                bend = _bend(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
-                shifted[i, j] -= _PART * bend if abs(bend) < FARTHEST else 0.0
+                second_diff = _second_diff(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
+                shifted[i, j] -= _TWELFTH * second_diff if abs(second_diff) < FARTHEST else 0.0
         for j in range(_ONE, m - _ONE):
-            bend = _bend(hits[i, j - _ONE], hits[i, j], hits[i, j + _ONE])
-            shifted[i, j] -= _PART * along_v[j, 2] * bend if abs(bend) < FARTHEST else 0.0
+            second_diff = _second_diff(hits[i, j - _ONE], hits[i, j], hits[i, j + _ONE])
+            shifted[i, j] -= (
+                _TWELFTH * along_v[j, 2] * second_diff if abs(second_diff) < FARTHEST else 0.0
+            )
         for j in range(m):
             place = min(max(shifted[i, j], -FARTHEST), FARTHEST)
             shifted[i, j] = place if abs(hits[i, j]) < np.inf else np.inf
@@ -88,17 +90,17 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
         # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in the
         # shift of its neighbour.
         for k in range(3):
-            a, part = i + np.uintp(k) - _ONE, _PART * (-1.0 if k != 1 else 2.0)
+            a, weight = i + np.uintp(k) - _ONE, _TWELFTH * (-1.0 if k != 1 else 2.0)
             if i + np.uintp(k) == _ZERO or a >= n or not along_u[a, 2] > 0.0:
                 continue
             for j in range(m):
-                bend = _bend(hits[a - _ONE, j], hits[a, j], hits[a + _ONE, j])
-                total[j] += part * cotangent[a, j] if abs(bend) < FARTHEST else 0.0
+                second_diff = _second_diff(hits[a - _ONE, j], hits[a, j], hits[a + _ONE, j])
+                total[j] += weight * cotangent[a, j] if abs(second_diff) < FARTHEST else 0.0
         for k in range(3):
-            part = _PART * (-1.0 if k != 1 else 2.0)
+            weight = _TWELFTH * (-1.0 if k != 1 else 2.0)
             for b in range(_ONE, m - _ONE):
-                bend = _bend(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
-                counts = part * along_v[b, 2] * cotangent[i, b]
-                total[b + np.uintp(k) - _ONE] += counts if abs(bend) < FARTHEST else 0.0
+                second_diff = _second_diff(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
+                counts = weight * along_v[b, 2] * cotangent[i, b]
+                total[b + np.uintp(k) - _ONE] += counts if abs(second_diff) < FARTHEST else 0.0
         for j in range(m):
             result[i, j] = total[j] if abs(hits[i, j]) < FARTHEST else 0.0

@@ -22,7 +22,7 @@ from workbench.optics.kernels.transmittance import transmittance, transmittance_
 from workbench.optics.transmittance import TransmittanceLaw
 
 # Numbers of a batch beside those of all kinds.
-_Q, _BEND, _FADE = (OWN + np.uintp(BATCH * k) for k in range(3))
+_Q, _DEFLECTION, _FADE = (OWN + np.uintp(BATCH * k) for k in range(3))
 
 
 class Optics(NamedTuple):
@@ -32,7 +32,7 @@ class Optics(NamedTuple):
     ----------
     ratio : floating
         Refractive index n.
-    excess : floating
+    ratio2_minus_1 : floating
         n² − 1.
     drop : floating
         How far the screen is above the level that heights are counted from.
@@ -49,7 +49,7 @@ class Optics(NamedTuple):
     """
 
     ratio: np.floating[Any]
-    excess: np.floating[Any]
+    ratio2_minus_1: np.floating[Any]
     drop: np.floating[Any]
     critical: np.floating[Any]
     arriving: np.floating[Any]
@@ -75,18 +75,18 @@ def _refract(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
     for lane in range(np.uintp(lanes)):
         z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
         k = z_x * z_x + z_y * z_y
-        square = one - optics.excess * k
+        square = one - optics.ratio2_minus_1 * k
         passes = square > optics.critical
         q = np.sqrt(square if passes else one)
-        bend = (optics.drop - t[Z + lane]) * optics.excess / (one + optics.ratio * q)
+        deflection = (optics.drop - t[Z + lane]) * optics.ratio2_minus_1 / (one + optics.ratio * q)
         cos_in = one / np.sqrt(one + k)
-        part = transmittance(optics.law, cos_in, q * cos_in)
-        weight = wide[lane] * arriving * part if passes else kind(0)
+        transmitted = transmittance(optics.law, cos_in, q * cos_in)
+        weight = wide[lane] * arriving * transmitted if passes else kind(0)
         t[_Q + lane] = q
-        t[_BEND + lane] = bend
-        column = place[lane] + spread.per_x * z_x * bend
+        t[_DEFLECTION + lane] = deflection
+        column = place[lane] + spread.per_x * z_x * deflection
         t[COLUMN + lane] = column if passes else kind(np.inf)
-        t[ROW + lane] = row + spread.per_y * z_y * bend if passes else kind(np.inf)
+        t[ROW + lane] = row + spread.per_y * z_y * deflection if passes else kind(np.inf)
         t[WEIGHT + lane] = weight
         passed += wide[lane] if passes else kind(0)
     return np.float64(passed * high[j])
@@ -150,24 +150,24 @@ def _refract_back(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def
     one, two, half = kind(1), kind(2), kind(0.5)
     for lane in range(np.uintp(lanes)):
         z_x, z_y = t[Z_X + lane], t[Z_Y + lane]
-        q, bend = t[_Q + lane], t[_BEND + lane]
+        q, deflection = t[_Q + lane], t[_DEFLECTION + lane]
         k = z_x * z_x + z_y * z_y
-        passes = one - optics.excess * k > optics.critical
+        passes = one - optics.ratio2_minus_1 * k > optics.critical
         d_x = t[D_COLUMN + lane] * spread.per_x
         d_y = t[D_ROW + lane] * spread.per_y
         share = one / (one + optics.ratio * q)
-        d_bend = d_x * z_x + d_y * z_y
+        d_deflection = d_x * z_x + d_y * z_y
         # weight = arriving T(s, q s), s = 1 / √(1 + k)
         s = one / np.sqrt(one + k)
         d_cos_in, d_cos_out = transmittance_slopes(optics.law, s, q * s)
-        d_part = wide[lane] * arriving * t[D_WEIGHT + lane]
-        d_q = d_part * d_cos_out * s - d_bend * bend * optics.ratio * share
+        d_transmitted = wide[lane] * arriving * t[D_WEIGHT + lane]
+        d_q = d_transmitted * d_cos_out * s - d_deflection * deflection * optics.ratio * share
         # q = √(1 − (n² − 1) k)
-        d_s = d_part * (d_cos_in + d_cos_out * q)
-        d_k = -half * (d_s * s * s * s + d_q * optics.excess / q)
-        d_z_x = d_x * bend + two * z_x * d_k
-        d_z_y = d_y * bend + two * z_y * d_k
-        d_z = -d_bend * optics.excess * share
+        d_s = d_transmitted * (d_cos_in + d_cos_out * q)
+        d_k = -half * (d_s * s * s * s + d_q * optics.ratio2_minus_1 / q)
+        d_z_x = d_x * deflection + two * z_x * d_k
+        d_z_y = d_y * deflection + two * z_y * d_k
+        d_z = -d_deflection * optics.ratio2_minus_1 * share
         t[Z + lane] = d_z if passes else kind(0)
         t[Z_X + lane] = d_z_x if passes else kind(0)
         t[Z_Y + lane] = d_z_y if passes else kind(0)

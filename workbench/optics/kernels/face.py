@@ -104,7 +104,7 @@ class FusedFaceSamples:
             sampled.entering.cast(kind),
             face.law.cast(kind),
             near=bool((n * n - 1) ** 0.5 * self._widest > apparent),
-            rims=bool(x.reach.any() or y.reach.any()),
+            rims=bool(x.rim_from_point.any() or y.rim_from_point.any()),
         )
 
     @property
@@ -140,9 +140,9 @@ def _first(
     along: SampleAxis, samples: int, kind: type[Number]
 ) -> tuple[AnyArray, AnyArray, AnyArray, AnyArray, Number]:
     """What `Across` and `Up` have in common, of the first samples; places are in scene units."""
-    numbers = along.away, along.reach, along.beyond
-    away, reach, beyond = (each[:samples].astype(kind) for each in numbers)
-    return along.place[:samples], away, reach, beyond, kind(1 / along.cell)
+    numbers = along.away, along.rim_from_point, along.rim_from_place
+    away, rim_from_point, rim_from_place = (each[:samples].astype(kind) for each in numbers)
+    return along.place[:samples], away, rim_from_point, rim_from_place, kind(1 / along.cell)
 
 
 def compile_for(dtype: torch.dtype) -> None:

@@ -18,7 +18,7 @@ class Across(NamedTuple):
     ----------
     place : ndarray
         In columns of the image.
-    away, reach, beyond : ndarray
+    away, rim_from_point, rim_from_place : ndarray
         Scene units.
     per_cell : floating
         One by the distance of neighbouring samples of a point.
@@ -28,8 +28,8 @@ class Across(NamedTuple):
 
     place: AnyArray
     away: AnyArray
-    reach: AnyArray
-    beyond: AnyArray
+    rim_from_point: AnyArray
+    rim_from_place: AnyArray
     per_cell: Number
     bright: AnyArray
 
@@ -39,8 +39,8 @@ class Up(NamedTuple):
 
     place: AnyArray
     away: AnyArray
-    reach: AnyArray
-    beyond: AnyArray
+    rim_from_point: AnyArray
+    rim_from_place: AnyArray
     per_cell: Number
     width: AnyArray
 
@@ -50,7 +50,7 @@ class FaceOptics(NamedTuple):
 
     Attributes
     ----------
-    ratio, excess : floating
+    ratio, ratio2_minus_1 : floating
         Refractive index n, and n² − 1.
     apparent : floating
         c = n d, for points at the distance d before the entrance face.
@@ -75,7 +75,7 @@ class FaceOptics(NamedTuple):
     """
 
     ratio: Number
-    excess: Number
+    ratio2_minus_1: Number
     apparent: Number
     distance2: Number
     lambert: Number

@@ -29,22 +29,23 @@ from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 
 # Numbers of a batch beside those of all kinds.
-_DEPTH, _PART, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD, _FLUX, _WAY = (
+_DEPTH, _RADIUS_RATIO, _BRIGHT, _D_BRIGHT, _G, _COS, _NARROW, _Q, _GAMMA, _AHEAD, _FLUX, _WAY = (
     OWN + np.uintp(BATCH * k) for k in range(12)
 )
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _newton(part, depth, widening, apparent):  # type: ignore[no-untyped-def]
+def _newton(radius_ratio, depth, widening, apparent):  # type: ignore[no-untyped-def]
     """One step towards the root of p (1 + t g) = 1."""
-    one = type(part)(1)
-    g = one / np.sqrt(apparent * apparent + part * part * widening)
+    one = type(radius_ratio)(1)
+    g = one / np.sqrt(apparent * apparent + radius_ratio * radius_ratio * widening)
     bent = apparent * g
-    return part - (part * (one + depth * g) - one) / (one + depth * (bent * bent) * g)
+    off = radius_ratio * (one + depth * g) - one
+    return radius_ratio - off / (one + depth * (bent * bent) * g)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
+def _find_radius_ratio(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-untyped-def]
     """Depths of samples, and their p."""
     kind = t.dtype.type
     one, zero, c = kind(1), kind(0), optics.apparent
@@ -52,16 +53,17 @@ def _find_part(away_x, away_y, optics, steps, lanes, t):  # type: ignore[no-unty
     for lane in range(count):
         depth = max(t[Z + lane] + optics.lift, zero)
         t[_DEPTH + lane] = depth
-        t[_PART + lane] = c / (c + depth)
+        t[_RADIUS_RATIO + lane] = c / (c + depth)
     if optics.near:
         for lane in range(count):
-            widening = optics.excess * (away_x[lane] * away_x[lane] + away_y * away_y)
+            widening = optics.ratio2_minus_1 * (away_x[lane] * away_x[lane] + away_y * away_y)
             steep = one - t[_DEPTH + lane] / np.sqrt(widening) if widening > zero else zero
-            t[_PART + lane] = max(t[_PART + lane], steep)
+            t[_RADIUS_RATIO + lane] = max(t[_RADIUS_RATIO + lane], steep)
     for _ in range(steps):
         for lane in range(count):
-            widening = optics.excess * (away_x[lane] * away_x[lane] + away_y * away_y)
-            t[_PART + lane] = _newton(t[_PART + lane], t[_DEPTH + lane], widening, c)
+            widening = optics.ratio2_minus_1 * (away_x[lane] * away_x[lane] + away_y * away_y)
+            before = t[_RADIUS_RATIO + lane]
+            t[_RADIUS_RATIO + lane] = _newton(before, t[_DEPTH + lane], widening, c)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -74,14 +76,15 @@ def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-
         t[_D_BRIGHT + lane] = kind(0)
     if not optics.rims:
         return
-    reach, beyond, away = across.reach[i:], across.beyond[i:], across.away[i:]
+    rim_from_point, rim_from_place = across.rim_from_point[i:], across.rim_from_place[i:]
+    away = across.away[i:]
     away_y, c = up.away[j], optics.apparent
     for lane in range(np.uintp(lanes)):
-        part = t[_PART + lane]
-        enters2 = part * part * (away[lane] * away[lane] + away_y * away_y)
-        bent = t[_DEPTH + lane] / np.sqrt(c * c + optics.excess * enters2)
-        seen_x, rise_x = _seen(reach[lane], beyond[lane], across.per_cell, bent)
-        seen_y, rise_y = _seen(up.reach[j], up.beyond[j], up.per_cell, bent)
+        radius_ratio = t[_RADIUS_RATIO + lane]
+        enters2 = radius_ratio * radius_ratio * (away[lane] * away[lane] + away_y * away_y)
+        bent = t[_DEPTH + lane] / np.sqrt(c * c + optics.ratio2_minus_1 * enters2)
+        seen_x, rise_x = _seen(rim_from_point[lane], rim_from_place[lane], across.per_cell, bent)
+        seen_y, rise_y = _seen(up.rim_from_point[j], up.rim_from_place[j], up.per_cell, bent)
         t[_D_BRIGHT + lane] = t[_BRIGHT + lane] * (rise_x * seen_y + seen_x * rise_y)
         t[_BRIGHT + lane] *= seen_x * seen_y
 
@@ -95,18 +98,18 @@ def _absorb(away_x, away_y, optics, lanes, t):  # type: ignore[no-untyped-def]
     kind = t.dtype.type
     one, c2 = kind(1), optics.apparent * optics.apparent
     for lane in range(np.uintp(lanes)):
-        depth, part = t[_DEPTH + lane], t[_PART + lane]
-        enters2 = part * part * (away_x[lane] * away_x[lane] + away_y * away_y)
-        g2 = one / (c2 + optics.excess * enters2)
+        depth, radius_ratio = t[_DEPTH + lane], t[_RADIUS_RATIO + lane]
+        enters2 = radius_ratio * radius_ratio * (away_x[lane] * away_x[lane] + away_y * away_y)
+        g2 = one / (c2 + optics.ratio2_minus_1 * enters2)
         g, length2 = np.sqrt(g2), one + enters2 * g2
         narrow = one / (one + depth * (c2 * g2) * g)
         length = np.sqrt(length2)
         way = optics.absorption * depth * length
         rise = optics.absorption * (one + (length2 - one) * narrow) / length
-        by_part = rise / (part * g * narrow)  # since dp/dt = −p g dρ_e/dρ
+        by_radius_ratio = rise / (radius_ratio * g * narrow)  # since dp/dt = −p g dρ_e/dρ
         left = np.exp(-way)
         t[_WAY + lane] = way
-        t[_D_BRIGHT + lane] = left * (t[_D_BRIGHT + lane] + t[_BRIGHT + lane] * by_part)
+        t[_D_BRIGHT + lane] = left * (t[_D_BRIGHT + lane] + t[_BRIGHT + lane] * by_radius_ratio)
         t[_BRIGHT + lane] *= left
 
 
@@ -122,16 +125,16 @@ def _absorbed(lanes, t):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _seen(reach, beyond, per_cell, bent):  # type: ignore[no-untyped-def]
+def _seen(rim_from_point, rim_from_place, per_cell, bent):  # type: ignore[no-untyped-def]
     """Part of a sample's cell that sees its point along one axis, and its slope by p.
 
     ``bent`` is t g = 1/p − 1.
     """
     kind = type(bent)
     one_by = kind(1) + bent
-    seen = kind(0.5) + (beyond + reach * bent) * per_cell
+    seen = kind(0.5) + (rim_from_place + rim_from_point * bent) * per_cell
     partly = (seen > kind(0)) & (seen < kind(1))
-    rise = -reach * one_by * one_by * per_cell if partly else kind(0)
+    rise = -rim_from_point * one_by * one_by * per_cell if partly else kind(0)
     return min(max(seen, kind(0)), kind(1)), rise
 
 
@@ -152,10 +155,10 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
     plain = one - optics.lambert
     for lane in range(np.uintp(lanes)):
         z, z_x, z_y = t[Z + lane], t[Z_X + lane], t[Z_Y + lane]
-        depth, part = t[_DEPTH + lane], t[_PART + lane]
+        depth, radius_ratio = t[_DEPTH + lane], t[_RADIUS_RATIO + lane]
         away_x = away[lane]
-        enters2 = part * part * (away_x * away_x + away_y * away_y)
-        g2 = one / (c * c + optics.excess * enters2)
+        enters2 = radius_ratio * radius_ratio * (away_x * away_x + away_y * away_y)
+        g2 = one / (c * c + optics.ratio2_minus_1 * enters2)
         g = np.sqrt(g2)
         narrow = one / (one + depth * (c * c * g2) * g)  # dρ_e/dρ
         cos2 = optics.distance2 / (optics.distance2 + enters2)
@@ -163,17 +166,17 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
         length2 = one + enters2 * g2
         entering = transmittance(optics.entering, cos, one / np.sqrt(length2))
         behind = cos2 * cos * (plain + optics.lambert * cos) * entering
-        slope = part * g
+        slope = radius_ratio * g
         s_x, s_y = away_x * slope, away_y * slope
         lean = one - s_x * z_x - s_y * z_y
         met = (depth > zero) & (lean > zero)
-        flux = t[_BRIGHT + lane] * behind * part * narrow * lean if met else zero
+        flux = t[_BRIGHT + lane] * behind * radius_ratio * narrow * lean if met else zero
 
         both2 = length2 * (one + z_x * z_x + z_y * z_y)
-        square = n * n * lean * lean - optics.excess * both2
+        square = n * n * lean * lean - optics.ratio2_minus_1 * both2
         passes = met & (square > optics.critical * both2)
         q = np.sqrt(square if passes else both2)
-        gamma = -optics.excess * length2 / (q + n * abs(lean))
+        gamma = -optics.ratio2_minus_1 * length2 / (q + n * abs(lean))
         onward = n + gamma
         goes_on = (onward > zero) & (onward * onward > kind(1e-12) * length2)
         ahead = one / (onward if goes_on else one)
@@ -201,27 +204,27 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-untyped-def]
-    """Adjoint of `_refract`, `_see_points` and `_find_part` together."""
+    """Adjoint of `_refract`, `_see_points` and `_find_radius_ratio` together."""
     kind = t.dtype.type
     one, two, zero, n = kind(1), kind(2), kind(0), optics.ratio
     away, away_y = across.away[i:], up.away[j]
     for lane in range(np.uintp(lanes)):
         # Again what `_refract` had, but for its roots and quotients.
         z, z_x, z_y = t[Z + lane], t[Z_X + lane], t[Z_Y + lane]
-        depth, part, g = t[_DEPTH + lane], t[_PART + lane], t[_G + lane]
+        depth, radius_ratio, g = t[_DEPTH + lane], t[_RADIUS_RATIO + lane], t[_G + lane]
         q, gamma, ahead = t[_Q + lane], t[_GAMMA + lane], t[_AHEAD + lane]
         bright = t[_BRIGHT + lane]
         away_x = away[lane]
         radius2 = away_x * away_x + away_y * away_y
-        slope = part * g
+        slope = radius_ratio * g
         s_x, s_y = away_x * slope, away_y * slope
         lean = one - s_x * z_x - s_y * z_y
         length2, face2 = one + radius2 * slope * slope, one + z_x * z_x + z_y * z_y
         path = (optics.drop - z) * ahead
         one_by_both = one / np.sqrt(length2 * face2)
         cos_in, cos_out = lean * one_by_both, q * one_by_both
-        density, density_rise, slope_rise, part_rise = _density(
-            optics, depth, part, g, t[_COS + lane], t[_NARROW + lane], length2
+        density, density_rise, slope_rise, radius_ratio_rise = _density(
+            optics, depth, radius_ratio, g, t[_COS + lane], t[_NARROW + lane], length2
         )
         flux = bright * density * lean
 
@@ -247,11 +250,11 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
         d_slope = d_s_x * away_x + d_s_y * away_y + two * radius2 * slope * d_length2
         d_z_x = two * z_x * d_face2 - gamma * d_x - d_lean * s_x
         d_z_y = two * z_y * d_face2 - gamma * d_y - d_lean * s_y
-        flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * part_rise * density
+        flux_rise = bright * density_rise + t[_D_BRIGHT + lane] * radius_ratio_rise * density
         d_z += d_slope * slope_rise + d_flux * lean * flux_rise
         # Also where no flux is: the light of neighbours is spread up to this hit.
         both2 = length2 * face2
-        square = n * n * lean * lean - optics.excess * both2
+        square = n * n * lean * lean - optics.ratio2_minus_1 * both2
         passes = (depth > zero) & (lean > zero) & (square > optics.critical * both2)
         t[Z + lane] = d_z if passes else zero
         t[Z_X + lane] = d_z_x if passes else zero
@@ -259,7 +262,7 @@ def _refract_back(across, i, up, j, optics, spread, lanes, t):  # type: ignore[n
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _density(optics, depth, part, g, cos, narrow, length2):  # type: ignore[no-untyped-def]
+def _density(optics, depth, radius_ratio, g, cos, narrow, length2):  # type: ignore[no-untyped-def]
     """Flux on a level part of the face over its point's brightness, and what the depth does to it.
 
     Returns
@@ -275,14 +278,15 @@ def _density(optics, depth, part, g, cos, narrow, length2):  # type: ignore[no-u
     enters_slope, glass_slope = transmittance_slopes(optics.entering, cos, cos_glass)
     enters_slope += glass_slope * cos / (n * n * cos_glass)
     cosines = cos * cos * cos * (one - optics.lambert + optics.lambert * cos)
-    g2, part_rise = g * g, -part * g * narrow
+    g2, radius_ratio_rise = g * g, -radius_ratio * g * narrow
     bent = optics.apparent * optics.apparent * g2
     spread_rise = bent * g + three * depth * bent * (one - bent) * g2 * narrow
     power = three + optics.lambert
     behind_rise = (one - cos * cos) * (power * enters + enters_slope * cos) * g * narrow
-    by_part = enters * (part_rise - part * narrow * spread_rise)
-    density_rise = cosines * narrow * (behind_rise * part + by_part)
-    return cosines * enters * part * narrow, density_rise, g * bent * part_rise, part_rise
+    by_radius_ratio = enters * (radius_ratio_rise - radius_ratio * narrow * spread_rise)
+    density_rise = cosines * narrow * (behind_rise * radius_ratio + by_radius_ratio)
+    density, slope_rise = cosines * enters * radius_ratio * narrow, g * bent * radius_ratio_rise
+    return density, density_rise, slope_rise, radius_ratio_rise
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -296,8 +300,10 @@ def _snell_back(  # type: ignore[no-untyped-def]
     shared = d_gamma * gamma / (q + n * lean)
     d_square = half * (d_cos_out * one_by_both - shared) / q
     half_cos = half * (d_cos_in * cos_in + d_cos_out * cos_out) * (one_by_both * one_by_both)
-    d_length2 = d_gamma * gamma / length2 - d_square * optics.excess * face2 - half_cos * face2
-    d_face2 = -d_square * optics.excess * length2 - half_cos * length2
+    d_length2 = (
+        d_gamma * gamma / length2 - d_square * optics.ratio2_minus_1 * face2 - half_cos * face2
+    )
+    d_face2 = -d_square * optics.ratio2_minus_1 * length2 - half_cos * length2
     d_lean = two * d_square * n * n * lean - n * shared + d_cos_in * one_by_both
     return d_lean, d_length2, d_face2
 
@@ -312,7 +318,7 @@ def _ahead(light, spread, i, j, lanes, t):  # type: ignore[no-untyped-def]
         Flux that met the face, that was not totally reflected, and that was absorbed before.
     """
     across, up, optics, steps = light
-    _find_part(across.away[i:], up.away[j], optics, steps, lanes, t)
+    _find_radius_ratio(across.away[i:], up.away[j], optics, steps, lanes, t)
     _see_points(across, i, up, j, optics, lanes, t)
     absorbs = optics.absorption > t.dtype.type(0)
     if absorbs:

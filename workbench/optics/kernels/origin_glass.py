@@ -120,9 +120,9 @@ def _held(x, y, d_x, d_y, wide, high, outline):  # type: ignore[no-untyped-def]
     d_across = (d_x if x > zero else -d_x) * wide + (d_y if y > zero else -d_y) * high
     over = level * (one - level) / across
     rise = (d_level * (one - two * level) - over * d_across) / across
-    part = kind(0.5) + over
-    partly = (part > zero) & (part < one)
-    return min(max(part, zero), one), rise if partly else zero
+    held = kind(0.5) + over
+    partly = (held > zero) & (held < one)
+    return min(max(held, zero), one), rise if partly else zero
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -141,11 +141,11 @@ def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-
         there, rise = _held(x[lane] - s_x * depth, y - s_y * depth, d_x, d_y, wide, tall, outline)
         whole = there >= here
         by_here = one / (here if here > zero else one)
-        part = inside[lane] * (one if whole else there * by_here)
-        d_part = inside[lane] * (zero if whole else rise * by_here)
+        left = inside[lane] * (one if whole else there * by_here)
+        d_left = inside[lane] * (zero if whole else rise * by_here)
         bright = t[BRIGHT + lane]
-        t[BRIGHT + lane] = bright * part
-        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * part + bright * d_part
+        t[BRIGHT + lane] = bright * left
+        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * left + bright * d_left
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
@@ -173,29 +173,29 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
     """Light of one point at a batch of samples."""
     kind = t.dtype.type
     zero, one, three = kind(0), kind(1), kind(3)
-    c, excess = points.apparent, medium.excess
+    c, ratio2_minus_1 = points.apparent, medium.ratio2_minus_1
     p_x, p_y, flux = points.x[k], points.y[k], points.flux[k]
     place, low, high = across.place[i:], across.low[i:], across.high[i:]
     away_y, low_y, high_y = up.place[j] - p_y, up.low[j] - p_y, up.high[j] - p_y
     r_x, r_y = across.half_width, up.half_width
-    _find_part(points, place, p_x, away_y, medium, lanes, t)
+    _find_radius_ratio(points, place, p_x, away_y, medium, lanes, t)
     for lane in range(np.uintp(lanes)):
-        depth, part = max(t[Z + lane] + medium.lift, zero), t[BRIGHT + lane]
+        depth, radius_ratio = max(t[Z + lane] + medium.lift, zero), t[BRIGHT + lane]
         away_x = place[lane] - p_x
         radius2 = away_x * away_x + away_y * away_y
-        enters2 = part * part * radius2
-        g2 = one / (c * c + excess * enters2)
+        enters2 = radius_ratio * radius_ratio * radius2
+        g2 = one / (c * c + ratio2_minus_1 * enters2)
         g = np.sqrt(g2)
         bent = c * c * g2 * g
         narrow = one / (one + depth * bent)  # dρ_e/dρ
         rise = -g * narrow  # dp/dt over p
-        d_part = part * rise
-        d_g = -g * g2 * excess * enters2 * rise
+        d_radius_ratio = radius_ratio * rise
+        d_g = -g * g2 * ratio2_minus_1 * enters2 * rise
         d_narrow = -narrow * narrow * (bent + three * depth * c * c * g2 * d_g)
         behind, d_behind = _behind(points, medium.ratio, enters2, rise)
 
-        slope = part * g
-        d_slope = d_part * g + part * d_g
+        slope = radius_ratio * g
+        d_slope = d_radius_ratio * g + radius_ratio * d_g
         # p_x + p (x − p_x), without the cancellation for a point far beside the lens: 1 − p is
         # the slope times the depth.
         way, d_way = slope * depth, d_slope * depth + slope
@@ -209,8 +209,8 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
         # What is seen of the sample's part is its width on the entrance face over p, and light of
         # a ring around the axis is on 1 / (p dρ_e/dρ) of its area.
         area, d_area = wide_x * wide_y, rise_x * wide_y + wide_x * rise_y
-        ring = narrow / part
-        d_ring = d_narrow / part - ring * rise
+        ring = narrow / radius_ratio
+        d_ring = d_narrow / radius_ratio - ring * rise
         t[S_X + lane] = away_x * slope
         t[S_Y + lane] = away_y * slope
         t[D_S_X + lane] = away_x * d_slope
@@ -226,27 +226,27 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _find_part(points, place, p_x, away_y, medium, lanes, t):  # type: ignore[no-untyped-def]
+def _find_radius_ratio(points, place, p_x, away_y, medium, lanes, t):  # type: ignore[no-untyped-def]
     """Find p of samples, in place of their flux."""
     kind = t.dtype.type
-    zero, one, c, excess = kind(0), kind(1), points.apparent, medium.excess
+    zero, one, c, ratio2_minus_1 = kind(0), kind(1), points.apparent, medium.ratio2_minus_1
     for lane in range(np.uintp(lanes)):
         # p is between the two lower bounds of it and 1, and Newton's steps from below never fail.
         depth = max(t[Z + lane] + medium.lift, zero)
         away_x = place[lane] - p_x
-        widening = excess * (away_x * away_x + away_y * away_y)
+        widening = ratio2_minus_1 * (away_x * away_x + away_y * away_y)
         steep = one - depth / np.sqrt(widening) if widening > zero else zero
         t[BRIGHT + lane] = max(c / (c + depth), steep)
     for _ in range(points.steps):
         for lane in range(np.uintp(lanes)):
             depth = max(t[Z + lane] + medium.lift, zero)
             away_x = place[lane] - p_x
-            widening = excess * (away_x * away_x + away_y * away_y)
-            part = t[BRIGHT + lane]
-            g = one / np.sqrt(c * c + part * part * widening)
+            widening = ratio2_minus_1 * (away_x * away_x + away_y * away_y)
+            radius_ratio = t[BRIGHT + lane]
+            g = one / np.sqrt(c * c + radius_ratio * radius_ratio * widening)
             bent = c * g
-            off = part * (one + depth * g) - one
-            t[BRIGHT + lane] = part - off / (one + depth * (bent * bent) * g)
+            off = radius_ratio * (one + depth * g) - one
+            t[BRIGHT + lane] = radius_ratio - off / (one + depth * (bent * bent) * g)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -114,7 +114,7 @@ class Medium(NamedTuple):
 
     Attributes
     ----------
-    ratio, excess : floating
+    ratio, ratio2_minus_1 : floating
         Refractive index n, and n² − 1.
     lift : floating
         Level that heights are counted from, above the entrance face.
@@ -127,7 +127,7 @@ class Medium(NamedTuple):
     """
 
     ratio: Number
-    excess: Number
+    ratio2_minus_1: Number
     lift: Number
     critical: Number
     absorption: Number

@@ -18,7 +18,7 @@ from workbench.optics.kernels.origin_glass import (
     S_Y,
 )
 from workbench.optics.kernels.rows import D_WEIGHT, WEIGHT
-from workbench.optics.kernels.snell import bend, bend_back
+from workbench.optics.kernels.snell import snell, snell_back
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
@@ -43,13 +43,13 @@ def refract(medium, lanes, t):  # type: ignore[no-untyped-def]
     absorbed, met_flux, passed_flux, on_flux = zero, zero, zero, zero
     for lane in range(np.uintp(lanes)):
         s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
-        lean, q, gamma, by_both, passes = bend(
-            n, medium.excess, medium.critical, s_x, s_y, z_x, z_y
+        lean, q, gamma, by_both, passes = snell(
+            n, medium.ratio2_minus_1, medium.critical, s_x, s_y, z_x, z_y
         )
         met = lean > zero
         flux = t[BRIGHT + lane] * lean if met else zero
-        part = transmittance(medium.law, abs(lean) * by_both, q * by_both)
-        weight = flux * part if passes else zero
+        transmitted = transmittance(medium.law, abs(lean) * by_both, q * by_both)
+        weight = flux * transmitted if passes else zero
         # Light that is totally reflected goes nowhere: it lands on no plane, however tilted.
         t[O_X + lane] = n * s_x - gamma * z_x if passes else zero
         t[O_Y + lane] = n * s_y - gamma * z_y if passes else zero
@@ -69,7 +69,7 @@ def refract_back(medium, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `refract`, and of what came before; adds to the cotangents of the face."""
     kind = t.dtype.type
     one, zero = kind(1), kind(0)
-    n, excess = medium.ratio, medium.excess
+    n, ratio2_minus_1 = medium.ratio, medium.ratio2_minus_1
     for lane in range(np.uintp(lanes)):
         s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
         q, gamma, bright = t[_Q + lane], t[_GAMMA + lane], t[BRIGHT + lane]
@@ -79,15 +79,16 @@ def refract_back(medium, lanes, t):  # type: ignore[no-untyped-def]
         length2, face2 = one + s_x * s_x + s_y * s_y, one + z_x * z_x + z_y * z_y
         by_both = one / np.sqrt(length2 * face2)
         cos_in, cos_out = lean * by_both, q * by_both
-        part = transmittance(medium.law, cos_in, cos_out)
+        transmitted = transmittance(medium.law, cos_in, cos_out)
         by_in, by_out = transmittance_slopes(medium.law, cos_in, cos_out)
 
         d_weight = t[D_WEIGHT + lane]
-        d_flux = d_weight * part
-        d_part = d_weight * bright * lean
-        d_s_x, d_s_y, d_z_x, d_z_y = bend_back(
-            n, excess, s_x, s_y, z_x, z_y, (lean, q, gamma, by_both, passes), d_flux * bright,
-            t[D_O_X + lane], t[D_O_Y + lane], t[D_O_Z + lane], d_part * by_in, d_part * by_out,
+        d_flux = d_weight * transmitted
+        d_transmitted = d_weight * bright * lean
+        d_s_x, d_s_y, d_z_x, d_z_y = snell_back(
+            n, ratio2_minus_1, s_x, s_y, z_x, z_y, (lean, q, gamma, by_both, passes),
+            d_flux * bright, t[D_O_X + lane], t[D_O_Y + lane], t[D_O_Z + lane],
+            d_transmitted * by_in, d_transmitted * by_out,
         )  # fmt: skip
         d_z = t[D_P_Z + lane] + d_s_x * t[D_S_X + lane] + d_s_y * t[D_S_Y + lane]
         d_z += d_flux * lean * t[D_BRIGHT + lane]

@@ -40,9 +40,9 @@ class Bounds(NamedTuple):
     tolerance: np.floating[Any]
     slope_x: np.floating[Any]
     slope_y: np.floating[Any]
-    bend_xx: np.floating[Any]
-    bend_xy: np.floating[Any]
-    bend_yy: np.floating[Any]
+    curvature_xx: np.floating[Any]
+    curvature_xy: np.floating[Any]
+    curvature_yy: np.floating[Any]
 
 
 class Face:
@@ -79,11 +79,12 @@ class Face:
         kind = heights.dtype.type
         lowest, highest, *slopes = _hull(heights, *self._distances)
         tolerance = 4 * np.finfo(kind).eps * max(abs(lowest), abs(highest), size)
-        bends = math.inf, math.inf, math.inf
+        curvatures = math.inf, math.inf, math.inf
         if np.dot(slopes, steepest) >= 1 - FALLS_BY:  # some rays walk
-            bends = self._patches.curvature_bounds(torch.from_numpy(heights))
+            curvatures = self._patches.curvature_bounds(torch.from_numpy(heights))
         ends = lowest - 8 * tolerance, highest + 8 * tolerance
-        return Bounds(*(kind(number) for number in (*ends, lowest, tolerance, *slopes, *bends)))
+        numbers = *ends, lowest, tolerance, *slopes, *curvatures
+        return Bounds(*(kind(number) for number in numbers))
 
 
 def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray:

@@ -215,8 +215,8 @@ def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     across = max(abs(w[at(SLOPE_X, ray)]), eps)
     up = max(abs(w[at(SLOPE_Y, ray)]), eps)
     steepest = kind(1) + bounds.slope_x * across + bounds.slope_y * up
-    bend = bounds.bend_xx * across * across + bounds.bend_yy * up * up
-    bend += kind(2) * bounds.bend_xy * across * up
+    curvature = bounds.curvature_xx * across * across + bounds.curvature_yy * up * up
+    curvature += kind(2) * bounds.curvature_xy * across * up
     depth = min(bounds.low, high)
     state = LEFT
     if high >= bounds.lowest:
@@ -225,7 +225,7 @@ def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
             if f <= 0:
                 state = MET
                 break
-            parabola = kind(2) * f / (math.sqrt(slope * slope + kind(2) * bend * f) - slope)
+            parabola = kind(2) * f / (math.sqrt(slope * slope + kind(2) * curvature * f) - slope)
             step = max(f / steepest, parabola)
             if step <= bounds.tolerance:
                 state = MET

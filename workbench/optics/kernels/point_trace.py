@@ -215,7 +215,7 @@ def polish(net, w, count):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _bend(net, glass, w, ray):  # type: ignore[no-untyped-def]
+def _snell(net, glass, w, ray):  # type: ignore[no-untyped-def]
     """Snell's law for one ray; see `refraction.refract`.
 
     Returns
@@ -244,7 +244,7 @@ def _hit(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
     """Columns, rows and weights of rays on the screen."""
     kind = w.dtype.type
     for ray in range(count):
-        d_z, z_x, z_y, length, cos_in, cos_out, along, passes, onward = _bend(net, glass, w, ray)
+        d_z, z_x, z_y, length, cos_in, cos_out, along, passes, onward = _snell(net, glass, w, ray)
         depth = w[at(DEPTH, ray)]
         a, b = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)]
         by_normal = along * length
@@ -299,7 +299,7 @@ def _hit_adjoint(net, glass, spread, w, count):  # type: ignore[no-untyped-def]
     """
     kind = w.dtype.type
     for ray in range(count):
-        d_z, z_x, z_y, length, cos_in, cos_out, along, _, onward = _bend(net, glass, w, ray)
+        d_z, z_x, z_y, length, cos_in, cos_out, along, _, onward = _snell(net, glass, w, ray)
         a, b = w[at(SLOPE_X, ray)], w[at(SLOPE_Y, ray)]
         d_x, d_y = a * d_z, b * d_z
         by_normal = along * length

@@ -17,12 +17,12 @@ from workbench.optics.kernels.taps import FAST
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def bend(ratio, excess, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untyped-def]
+def snell(ratio, ratio2_minus_1, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untyped-def]
     """Snell's law.
 
     Parameters
     ----------
-    ratio, excess : floating
+    ratio, ratio2_minus_1 : floating
         η, and η² − 1.
     critical : floating
         Squared cosines up to here count as total reflection.
@@ -41,22 +41,23 @@ def bend(ratio, excess, critical, s_x, s_y, z_x, z_y):  # type: ignore[no-untype
     lean = one - s_x * z_x - s_y * z_y
     length2 = one + s_x * s_x + s_y * s_y
     both2 = length2 * (one + z_x * z_x + z_y * z_y)
-    square = ratio * ratio * lean * lean - excess * both2
+    square = ratio * ratio * lean * lean - ratio2_minus_1 * both2
     passes = (lean > type(s_x)(0)) & (square > critical * both2)
     q = np.sqrt(square if passes else both2)
-    gamma = -excess * length2 / (q + ratio * abs(lean))
+    gamma = -ratio2_minus_1 * length2 / (q + ratio * abs(lean))
     return lean, q, gamma, one / np.sqrt(both2), passes
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def bend_back(  # type: ignore[no-untyped-def]
-    ratio, excess, s_x, s_y, z_x, z_y, bent, d_lean, d_o_x, d_o_y, d_o_z, d_cos_in, d_cos_out
-):
-    """Adjoint of `bend`, for a ray that passes.
+def snell_back(  # type: ignore[no-untyped-def]
+    ratio, ratio2_minus_1, s_x, s_y, z_x, z_y, bent, d_lean, d_o_x, d_o_y, d_o_z,
+    d_cos_in, d_cos_out,
+):  # fmt: skip
+    """Adjoint of `snell`, for a ray that passes.
 
     Parameters
     ----------
-    ratio, excess, s_x, s_y, z_x, z_y
+    ratio, ratio2_minus_1, s_x, s_y, z_x, z_y
         As there.
     bent : tuple
         What it gave.
@@ -75,7 +76,7 @@ def bend_back(  # type: ignore[no-untyped-def]
     shared = d_gamma * gamma / (q + ratio * lean)
     d_square = half * (d_cos_out * by_both - shared) / q
     d_both2 = -half * (d_cos_in * lean + d_cos_out * q) * by_both * by_both * by_both
-    d_both2 -= d_square * excess
+    d_both2 -= d_square * ratio2_minus_1
     d_length2 = d_both2 * face2 + d_gamma * gamma / length2
     d_face2 = d_both2 * length2
     d_lean += two * d_square * ratio * ratio * lean - ratio * shared + d_cos_in * by_both

@@ -131,13 +131,13 @@ def pad(spread: Spread, cotangent: AnyArray) -> AnyArray:
 
 
 def _margins(spread: Spread) -> tuple[int, int]:
-    return 2 * spread.taps_x.reach, 2 * spread.taps_y.reach
+    return 2 * spread.taps_x.half_size, 2 * spread.taps_y.half_size
 
 
 @jit()
 def workspace(spread, like):  # type: ignore[no-untyped-def]
     """Room that `scatter` and `gather` need; ``like`` is any array of the trace's float type."""
-    taps = 2 * (2 * spread.taps_x.reach + 1 + 2 * spread.taps_y.reach + 1)
+    taps = 2 * (2 * spread.taps_x.half_size + 1 + 2 * spread.taps_y.half_size + 1)
     return Workspace(np.empty((8 + taps) * BATCH, like.dtype), np.empty(BATCH, np.uintp))
 
 
@@ -282,7 +282,7 @@ def _gather_three(numbers, start, rays, flat, stride, d_column, d_row, d_weight)
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _size(taps):  # type: ignore[no-untyped-def]
-    return np.uintp(2 * taps.reach + 1)
+    return np.uintp(2 * taps.half_size + 1)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -308,7 +308,7 @@ def _prepare(spread, column, row, weight, count, slopes, numbers, start):  # typ
     """Everything that scatter and gather have in common, from cells to taps."""
     kind = weight.dtype.type
     n_x, n_y = spread.pixels
-    m_x, m_y = spread.taps_x.reach, spread.taps_y.reach
+    m_x, m_y = spread.taps_x.half_size, spread.taps_y.half_size
     left, right = kind(-m_x), kind(n_x + m_x)
     top, bottom = kind(-m_y), kind(n_y + m_y)
     for ray in range(count):

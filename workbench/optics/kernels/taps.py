@@ -38,35 +38,35 @@ class Taps(NamedTuple):
 
     Attributes
     ----------
-    reach : int
+    half_size : int
         Pixels on each side of that of the hit, (ν − 1) / 2.
     alpha : floating
         α of the Gaussian, per pixel², in the trace's float type.
-    series : ndarray, shape (reach, 4, terms)
-        Chebyshev coefficients of E_k, F_k, G_k and H_k for k = 1 ... reach; no terms where the
+    series : ndarray, shape (half_size, 4, terms)
+        Chebyshev coefficients of E_k, F_k, G_k and H_k for k = 1 ... half_size; no terms where the
         exponentials are to be taken.
     """
 
-    reach: int
+    half_size: int
     alpha: np.floating[Any]
     series: npt.NDArray[np.floating[Any]]
 
 
 def make_taps(alpha: float, size: int, kind: type[np.floating[Any]]) -> Taps:
     """Taps of a Gaussian filter (size > 1), or of a box (size 1)."""
-    reach = size // 2
-    series = np.zeros((reach, 4, SHORT))
-    if reach > 0:
-        series = _fit(alpha, reach, float(np.finfo(kind).eps))
-    return Taps(reach, kind(alpha), np.ascontiguousarray(series.astype(kind)))
+    half_size = size // 2
+    series = np.zeros((half_size, 4, SHORT))
+    if half_size > 0:
+        series = _fit(alpha, half_size, float(np.finfo(kind).eps))
+    return Taps(half_size, kind(alpha), np.ascontiguousarray(series.astype(kind)))
 
 
 @lru_cache(maxsize=32)
-def _fit(alpha: float, reach: int, eps: float) -> npt.NDArray[np.float64]:
+def _fit(alpha: float, half_size: int, eps: float) -> npt.NDArray[np.float64]:
     if alpha > _STEEPEST:
-        return np.zeros((reach, 4, 0))
+        return np.zeros((half_size, 4, 0))
     angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
-    functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, reach)
+    functions = _even_functions(np.sqrt((np.cos(angle) + 1) / 8), alpha, half_size)
     series = dct(functions, axis=-1) / _SAMPLES
     series[..., 0] /= 2
     # Slopes may be steep; taps are not above 1.
@@ -75,14 +75,14 @@ def _fit(alpha: float, reach: int, eps: float) -> npt.NDArray[np.float64]:
     kept = (np.abs(series) / scale > max(eps / 4, 4e-16)).any(axis=(0, 1)).nonzero()[0]
     terms = int(kept[-1]) + 1
     if terms > _LONGEST:
-        return np.zeros((reach, 4, 0))
+        return np.zeros((half_size, 4, 0))
     return np.asarray(series[:, :, : max(SHORT, terms + terms % 2)])
 
 
-def _even_functions(o: npt.NDArray[np.float64], alpha: float, reach: int) -> Any:
-    """E_k, F_k, G_k and H_k at offsets above 0, shape (reach, 4, m); without cancellation."""
-    k = np.arange(1, reach + 1)[:, None]
-    rim2 = (reach + 0.5) ** 2
+def _even_functions(o: npt.NDArray[np.float64], alpha: float, half_size: int) -> Any:
+    """E_k, F_k, G_k and H_k at offsets above 0, shape (half_size, 4, m); without cancellation."""
+    k = np.arange(1, half_size + 1)[:, None]
+    rim2 = (half_size + 0.5) ** 2
     # As in `irradiance._taps`, scaled by e^(α o²).
     rim = np.exp(alpha * (np.square(o) - rim2))
     bell = np.exp(2 * alpha * k * o - alpha * k * k)
@@ -130,25 +130,25 @@ def fill_taps(taps, numbers, batch, offset, count, slopes, state, value, slope):
     state : uintp
         Where there is room for 4 batches of intermediate results.
     value, slope : uintp
-        Where the results begin, those for tap −reach first.
+        Where the results begin, those for tap −half_size first.
     """
     kind = numbers.dtype.type
-    reach, terms = taps.reach, taps.series.shape[2]
-    if reach > 0 and terms == 0:
+    half_size, terms = taps.half_size, taps.series.shape[2]
+    if half_size > 0 and terms == 0:
         for ray in range(count):
             here = numbers[offset + ray]
             _from_exponentials(
-                taps.alpha, reach, here, numbers, batch, slopes, value + ray, slope + ray
+                taps.alpha, half_size, here, numbers, batch, slopes, value + ray, slope + ray
             )
         return
-    middle = value + np.uintp(reach) * batch
-    middle_slope = slope + np.uintp(reach) * batch
+    middle = value + np.uintp(half_size) * batch
+    middle_slope = slope + np.uintp(half_size) * batch
     for ray in range(count):
         numbers[middle + ray] = kind(1)
     if slopes:
         for ray in range(count):
             numbers[middle_slope + ray] = kind(0)
-    for k in range(reach):
+    for k in range(half_size):
         away = np.uintp(k + 1) * batch
         if terms == SHORT:
             _pair_short(taps.series, k, numbers, offset, count, middle, away)
@@ -256,16 +256,16 @@ def _sum_long(series, k, which, numbers, batch, offset, count, state, total):  #
 
 
 @jit(error_model="numpy")
-def _from_exponentials(alpha, reach, offset, numbers, batch, slopes, value, slope):  # type: ignore[no-untyped-def]
+def _from_exponentials(alpha, half_size, offset, numbers, batch, slopes, value, slope):  # type: ignore[no-untyped-def]
     """The taps of one ray, as in `irradiance._taps`."""
     kind = numbers.dtype.type
     square, two = offset * offset, kind(2)
-    half_width = kind(reach) + kind(0.5)
+    half_width = kind(half_size) + kind(0.5)
     edge = half_width * half_width
     rim = math.exp(alpha * (square - edge))
     total, total_rise = kind(0), kind(0)
-    for tap in range(2 * reach + 1):
-        k, at = kind(tap - reach), np.uintp(tap) * batch
+    for tap in range(2 * half_size + 1):
+        k, at = kind(tap - half_size), np.uintp(tap) * batch
         distance = offset - k
         bell = math.exp(two * alpha * k * offset - alpha * k * k)
         share = -bell * math.expm1(alpha * (distance * distance - edge))
@@ -275,7 +275,7 @@ def _from_exponentials(alpha, reach, offset, numbers, batch, slopes, value, slop
             rise = two * alpha * (k * bell - offset * rim)
             numbers[slope + at] = rise
             total_rise += rise
-    for tap in range(2 * reach + 1):
+    for tap in range(2 * half_size + 1):
         at = np.uintp(tap) * batch
         numbers[value + at] /= total
         if slopes:

@@ -48,7 +48,7 @@ from workbench.optics.kernels.point_patches import (
     at,
 )
 from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, D_WEIGHT, ROW, WEIGHT
-from workbench.optics.kernels.snell import bend, bend_back
+from workbench.optics.kernels.snell import snell, snell_back
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
@@ -110,11 +110,11 @@ class Body(NamedTuple):
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _at_entrance(body, lane, t):  # type: ignore[no-untyped-def]
-    """What `bend` gives at the entrance face, the direction behind it, and whether light enters."""
+    """Of `snell` at the entrance face; the direction behind it, and whether light enters."""
     law = body.law_in
-    excess = law.ratio * law.ratio - t.dtype.type(1)
+    ratio2_minus_1 = law.ratio * law.ratio - t.dtype.type(1)
     s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
-    bent = bend(law.ratio, excess, body.critical, s_x, s_y, z_x, z_y)
+    bent = snell(law.ratio, ratio2_minus_1, body.critical, s_x, s_y, z_x, z_y)
     gamma = bent[2]
     o_x, o_y, o_z = law.ratio * s_x - gamma * z_x, law.ratio * s_y - gamma * z_y, law.ratio + gamma
     enters = bent[4] & (o_z > t.dtype.type(_ONWARD))
@@ -131,11 +131,11 @@ def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
         bent, o_x, o_y, o_z, enters = _at_entrance(body, lane, t)
         lean, q, _, by_both, _ = bent
         met = t[BRIGHT + lane] * lean * areas[lane] if lean > zero else zero
-        part = transmittance(body.law_in, abs(lean) * by_both, q * by_both)
+        transmitted = transmittance(body.law_in, abs(lean) * by_both, q * by_both)
         by_z = one / (o_z if enters else one)
         a, b = o_x * by_z if enters else zero, o_y * by_z if enters else zero
         start = t[FRONT + lane] + body.lift
-        flux = met * part if enters else zero
+        flux = met * transmitted if enters else zero
         w[at(X, lane)] = x[lane] - a * start
         w[at(Y, lane)] = y - b * start
         w[at(SLOPE_X, lane)] = a
@@ -159,7 +159,7 @@ def _radius(body, x, y):  # type: ignore[no-untyped-def]
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
-    """Where a ray meets the exit face, slopes there, `bend`, whether it is refracted, and its room.
+    """Where a ray meets the exit face, slopes there, `snell`, whether it passes, and its room.
 
     See `workbench.optics.rim` for the room.
     """
@@ -177,8 +177,8 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
         met = met & (room >= kind(0))
     room = max(room, kind(0)) if met else (kind(-1) if enters else kind(0))
     z_x, z_y = w[at(Z_S, ray)] * net.per_x, w[at(Z_T, ray)] * net.per_y
-    excess = law.ratio * law.ratio - kind(1)
-    bent = bend(law.ratio, excess, body.critical, a, b, z_x, z_y)
+    ratio2_minus_1 = law.ratio * law.ratio - kind(1)
+    bent = snell(law.ratio, ratio2_minus_1, body.critical, a, b, z_x, z_y)
     return x, y, z_x, z_y, bent, met, met & bent[4], room
 
 
@@ -256,11 +256,11 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
         d_weight = t[D_WEIGHT + lane]
         d_arriving = d_weight * transmittance(body.law_out, cos_in, cos_out)
         by_in, by_out = transmittance_slopes(body.law_out, cos_in, cos_out)
-        d_part = d_weight * arriving
-        excess = n * n - one
-        d_a, d_b, d_z_x, d_z_y = bend_back(
-            n, excess, a, b, z_x, z_y, bent, zero, d_o_x, d_o_y, d_o_z,
-            d_part * by_in, d_part * by_out,
+        d_transmitted = d_weight * arriving
+        ratio2_minus_1 = n * n - one
+        d_a, d_b, d_z_x, d_z_y = snell_back(
+            n, ratio2_minus_1, a, b, z_x, z_y, bent, zero, d_o_x, d_o_y, d_o_z,
+            d_transmitted * by_in, d_transmitted * by_out,
         )  # fmt: skip
         radius = _radius(body, x, y)
         d_room = -t[D_ROOM + lane] / radius if (room > zero) & (radius > zero) else zero
@@ -300,19 +300,20 @@ def enter_back(body, areas, lanes, t):  # type: ignore[no-untyped-def]
         lean, q, _, by_both, _ = bent
         s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
         cos_in, cos_out = lean * by_both, q * by_both
-        part, bright = transmittance(law, abs(cos_in), cos_out), t[BRIGHT + lane]
+        transmitted, bright = transmittance(law, abs(cos_in), cos_out), t[BRIGHT + lane]
         by_in, by_out = transmittance_slopes(law, abs(cos_in), cos_out)
         d_flux = t[_D_FLUX + lane] * areas[lane]
-        d_part = d_flux * bright * lean
+        d_transmitted = d_flux * bright * lean
         by_z = one / (o_z if enters else one)
         d_o_x, d_o_y = t[_D_A + lane] * by_z, t[_D_B + lane] * by_z
         d_o_z = -(d_o_x * o_x + d_o_y * o_y) * by_z
-        d_s_x, d_s_y, d_z_x, d_z_y = bend_back(
+        d_s_x, d_s_y, d_z_x, d_z_y = snell_back(
             law.ratio, law.ratio * law.ratio - one, s_x, s_y, z_x, z_y, bent,
-            d_flux * bright * part, d_o_x, d_o_y, d_o_z, d_part * by_in, d_part * by_out,
+            d_flux * bright * transmitted, d_o_x, d_o_y, d_o_z,
+            d_transmitted * by_in, d_transmitted * by_out,
         )  # fmt: skip
         d_z = t[_D_START + lane] + d_s_x * t[D_S_X + lane] + d_s_y * t[D_S_Y + lane]
-        d_z += d_flux * lean * part * t[D_BRIGHT + lane]
+        d_z += d_flux * lean * transmitted * t[D_BRIGHT + lane]
         t[SUM_Z + lane] += d_z if enters else zero
         t[SUM_Z_X + lane] += d_z_x if enters else zero
         t[SUM_Z_Y + lane] += d_z_y if enters else zero

@@ -136,16 +136,16 @@ def _refract(direction, normal, flux, face, turned, passed):  # type: ignore[no-
         turned[ray, 0] = cosine * n_x + ratio * a_x
         turned[ray, 1] = cosine * n_y + ratio * a_y
         turned[ray, 2] = cosine * n_z + ratio * a_z
-        part = head_on
+        reflectance = head_on
         if law == _SCHLICK:
             # Schlick (1994), eq. 24: the cosine is that in the thinner medium.
             thinner = cosine if ratio > 1 else along
-            part += (1 - head_on) * (1 - thinner) ** 5
+            reflectance += (1 - head_on) * (1 - thinner) ** 5
         elif law == _FRESNEL:
             across = (ratio * along - cosine) / (ratio * along + cosine)
             within = (along - ratio * cosine) / (along + ratio * cosine)
-            part = (across * across + within * within) / 2
-        loss = flux[ray] * part
+            reflectance = (across * across + within * within) / 2
+        loss = flux[ray] * reflectance
         reflected += loss
         passed[ray] = flux[ray] - loss
     return total, reflected

@@ -119,20 +119,20 @@ def _span_of(place, half_width, density, spans):  # type: ignore[no-untyped-def]
 @jit(error_model="numpy", inline="always")  # a call costs as much
 def _surface(spline, x, y, basis):  # type: ignore[no-untyped-def]
     """Height and slopes of the face; ``basis`` is room for two kinds of values."""
-    column, part_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
-    row, part_y = _span_of(y, spline.r_y, spline.density_y, len(spline.along_y))
+    column, local_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
+    row, local_y = _span_of(y, spline.r_y, spline.density_y, len(spline.along_y))
     for j in range(spline.along_y.shape[1]):
         value, slope = spline.along_y[row, j, 0], 0.0
         for power in range(1, spline.along_y.shape[1]):
-            slope = slope * part_y + value
-            value = value * part_y + spline.along_y[row, j, power]
+            slope = slope * local_y + value
+            value = value * local_y + spline.along_y[row, j, power]
         basis[0, j], basis[1, j] = value, slope
     height = slope_x = slope_y = 0.0
     for i in range(spline.along_x.shape[1]):
         value, slope = spline.along_x[column, i, 0], 0.0
         for power in range(1, spline.along_x.shape[1]):
-            slope = slope * part_x + value
-            value = value * part_x + spline.along_x[column, i, power]
+            slope = slope * local_x + value
+            value = value * local_x + spline.along_x[column, i, power]
         across = across_slope = 0.0
         for j in range(spline.along_y.shape[1]):
             across += spline.control[column + i, row + j] * basis[0, j]
@@ -146,18 +146,18 @@ def _surface(spline, x, y, basis):  # type: ignore[no-untyped-def]
 @jit(error_model="numpy", inline="always")  # a call costs as much
 def _height(spline, x, y, basis):  # type: ignore[no-untyped-def]
     """Height of the face alone."""
-    column, part_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
-    row, part_y = _span_of(y, spline.r_y, spline.density_y, len(spline.along_y))
+    column, local_x = _span_of(x, spline.r_x, spline.density_x, len(spline.along_x))
+    row, local_y = _span_of(y, spline.r_y, spline.density_y, len(spline.along_y))
     for j in range(spline.along_y.shape[1]):
         value = spline.along_y[row, j, 0]
         for power in range(1, spline.along_y.shape[1]):
-            value = value * part_y + spline.along_y[row, j, power]
+            value = value * local_y + spline.along_y[row, j, power]
         basis[0, j] = value
     height = 0.0
     for i in range(spline.along_x.shape[1]):
         value = spline.along_x[column, i, 0]
         for power in range(1, spline.along_x.shape[1]):
-            value = value * part_x + spline.along_x[column, i, power]
+            value = value * local_x + spline.along_x[column, i, power]
         across = 0.0
         for j in range(spline.along_y.shape[1]):
             across += spline.control[column + i, row + j] * basis[0, j]
