@@ -169,7 +169,7 @@ class FaceSamples:
         depth = torch.where(inside, depth, 0.0)
 
         light = self._glass.light(self._away_x.square() + self._away_y.square(), depth)
-        slope = light.part * light.steepness
+        slope = light.radius_ratio * light.steepness
         slope_x, slope_y = self._away_x * slope, self._away_y * slope
         # The face takes in more or less light than the plane z = const, as it leans to it or away.
         lean = 1 - slope_x * face_x - slope_y * face_y
