@@ -32,7 +32,7 @@ def test_the_inverse_map_agrees_with_the_forward_map(dtype, distance, index, dep
     light = FlatGlass(distance, TransmittanceLaw.schlick(1 / index), False).light(
         radius2, torch.tensor([depth], dtype=dtype)
     )
-    found = light.part.item() * radius
+    found = light.radius_ratio.item() * radius
     # Near the rim of the cone of a near point, many places of the face light nearly one place.
     again = forward(index, distance, found, depth)
     eps = torch.finfo(dtype).eps
@@ -84,5 +84,5 @@ def test_slopes_alone_are_those_of_the_light(dtype):
     light = glass.light(radius2, depth)
     eps = torch.finfo(dtype).eps
     torch.testing.assert_close(
-        glass.slope(radius2, depth), light.part * light.steepness, rtol=32 * eps, atol=0
+        glass.slope(radius2, depth), light.radius_ratio * light.steepness, rtol=32 * eps, atol=0
     )

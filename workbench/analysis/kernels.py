@@ -1,7 +1,9 @@
 """All that numba compiles for a design and for its check, got ready before it is needed."""
 
 import math
+import multiprocessing
 from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 import torch
@@ -22,6 +24,7 @@ _SOURCES = (
     {"kind": "point", "position": [0, 0, -5], "rays": 1},
     {"kind": "collimated", "angular_diameter": 60},
 )
+_FINE = (torch.float64,)
 
 
 def compile_all(
@@ -48,5 +51,13 @@ def compile_all(
                     pass
 
 
+def _compile_side_by_side() -> None:
+    """Compile the kernels of both float types at the same time: compiling holds Python's lock."""
+    with ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
+        parts = [pool.submit(compile_all), pool.submit(kernels.compile_all, dtypes=_FINE)]
+        for part in parts:
+            part.result()
+
+
 if __name__ == "__main__":
-    compile_all(dtypes=(torch.float32, torch.float64))
+    _compile_side_by_side()
