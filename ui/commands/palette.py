@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from ui.words import tr
 
@@ -78,17 +79,19 @@ class CommandPalette(QDialog):
         """Show the commands whose names have all the words; the likeliest come first."""
         words = text.lower().split()
         fitting = [
-            (name, action)
-            for name, action in self._entries
-            if all(word in name.lower() for word in words)
+            (name, number)
+            for number, (name, action) in enumerate(self._entries)
+            if isValid(action)  # files that were open last come and go meanwhile
+            and all(word in name.lower() for word in words)
         ]
         first = words[0] if words else ""
         fitting.sort(key=lambda entry: _rank(entry[0], first))
         self._found.clear()
-        for name, action in fitting:
+        for name, number in fitting:
+            action = self._entries[number][1]
             keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
             item = QTreeWidgetItem([name, keys])
-            item.setData(0, Qt.ItemDataRole.UserRole, action)
+            item.setData(0, Qt.ItemDataRole.UserRole, number)
             item.setToolTip(0, action.statusTip())
             item.setDisabled(not action.isEnabled())
             self._found.addTopLevelItem(item)
@@ -101,7 +104,10 @@ class CommandPalette(QDialog):
 
     def _do(self, item: QTreeWidgetItem | None) -> None:
         if item is not None and not item.isDisabled():
-            action = item.data(0, Qt.ItemDataRole.UserRole)
+            action = self._entries[item.data(0, Qt.ItemDataRole.UserRole)][1]
+            if not isValid(action):
+                self._find(self._field.text())
+                return
             self.close()  # before the command, which may ask something
             action.trigger()
 

@@ -26,12 +26,17 @@ class RecentMenu:
         self, menu: QMenu, recent: RecentFiles, open_file: Callable[[Path], object]
     ) -> None:
         self._menu, self._recent, self._open_file = menu, recent, open_file
+        self._shown: list[Path] = []
 
     def show(self, allowed: bool) -> None:
         """Name the files of now; whether they may be opened."""
-        self._menu.clear()
-        for number, path in enumerate(self._recent.paths(), 1):
-            text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
-            action = self._menu.addAction(text, partial(self._open_file, path))
+        paths = self._recent.paths()
+        if paths != self._shown:
+            self._shown = paths
+            self._menu.clear()
+            for number, path in enumerate(paths, 1):
+                text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
+                self._menu.addAction(text, partial(self._open_file, path))
+        for action in self._menu.actions():
             action.setEnabled(allowed)  # also in the palette, which asks no menu
-        self._menu.setEnabled(allowed and not self._menu.isEmpty())
+        self._menu.setEnabled(allowed and bool(paths))
