@@ -56,7 +56,7 @@ def _said(said: Said) -> str:
     return tr(said.words, **kinds).format(**values)
 
 
-def told(error: Refused | RunFailed) -> str:
+def error_text(error: Refused | RunFailed) -> str:
     """What an error of the engine says, in the language that is spoken.
 
     Paths of fields stay as scene files have them.

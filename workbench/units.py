@@ -16,6 +16,11 @@ def ratio(unit: str, other: str) -> Fraction:
     return METRES[unit] / METRES[other]
 
 
+def sized(number: str, unit: str) -> str:
+    """A number with its unit; the sign of degrees follows without a space."""
+    return f"{number}{unit}" if unit == "°" else f"{number} {unit}"
+
+
 def times(number: float, factor: Fraction) -> float:
     """The product, with the number taken as it is written: 0.3 mm are 0.03 cm, not 0.03 + 3e-18.
 

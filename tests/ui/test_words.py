@@ -16,7 +16,7 @@ from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
-from ui.words import inside, later, speak, spoken, spoken_by_system, told, tr
+from ui.words import error_text, inside, later, speak, spoken, spoken_by_system, tr
 from workbench.errors import Refused, RunFailed
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
@@ -86,15 +86,15 @@ def test_sentences_of_the_engine_keep_their_values(speaking):
 def test_refusals_are_said_in_the_language_of_the_window(answers, said, speaking):
     with pytest.raises(Refused) as refused:
         SunPlate(thickness=12.5).with_answers(answers)
-    assert told(refused.value) == str(refused.value)
+    assert error_text(refused.value) == str(refused.value)
     speaking("de")
-    assert told(refused.value).startswith(said)
+    assert error_text(refused.value).startswith(said)
 
 
 def test_a_run_that_fails_says_why_in_the_language_of_the_window(speaking):
     dark = "no light of this lens reaches the screen, so there is nothing to see"
     speaking("fr")
-    assert told(RunFailed(Said(dark))).startswith("aucune lumière")
+    assert error_text(RunFailed(Said(dark))).startswith("aucune lumière")
 
 
 def test_labels_of_pictures_are_translated_and_units_stay(speaking):

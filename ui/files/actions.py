@@ -16,7 +16,7 @@ from ui.files.left_behind import LeftBehind
 from ui.files.recent import RecentFiles
 from ui.run.lens_on_show import LensOnShow
 from ui.widgets.message_bar import MessageBar
-from ui.words import later, told, tr
+from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
 
@@ -196,7 +196,7 @@ class FileActions(QObject):
                     return self._save_otherwise(choice)
             self._document.save(path, self.look(), making)
         except Refused as refused:
-            self._messages.warn(told(refused), (tr("Save as…"), self.save_as))
+            self._messages.warn(error_text(refused), (tr("Save as…"), self.save_as))
             return False
         self._messages.clear()
         self._remember(path)
@@ -218,7 +218,7 @@ class FileActions(QObject):
         try:
             action()
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
             return False
         self._messages.clear()
         return True

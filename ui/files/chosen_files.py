@@ -11,7 +11,7 @@ from ui.panels.forms import Forms
 from ui.panels.source import light_files
 from ui.panels.target import image_files
 from ui.widgets.message_bar import MessageBar
-from ui.words import told, tr
+from ui.words import error_text, tr
 from workbench.errors import Refused
 
 
@@ -36,7 +36,7 @@ class ChosenFiles(QObject):
         try:
             path = pasted_picture(Path(folder) / "pasted")
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
             return
         if path is None:
             self._messages.note(tr("There is no picture on the clipboard."))

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.message_bar import MessageBar
-from ui.words import told, tr
+from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 
@@ -79,6 +79,6 @@ class PhotoPicture(QObject):
             with replacing(path) as file:
                 write_png(photo, self._view.stops, file)
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
         else:
             self._messages.note(tr("{path} is written.").format(path=path))

@@ -17,7 +17,7 @@ from ui.files.dialogs import FileDialogs
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
-from ui.words import inside, later, told, tr
+from ui.words import error_text, inside, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
@@ -156,7 +156,7 @@ class Plots(QObject):
             with replacing(path) as file:
                 write(file)
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
         else:
             self._messages.note(tr("{path} is written.").format(path=path))
 

@@ -13,7 +13,7 @@ from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.widgets.colours import rgb_image
 from ui.widgets.message_bar import MessageBar
-from ui.words import later, told, tr
+from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 
@@ -71,7 +71,7 @@ class ScenePictures(QObject):
             with replacing(path) as file:
                 file.write(bytes(buffer.data().data()))
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
         else:
             self._messages.note(
                 tr("{path} is written, {width} × {height} pixels.").format(

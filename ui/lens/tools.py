@@ -22,7 +22,7 @@ from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
 from ui.shown.frame import same_task
 from ui.views.drawing_queue import drawing_queue
-from ui.words import later, told, tr
+from ui.words import error_text, later, tr
 from workbench.design.limits import bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
@@ -199,7 +199,7 @@ class LensTools(QObject):
             scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
             self._as_own(lambda: self._document.edit(scene, tr("move the source"), self._key))
         except Refused as refused:
-            self.message.emit(told(refused))
+            self.message.emit(error_text(refused))
             return
         session = self._document.session
         self._view.hold_camera(session.scene)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject
 
 from ui.document.document import Document
 from ui.widgets.message_bar import MessageBar
-from ui.words import told, tr
+from ui.words import error_text, tr
 from workbench.design.picture import changed_on_disk, why_not_kept
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -50,7 +50,7 @@ class TargetImage(QObject):
         try:
             self._document.read_image_again()
         except Refused as refused:
-            self._messages.warn(told(refused))
+            self._messages.warn(error_text(refused))
 
     def _withdraw(self) -> None:
         """What was said is about the session that it was said of."""

@@ -20,7 +20,7 @@ from ui.panels.scene import ScenePanel
 from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
-from ui.words import told, tr
+from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import ImageTarget, Scene
@@ -192,7 +192,7 @@ class Forms(QScrollArea):
             aspect = picture_aspect(target, session.picture)
         except Refused as refused:
             self.file_refused.emit(
-                tr("The picture has no aspect: {refused}").format(refused=told(refused))
+                tr("The picture has no aspect: {refused}").format(refused=error_text(refused))
             )
             return
         (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
@@ -242,10 +242,12 @@ class Forms(QScrollArea):
     def _refuse(self, edit: Edit, refused: Refused) -> None:
         if edit.waits:
             self._pending[edit.path] = Waiting(edit, refused)
-            self.message.emit(tr("Refused: {refused}").format(refused=told(refused)))
+            self.message.emit(tr("Refused: {refused}").format(refused=error_text(refused)))
         else:
             self.file_refused.emit(
-                tr("The {edit} is refused: {refused}").format(edit=edit.text, refused=told(refused))
+                tr("The {edit} is refused: {refused}").format(
+                    edit=edit.text, refused=error_text(refused)
+                )
             )
 
     def _try(self, edits: list[Edit]) -> Refused | None:
@@ -275,7 +277,7 @@ class Forms(QScrollArea):
         except Refused as refused:
             path = "target.image"
             self._pending[path] = Waiting(Edit(path, tr("new reading of the image"), {}), refused)
-            self.message.emit(tr("Refused: {refused}").format(refused=told(refused)))
+            self.message.emit(tr("Refused: {refused}").format(refused=error_text(refused)))
             self._show()
 
     def _postpone(self, edits: list[Edit], scene: Scene) -> None:

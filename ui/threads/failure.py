@@ -2,7 +2,7 @@
 
 import logging
 
-from ui.words import told, tr
+from ui.words import error_text, tr
 from workbench.defects import details, unexpected
 from workbench.errors import Refused, RunFailed
 
@@ -22,6 +22,6 @@ def sentence_of(error: Exception, work: str) -> str:
         What the work is called: ``run``.
     """
     if isinstance(error, Refused | RunFailed):
-        return told(error)
+        return error_text(error)
     LOG.error(details(error))
     return tr("The {work} ended with an {error}").format(work=work, error=unexpected(error))

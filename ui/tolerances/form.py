@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import NumberRow
-from ui.words import later, told, tr
+from ui.words import error_text, later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.errors import Refused
 from workbench.scene import LENGTH, Measure, Scene, Unit
@@ -159,7 +159,7 @@ class ToleranceForm(QWidget):
             if row is not None:
                 row.refuse(tr(refused.reason))
             else:
-                self.obstacle = told(refused)
+                self.obstacle = error_text(refused)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
         """Without errors of what a scene does not have, whatever was typed before."""

@@ -55,10 +55,10 @@ class RegionMarks:
         scene = self._scene
         found = light_of_regions(scene.regions, scene.receiver, irradiance, light_unit(scene))
         for text, light in zip(self._texts, found, strict=True):
-            told, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
+            words, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
             if unit.lumens is not None:
-                told += f", {light.mean * unit.density:.3g} {unit.short}"
+                words += f", {light.mean * unit.density:.3g} {unit.short}"
             if light.uniformity is not None:
                 even = tr("least / mean {number:.2f}").format(number=light.uniformity)
-                told += f"\n{even}"
-            text.set_text(told)
+                words += f"\n{even}"
+            text.set_text(words)

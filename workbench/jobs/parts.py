@@ -28,12 +28,11 @@ def emitter(
     distance: float, size: tuple[float, float], lumens: float | None = None
 ) -> dict[str, Any]:
     """The bright face of an LED of a full width and height, so far before the lens."""
-    flux = {} if lumens is None else {"flux": lumens}
     return {
         "kind": "area",
         "center": [0.0, 0.0, -distance],
         "half_width": halves(size),
-        **flux,
+        "flux": lumens,
     }
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.scene import Scene
+from workbench.units import sized
 
 Array = npt.NDArray[np.float64]
 
@@ -108,12 +109,11 @@ def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[D
     optic, receiver, unit = scene.optic, scene.receiver, scene.unit
     half, front = optic.half_width[axis], optic.front_z
     sign = receiver.measure.sign_in(unit)
-    gap = "" if sign == "°" else " "
     found = [
         Dimension(np.array([[front, -half], [front, half]]), f"{2 * half:.4g} {unit}"),
         Dimension(
             image[[0, -1]],
-            f"{2 * receiver.half_extent[axis]:.4g}{gap}{sign}",
+            sized(f"{2 * receiver.half_extent[axis]:.4g}", sign),
         ),
     ]
     if receiver.at_distance:

@@ -8,6 +8,8 @@ import numpy.typing as npt
 from matplotlib.colors import Colormap
 from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
+from workbench.units import sized
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -64,7 +66,7 @@ class Extent(NamedTuple):
 
     def sized(self, number: str) -> str:
         """A number with its unit; the sign of degrees follows without a space."""
-        return f"{number}{self.unit}" if self.unit == "°" else f"{number} {self.unit}"
+        return sized(number, self.unit)
 
 
 def map_image(

@@ -15,6 +15,7 @@ from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.report.content import Fact
 from workbench.scene import AnyReceiver, Scene
+from workbench.units import sized
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
@@ -161,9 +162,9 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     """The value, the bound, and where."""
     if math.isinf(found.value):
         return "none"
-    space = "" if unit == "°" else " "
     x, y = found.place
-    return f"{found.value:.5g}{space}{unit} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
+    value = sized(f"{found.value:.5g}", unit)
+    return f"{value} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
 
 
 def _interval(ends: tuple[float, float]) -> str:

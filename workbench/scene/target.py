@@ -130,12 +130,14 @@ class ImageTarget(Finish):
     def check(self) -> None:
         """Refuse to cut all of the picture away."""
         left, top, right, bottom = self.crop
-        cut, most = {"across": left + right, "up": top + bottom}, _MOST_CUT
-        if cut["across"] > most:
-            wide = Said("takes {across:g} of the width away; at most {most:g}", most=most, **cut)
+        across, up, most = left + right, top + bottom, _MOST_CUT
+        if across > most:
+            wide = Said(
+                "takes {across:g} of the width away; at most {most:g}", across=across, most=most
+            )
             raise Refused("target.crop", wide)
-        if cut["up"] > most:
-            high = Said("takes {up:g} of the height away; at most {most:g}", most=most, **cut)
+        if up > most:
+            high = Said("takes {up:g} of the height away; at most {most:g}", up=up, most=most)
             raise Refused("target.crop", high)
 
 

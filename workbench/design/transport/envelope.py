@@ -38,13 +38,12 @@ def c_transform(potential: Array, weight_0: float, weight_1: float) -> Array:
 def _lowest_along_rows(values: Array, weight: float) -> Array:
     """min_j ½ w (k − j)² + values[a, j], transposed: shape (m_1, m_0)."""
     lowest = np.empty(values.shape[::-1])
-    parts = min(threads.parts(values.size), len(values))
-    bounds = threads.bounds(len(values), parts)
+    bounds = threads.split(len(values), values.size)
 
     def work(part: int) -> None:
         _envelopes(values, weight, bounds[part], bounds[part + 1], lowest)
 
-    threads.run(work, parts)
+    threads.run(work, len(bounds) - 1)
     return lowest
 
 

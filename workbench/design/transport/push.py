@@ -30,12 +30,12 @@ def mapped(potential: Array, weight_0: float, weight_1: float) -> tuple[Array, A
         Coordinates along the two axes, within the cells of the grid.
     """
     to_0, to_1 = np.empty_like(potential), np.empty_like(potential)
-    parts, bounds = _lines(potential)
+    bounds = threads.split(len(potential), potential.size)
 
     def work(part: int) -> None:
         _mapped(potential, weight_0, weight_1, bounds[part], bounds[part + 1], to_0, to_1)
 
-    threads.run(work, parts)
+    threads.run(work, len(bounds) - 1)
     return to_0, to_1
 
 
@@ -70,20 +70,14 @@ def push(mass: Array, to_0: Array, to_1: Array) -> Array:
     -------
     ndarray, shape (m_0, m_1)
     """
-    parts, bounds = _lines(mass)
-    pushed = np.zeros((parts, *mass.shape))
+    bounds = threads.split(len(mass), mass.size)
+    pushed = np.zeros((len(bounds) - 1, *mass.shape))
 
     def work(part: int) -> None:
         _push(mass, to_0, to_1, bounds[part], bounds[part + 1], pushed[part])
 
-    threads.run(work, parts)
+    threads.run(work, len(pushed))
     return np.asarray(pushed.sum(axis=0))
-
-
-def _lines(values: Array) -> tuple[int, list[int]]:
-    """How many threads work on a grid, and where the lines of each of them begin and end."""
-    parts = min(threads.parts(values.size), len(values))
-    return parts, threads.bounds(len(values), parts)
 
 
 @jit()

@@ -105,19 +105,14 @@ def _grids(splits: Splits) -> list[slice]:
     return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
 
 
-def _bounds(rows: int, nodes: int, shares: int = 1) -> tuple[list[int], int]:
-    """Where the parts of so many rows of nodes begin and end, and how many parts there are."""
-    parts = min(threads.parts(nodes) * shares, rows)
-    return threads.bounds(rows, parts), parts
-
-
 def _forward(
     nodes: AnyArray, pixels: tuple[int, int], splits: Splits
 ) -> tuple[Array, float, _Mesh]:
     """The image, the flux that lands on its plane, and what the way back needs."""
     n_x, n_y = pixels
     rows, columns = nodes.shape[1:]
-    at, parts = _bounds(rows, nodes[0].size)
+    at = threads.split(rows, nodes[0].size)
+    parts = len(at) - 1
     parted = splits[::-1]  # along the first axis of the nodes, then along the second
     column, row = np.empty((2, rows, columns))
     density = np.zeros((rows + 1, columns + 1, 2))
@@ -211,7 +206,7 @@ def _to_the_right(cotangent: Array) -> Array:
 def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     rows, columns = nodes.shape[1:]
-    at, parts = _bounds(rows, nodes[0].size, _SHARES)
+    at = threads.split(rows, nodes[0].size, _SHARES)
     column, row, density, parted = mesh
     right = _to_the_right(cotangent)
     d_nodes, d_density = np.zeros((3, rows + 1, columns)), np.zeros_like(density)
@@ -233,7 +228,7 @@ def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
         for k in range(2):
             shift_back(nodes[k], parted, d_nodes[k], at[part], at[part + 1], result[k])
 
-    threads.run(move, parts)
+    threads.run(move, len(at) - 1)
     return result
 
 

@@ -121,8 +121,8 @@ class _OriginPasses:
         self._glass = FlatGlass(shared.distance, shared.law, lambertian=False)
         columns, rows = (len(line.place) for line in self._lines)
         self._shape = len(shared.origins.flux) * rows, columns
-        self._parts = min(threads.parts(self._shape[0] * columns), columns)
-        self._bounds = threads.bounds(columns, self._parts)
+        self._bounds = threads.split(columns, self._shape[0] * columns)
+        self._parts = len(self._bounds) - 1
 
     def forward(self, heights: AnyArray) -> tuple[AnyArray, Sums]:
         """Nodes (3, origins × samples along v, samples along u), and what became of the light."""

@@ -52,9 +52,8 @@ class GridPasses(ABC):
         self._mirrored = [axis for axis in (0, 1) if mirrored[axis]]
         self._sums = sums
         columns, rows = (len(basis.place) for basis in bases)
-        parts = min(threads.parts(columns * rows), max(1, columns))
-        self._bounds = threads.bounds(columns, parts)
-        self._parts = parts
+        self._bounds = threads.split(columns, columns * rows)
+        self._parts = len(self._bounds) - 1
 
     @property
     def copies(self) -> int:

@@ -26,6 +26,14 @@ def bounds(items: int, parts: int) -> list[int]:
     return [items * part // parts for part in range(parts + 1)]
 
 
+def split(lines: int, rays: int, shares: int = 1) -> list[int]:
+    """Where the parts of so many lines, with so many rays in all, begin; and where the last ends.
+
+    One part for each thread that pays, or ``shares`` of them, but none without a line.
+    """
+    return bounds(lines, min(parts(rays) * shares, max(1, lines)))
+
+
 def run(work: Callable[[int], None], parts: int) -> None:
     """Call ``work(part)`` for each part, several at the same time, and wait for all.
 

@@ -125,8 +125,8 @@ class _Given:
         self.light = _light(front, kind)
         columns, rows = (len(basis.place) for basis in self.bases)
         self.shape = len(front.origins.flux) * rows, columns
-        self.parts = min(threads.parts(self.shape[0] * columns), columns)
-        self.bounds = threads.bounds(columns, self.parts)
+        self.bounds = threads.split(columns, self.shape[0] * columns)
+        self.parts = len(self.bounds) - 1
         self.depths = np.full(self.shape, np.inf, kind)
         self.steepest = np.full(2, _STEEPEST, kind)  # as long as they are not known
 
