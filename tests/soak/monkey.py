@@ -136,7 +136,9 @@ class Monkey(QObject):
 
     def _play(self) -> Generator[int, None, None]:
         """All that it does, with the milliseconds to wait after each step."""
-        yield from self._wait(lambda: windows() and windows()[0].loaded is not None)
+        yield from self._wait(
+            lambda: windows() and windows()[0].loaded is not None, "a first window"
+        )
         yield from self._rest()
         end, next_rest = self._began + self._seconds, time.monotonic() + REST_SECONDS
         while time.monotonic() < end:
@@ -173,20 +175,20 @@ class Monkey(QObject):
         for window in windows()[1:]:
             yield from self._still(window)
             window.close()
-        yield from self._wait(lambda: len(windows()) == 1)
+        yield from self._wait(lambda: len(windows()) == 1, "the other windows to close")
         (window,) = windows()
-        yield from self._wait(lambda: window.loaded is not None)
+        yield from self._wait(lambda: window.loaded is not None, "a window to load")
         yield from self._still(window)
         window.showNormal()
         window.commands["new_tophat"].trigger()
-        yield from self._wait(lambda: not window.document.dirty)
+        yield from self._wait(lambda: not window.document.dirty, "the example")
         yield 1500
-        yield from self._wait(lambda: _threads() <= _THREADS)
+        yield from self._wait(lambda: len(_threads()) <= _THREADS, "threads to end")
         gc.collect()
         if sys.platform == "linux":
             ctypes.CDLL("libc.so.6").malloc_trim(0)
         self.memory.append(resident_mb())
-        self.log(f"rest with {self.memory[-1]:.0f} MB, {_threads()} threads")
+        self.log(f"rest with {self.memory[-1]:.0f} MB, {len(_threads())} threads")
         if time.monotonic() - self._began < WARM_UP_SECONDS:
             self._warm_mb, self._warm_rests = self.memory[-1], len(self.memory)
         later = self.memory[self._warm_rests :][-RESTS:]
@@ -202,13 +204,13 @@ class Monkey(QObject):
 
         if busy():
             window.loaded.control.runner.stop()
-            yield from self._wait(lambda: not busy())
+            yield from self._wait(lambda: not busy(), "work to stop")
 
-    def _wait(self, condition) -> Generator[int, None, None]:
+    def _wait(self, condition, what: str) -> Generator[int, None, None]:
         give_up = time.monotonic() + _PATIENCE
         while not condition():
             if time.monotonic() > give_up:
-                self.watch.tell("waited in vain for a window to load, rest or close")
+                self.watch.tell(f"waited in vain for {what}; threads: {', '.join(_threads())}")
                 return
             yield 100
 
@@ -221,9 +223,10 @@ def _scenes() -> str:
     return "\n".join(json.dumps(each.document.session.scene.to_data()) for each in loaded)
 
 
-def _threads() -> int:
+def _threads() -> list[str]:
     # Python keeps an entry for good for each QThread that it meets.
-    return sum(not isinstance(each, threading._DummyThread) for each in threading.enumerate())
+    running = threading.enumerate()
+    return [each.name for each in running if not isinstance(each, threading._DummyThread)]
 
 
 def main() -> int:
