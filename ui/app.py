@@ -94,7 +94,10 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _prepare_environment() -> None:
+    from ui.threads.cores import leave_core_for_window
+
     calm_library_threads()
+    leave_core_for_window()
     keep_shaders_in_memory()
     # Torch's CUDA builds would load it for `paper`. It brings an LLVM of its own, which crashes
     # where that of Mesa draws already; nothing here uses it.

@@ -13,7 +13,6 @@ from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import Frame, make_frame
 from ui.threads.background import Background, Task
-from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
 from ui.words import tr
 from workbench.design.evaluation import Evaluator
@@ -83,7 +82,6 @@ class LiveLens(QObject):
 
     def _trace(self, draft: Draft, task: Task) -> Frame:
         """Meant for the thread, which alone touches the evaluator."""
-        leave_core_for_window()
         session, heights = draft.session, draft.heights
         scene, target, locked = session.scene, session.target, session.locked
         with without_waiting():

@@ -7,7 +7,6 @@ from PySide6.QtCore import QObject, Signal
 
 from ui.document.document import Document
 from ui.threads.background import Background, Task
-from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
 from ui.views.scene_view import SceneView
 from ui.words import tr
@@ -78,6 +77,5 @@ def _find(session: "Session", task: Task) -> "TotalReflection | None":
     # Late: torch comes with it, and the window shows before that.
     from workbench.optics.total_reflection import total_reflection
 
-    leave_core_for_window()
     heights = session.heights
     return None if heights is None else total_reflection(session.scene, heights)

@@ -22,7 +22,6 @@ from ui.run.control import RunControl
 from ui.run.kept import with_followed
 from ui.run.worker import RunJob, work
 from ui.threads.background import Background
-from ui.threads.cores import leave_core_for_window
 from ui.threads.failure import sentence_of
 from ui.words import later, tr
 from workbench.design.live import LiveDesign, asks_for_another_lens
@@ -225,7 +224,6 @@ class Follow(QObject):
 
     def _snapshots(self, session: "Session", goes_on: bool) -> "Generator[Snapshot, None, str]":
         """Meant for the thread, which alone touches the lenses of before."""
-        leave_core_for_window()
         return (yield from self._live.snapshots(session, goes_on))
 
     def _take_next(self) -> None:

@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING
 from ui.run.mailbox import Mailbox
 from ui.shown.frame import Array, Frame, make_frame
 from ui.threads.background import Task
-from ui.threads.cores import leave_core_for_window
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
 from workbench.interruption import interrupted_when
@@ -180,7 +179,6 @@ def _engine() -> Generate:
     # Late: torch comes with it, and the window shows before that.
     from workbench.design.run import run
 
-    leave_core_for_window()
     return run
 
 

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ui.threads.background import Task
-from ui.threads.cores import leave_core_for_window
 
 if TYPE_CHECKING:
     from workbench.analysis.derivatives import DerivativeMap
@@ -36,6 +35,5 @@ def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
     # Late: torch comes with it, and the window shows before that.
     from workbench.analysis.derivatives import irradiance_derivative
 
-    leave_core_for_window()
     point = request.point
     return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)
