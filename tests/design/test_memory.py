@@ -1,11 +1,15 @@
 """Memory of a run, computed before it and measured."""
 
+import json
+import os
+import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 import torch
 
+from tests.scenes import changed
 from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
 from workbench.design.levels import FINE, cells_of, image_of
@@ -14,12 +18,20 @@ from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.extended.blur import Blur
 from workbench.geometry.surface import freeform_nets
+from workbench.scene import Scene
 from workbench.system_memory import as_bytes, release_freed_memory
 from workbench.targets import load_target
 
-needs_account = pytest.mark.skipif(
-    sys.platform != "linux", reason="needs the account of Linux's kernel"
-)
+SCENES = {
+    "far": {"source": {"kind": "collimated", "rays": [16, 16]}},
+    "sun": {"source": {"kind": "collimated", "rays": [16, 16], "angular_diameter": 0.533}},
+    "point": {"source": {"kind": "point", "position": [0, 0, -30], "rays": 256}},
+    "two faces": {"lens.entrance": {"shape": "freeform"}},
+}
+
+
+def scene_of(name):
+    return Scene.from_data(changed({"version": 2, "screen.pixels": [288, 288], **SCENES[name]}))
 
 
 def status(name):
@@ -37,25 +49,19 @@ def peak_of(work):
     return status("VmHWM") - before
 
 
-SCENES = {
-    "far": {"source": {"kind": "collimated", "rays": [16, 16]}},
-    "sun": {"source": {"kind": "collimated", "rays": [16, 16], "angular_diameter": 0.533}},
-    "point": {"source": {"kind": "point", "position": [0, 0, -30], "rays": 256}},
-    "two faces": {"lens.entrance": {"shape": "freeform"}},
-}
+def blur_of(scene):
+    """The blur that is the same all over the lens, in which light of the sun is evaluated."""
+    return Blur.of(scene) if getattr(scene.source, "angular_diameter", 0) else None
 
 
-@needs_account
-@pytest.mark.parametrize("name", SCENES)
-def test_an_evaluation_takes_the_memory_that_was_computed(make_scene, name):
-    scene = make_scene({"version": 2, "screen.pixels": [288, 288], **SCENES[name]})
+def evaluation_peak(scene):
+    """Bytes that an evaluation of a lens takes with its gradient, measured."""
     target = load_target(scene, None)
     heights = {
         face: torch.as_tensor(wavy(scene.with_net(net.shape)) - (0.3 if face == "entrance" else 0))
         for face, net in freeform_nets(scene.optic).items()
     }
-    blur = Blur.of(scene) if name == "sun" else None
-    image = image_of(FINE, scene, target, scene.receiver.half_extent, blur=blur)
+    image = image_of(FINE, scene, target, scene.receiver.half_extent, blur=blur_of(scene))
 
     def evaluate():
         given = {face: each.clone().requires_grad_() for face, each in heights.items()}
@@ -63,11 +69,34 @@ def test_an_evaluation_takes_the_memory_that_was_computed(make_scene, name):
         torch.autograd.grad(error.square().sum(), list(given.values()))
 
     evaluate()  # what is loaded and kept once
-    measured = peak_of(evaluate)
+    return peak_of(evaluate)
+
+
+@pytest.fixture(scope="module")
+def peaks():
+    """Peaks of all scenes, from a process in which each array is mapped by itself.
+
+    The kernel counts what is in use there. In a heap, where freed pieces stay between others, the
+    same evaluation took 5 to 28 % more, which depended on the turns of threads.
+    """
+    file = Path(__file__)
+    settings = os.environ | {
+        "GLIBC_TUNABLES": "glibc.malloc.mmap_threshold=65536",
+        "PYTHONPATH": str(file.parents[2]),
+    }
+    done = subprocess.run([sys.executable, file], env=settings, capture_output=True, check=True)
+    return json.loads(done.stdout)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs the account of Linux's kernel")
+@pytest.mark.parametrize("name", SCENES)
+def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
+    scene, blur = scene_of(name), blur_of(scene_of(name))
     computed = memory._of_image(scene)
     if blur:
         computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts)
-    assert 0.9 * measured < computed < 1.25 * measured
+    # It counts pieces of the heap, too.
+    assert 1.05 * peaks[name] < computed < 1.4 * peaks[name]
 
 
 @pytest.fixture
@@ -104,3 +133,7 @@ def test_memory_grows_with_pixels_control_points_and_images(make_scene, large):
     assert auto_memory(large) / auto_memory(fewer) == pytest.approx(3.5, abs=0.5)
     finer = make_scene({"screen.pixels": [512, 512], "lens.control_points": [512, 512]})
     assert auto_memory(finer) > 1.5 * auto_memory(fewer)
+
+
+if __name__ == "__main__":
+    print(json.dumps({name: evaluation_peak(scene_of(name)) for name in SCENES}))
