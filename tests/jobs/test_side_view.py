@@ -46,6 +46,30 @@ def test_side_view_of_a_tilted_part_is_taken_from_where_the_tilt_shows(kind, acr
     assert np.ptp(view.receiver[:, 0]) > 0.1 * np.ptp(view.receiver[:, 1])
 
 
+@pytest.mark.parametrize(
+    ("job", "text", "length"),
+    [
+        (MirrorJob(distance=130.0), "130 mm", 130.0),
+        (MirrorJob(distance=130.0, aside=0.0), "130 mm", 130.0),
+        (WallWasher(wall_distance=1234.0), "1234 mm", 1234.0),
+        (SunPlate(distance=321.0), "321 mm", 321.0),
+    ],
+    ids=["mirror", "straight mirror", "wall", "plate"],
+)
+def test_the_distance_is_the_one_that_was_asked_for(job, text, length):
+    view = side_view(job.scene())
+    (distance,) = (each for each in view.dimensions if each.distance and each.text == text)
+    assert np.linalg.norm(np.subtract(*distance.ends)) == pytest.approx(length)
+
+
+def test_the_distance_of_a_mirror_ends_at_the_middle_of_the_image():
+    view = side_view(MirrorJob().scene())
+    (distance,) = (each for each in view.dimensions if each.distance)
+    assert distance.ends == pytest.approx(
+        np.array([[0.0, 0.0], view.receiver[[0, -1]].mean(axis=0)])
+    )
+
+
 @pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
 def test_all_that_is_drawn_is_within_its_bounds(kind):
     view = side_view(kind().scene())

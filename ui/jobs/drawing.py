@@ -92,12 +92,15 @@ class SideDrawing(QWidget):
         return QPolygonF([QPointF(begin + along * z, middle - across * y) for z, y in points])
 
     def _lengths(self, painter: QPainter, dimensions: Sequence[Dimension]) -> None:
-        """Widths beside what they are of, distances in rows below."""
+        """Widths beside what they are of, distances in rows below, or aslant where they are so."""
         metrics, line = self.fontMetrics(), self.fontMetrics().lineSpacing()
         row = self._room().bottom() + 0.5 * line
         for dimension in dimensions:
             first, last = (self._line(dimension.ends).at(end) for end in (0, 1))
-            if not _along(dimension):
+            if dimension.distance and not _along(dimension):
+                self._aslant(painter, first, last, dimension.text)
+                continue
+            if not dimension.distance:
                 top = min(first.y(), last.y())
                 wide = metrics.horizontalAdvance(dimension.text)
                 middle = (first.x() + last.x()) / 2
@@ -114,6 +117,17 @@ class SideDrawing(QWidget):
             at = min(max(middle - wide / 2, 2.0), self.width() - wide - 2.0)
             painter.drawText(QPointF(at, row - 0.25 * line), dimension.text)
 
+    def _aslant(self, painter: QPainter, first: QPointF, last: QPointF, text: str) -> None:
+        """A distance where it is, on ground of its own, since light goes there too."""
+        painter.save()
+        painter.setPen(QPen(painter.pen().color(), 1, Qt.PenStyle.DashLine))
+        painter.drawLine(first, last)
+        painter.restore()
+        ground = self.fontMetrics().boundingRect(text).adjusted(-4, -1, 4, 1)
+        ground.moveCenter(((first + last) / 2).toPoint())
+        painter.fillRect(ground, self.palette().window())
+        painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, text)
+
     def _remark(self, painter: QPainter) -> None:
         """Say from where it is seen, and how much larger heights are."""
         assert self._view is not None  # or nothing is drawn
@@ -128,5 +142,5 @@ class SideDrawing(QWidget):
 
 
 def _along(dimension: Dimension) -> bool:
-    """Whether a length is one along the axis."""
-    return bool(abs(dimension.ends[0, 1] - dimension.ends[1, 1]) < 1e-9)
+    """Whether a length is a distance along the axis."""
+    return dimension.distance and bool(abs(dimension.ends[0, 1] - dimension.ends[1, 1]) < 1e-9)

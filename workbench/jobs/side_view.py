@@ -24,10 +24,13 @@ class Dimension:
         Along the axis and across it.
     text : str
         What stands there.
+    distance : bool
+        Whether it is one between parts, where nothing else is drawn, and no size of a part.
     """
 
     ends: Array
     text: str
+    distance: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +63,8 @@ class SideView:
     @property
     def bounds(self) -> tuple[float, float, float, float]:
         """Lowest and highest along the axis, and across it."""
-        points = np.concatenate([self.source, self.optic, self.receiver, *self.rays])
+        ends = [dimension.ends for dimension in self.dimensions]
+        points = np.concatenate([self.source, self.optic, self.receiver, *self.rays, *ends])
         low, high = points.min(axis=0), points.max(axis=0)
         return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
@@ -116,12 +120,20 @@ def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[D
             sized(f"{2 * receiver.half_extent[axis]:.4g}", sign),
         ),
     ]
+    here = np.array([front, 0.0])
     if receiver.at_distance:
-        away = abs(receiver.plane_z - front)
-        found.append(
-            Dimension(np.array([[front, 0.0], [receiver.plane_z, 0.0]]), f"{away:.4g} {unit}")
-        )
+        found.append(_distance(here, _straight_to(here, image), unit))
     if len(source):
-        z = float(source[:, 0].mean())
-        found.append(Dimension(np.array([[z, 0.0], [front, 0.0]]), f"{front - z:.4g} {unit}"))
+        found.append(_distance(np.array([source[:, 0].mean(), 0.0]), here, unit))
     return tuple(found)
+
+
+def _distance(first: Array, last: Array, unit: str) -> Dimension:
+    away = float(np.linalg.norm(last - first))
+    return Dimension(np.stack([first, last]), f"{away:.4g} {unit}", distance=True)
+
+
+def _straight_to(here: Array, image: Array) -> Array:
+    """The place nearest to here on the line that the image is part of."""
+    along = image[-1] - image[0]
+    return np.asarray(image[0] + along * ((here - image[0]) @ along) / (along @ along))
