@@ -4534,6 +4534,11 @@
             <translation>Fehler</translation>
         </message>
         <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>flux / {unit}</source>
+            <translation>Fluss / {unit}</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>kleinste / mittlere {number:.2f}</translation>
@@ -5656,8 +5661,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The image that the light shall draw on the screen.</source>
-            <translation>Das Bild, das das Licht auf den Schirm zeichnen soll.</translation>
+            <source>The image that the light shall draw.</source>
+            <translation>Das Bild, das das Licht zeichnen soll.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5676,8 +5681,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen with its aspect kept. A relative path starts at the scene file's folder.</source>
-            <translation>Bilddatei; helle Pixel bekommen viel Licht, schwarze und durchsichtige keines. Wo alles Gezeichnete schwarz ist, wie bei vielen Logos auf durchsichtigem Grund, bekommt die Zeichnung selbst das Licht. Das Bild wird mit seinem Seitenverhältnis in den Schirm eingepasst. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen, or into the far field's angles, with its aspect kept. A relative path starts at the scene file's folder.</source>
+            <translation>Bilddatei; helle Pixel bekommen viel Licht, schwarze und durchsichtige keines. Wo alles Gezeichnete schwarz ist, wie bei vielen Logos auf durchsichtigem Grund, bekommt die Zeichnung selbst das Licht. Das Bild wird mit seinem Seitenverhältnis in den Schirm oder in die Winkel des Fernfelds eingepasst. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5706,8 +5711,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Whether all of the picture is seen, with a black border where the screen has another aspect, or all of the screen is filled, and what is beyond it is cut away.</source>
-            <translation>Ob das ganze Bild zu sehen ist, mit schwarzem Rand, wo der Schirm ein anderes Seitenverhältnis hat, oder der ganze Schirm gefüllt und abgeschnitten wird, was darüber hinausgeht.</translation>
+            <source>Whether all of the picture is seen, with a black border where the screen or the far field has another aspect, or that is filled, and what is beyond it is cut away.</source>
+            <translation>Ob das ganze Bild zu sehen ist, mit schwarzem Rand, wo Schirm oder Fernfeld ein anderes Seitenverhältnis haben, oder diese ganz gefüllt werden und abgeschnitten wird, was darüber hinausgeht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5716,8 +5721,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All of the screen</source>
-            <translation>Der ganze Schirm</translation>
+            <source>Without a border</source>
+            <translation>Ohne Rand</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5726,8 +5731,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Turns the picture on the screen.</source>
-            <translation>Dreht das Bild auf dem Schirm.</translation>
+            <source>Turns the picture.</source>
+            <translation>Dreht das Bild.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5771,8 +5776,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Black border on each side as a fraction of the screen; it keeps light away from the edge.</source>
-            <translation>Schwarzer Rand auf jeder Seite als Bruchteil des Schirms; er hält Licht von der Kante fern.</translation>
+            <source>Black border on each side as a fraction of the whole image; it keeps light away from the edge.</source>
+            <translation>Schwarzer Rand auf jeder Seite als Bruchteil des ganzen Bildes; er hält Licht von der Kante fern.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5811,8 +5816,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the shape as a fraction of the screen's smaller half-width.</source>
-            <translation>Radius der Form als Bruchteil der kleineren Halbbreite des Schirms.</translation>
+            <source>Radius of the shape as a fraction of the smaller half-width of the whole image.</source>
+            <translation>Radius der Form als Bruchteil der kleineren Halbbreite des ganzen Bildes.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5831,8 +5836,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Height of the shape as a fraction of the screen's smaller width.</source>
-            <translation>Höhe der Form als Bruchteil der kleineren Breite des Schirms.</translation>
+            <source>Height of the shape as a fraction of the smaller width of the whole image.</source>
+            <translation>Höhe der Form als Bruchteil der kleineren Breite des ganzen Bildes.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5841,8 +5846,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A uniform rectangle; as large as the screen, all of it evenly lit.</source>
-            <translation>Ein gleichmäßiges Rechteck; so groß wie der Schirm beleuchtet es ihn ganz und gleichmäßig.</translation>
+            <source>A uniform rectangle; as large as the whole image, all of it evenly lit.</source>
+            <translation>Ein gleichmäßiges Rechteck; so groß wie das ganze Bild beleuchtet es dieses ganz und gleichmäßig.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5851,18 +5856,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Width of the rectangle as a fraction of the screen's.</source>
-            <translation>Breite des Rechtecks als Bruchteil der des Schirms.</translation>
+            <source>Width of the rectangle as a fraction of that of the whole image.</source>
+            <translation>Breite des Rechtecks als Bruchteil der des ganzen Bildes.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>of the screen</source>
-            <translation>des Schirms</translation>
+            <source>of the whole image</source>
+            <translation>des ganzen Bildes</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Height of the rectangle as a fraction of the screen's; a small one makes a line.</source>
-            <translation>Höhe des Rechtecks als Bruchteil der des Schirms; eine kleine macht eine Linie.</translation>
+            <source>Height of the rectangle as a fraction of that of the whole image; a small one makes a line.</source>
+            <translation>Höhe des Rechtecks als Bruchteil der des ganzen Bildes; eine kleine macht eine Linie.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5896,8 +5901,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Words, as large as the screen lets them be.</source>
-            <translation>Wörter, so groß, wie der Schirm es zulässt.</translation>
+            <source>Words, as large as the whole image lets them be.</source>
+            <translation>Wörter, so groß, wie das ganze Bild es zulässt.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5946,8 +5951,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
-            <translation>Teile des Schirms, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig; bei mehreren Bildern dieselben Teile von jedem. Sie ändern die Linse nicht.</translation>
+            <source>Parts of the screen, or of the angles of the far field, whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
+            <translation>Teile des Schirms oder der Winkel des Fernfelds, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig; bei mehreren Bildern dieselben Teile von jedem. Sie ändern die Linse nicht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6383,6 +6388,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt).</source>
             <translation>Stärke je Richtung, in einer Datei nach IES LM-63 (.ies) oder EULUMDAT (.ldt).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image angles</source>
+            <translation>Bildwinkel</translation>
         </message>
         <message>
             <location filename="../../workbench" />

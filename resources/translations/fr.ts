@@ -431,7 +431,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Thick glass moves the light, its exit face makes it parallel; compare both images.</source>
-            <translation>Le verre épais déplace la lumière, la face de sortie la rend parallèle ; comparer les deux images.</translation>
+            <translation>Le verre épais déplace la lumière, la face de sortie la rend parallèle ; comparer les deux images.</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1146,7 +1146,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
-            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d’un polygone et double-cliquer. Échap quitte</translation>
+            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d’un polygone et double-cliquer. Échap quitte</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4534,6 +4534,11 @@
             <translation>erreur</translation>
         </message>
         <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>flux / {unit}</source>
+            <translation>flux / {unit}</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>minimum / moyenne {number:.2f}</translation>
@@ -5656,8 +5661,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The image that the light shall draw on the screen.</source>
-            <translation>L'image que la lumière doit dessiner sur l'écran.</translation>
+            <source>The image that the light shall draw.</source>
+            <translation>L'image que la lumière doit dessiner.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5676,8 +5681,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen with its aspect kept. A relative path starts at the scene file's folder.</source>
-            <translation>Fichier d'image ; les pixels clairs reçoivent beaucoup de lumière, les noirs et les transparents aucune. Où tout le dessin est noir, comme pour bien des logos sur fond transparent, le dessin lui-même reçoit la lumière. Il est ajusté à l'écran en gardant son format. Un chemin relatif part du dossier du fichier de scène.</translation>
+            <source>Image file; bright pixels get much light, black ones and transparent ones none. Where all that is drawn is black, as in many a logo on a transparent ground, the drawing itself gets the light. It is fitted into the screen, or into the far field's angles, with its aspect kept. A relative path starts at the scene file's folder.</source>
+            <translation>Fichier d'image ; les pixels clairs reçoivent beaucoup de lumière, les noirs et les transparents aucune. Où tout le dessin est noir, comme pour bien des logos sur fond transparent, le dessin lui-même reçoit la lumière. Il est ajusté à l'écran, ou aux angles du champ lointain, en gardant son format. Un chemin relatif part du dossier du fichier de scène.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5706,8 +5711,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Whether all of the picture is seen, with a black border where the screen has another aspect, or all of the screen is filled, and what is beyond it is cut away.</source>
-            <translation>Si toute l'image est vue, avec un bord noir où l'écran a un autre format, ou si tout l'écran est rempli, et ce qui dépasse coupé.</translation>
+            <source>Whether all of the picture is seen, with a black border where the screen or the far field has another aspect, or that is filled, and what is beyond it is cut away.</source>
+            <translation>Si toute l'image est vue, avec un bord noir où l'écran ou le champ lointain a un autre format, ou si celui-ci est rempli, et ce qui dépasse coupé.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5716,8 +5721,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All of the screen</source>
-            <translation>Tout l'écran</translation>
+            <source>Without a border</source>
+            <translation>Sans bord</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5726,8 +5731,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Turns the picture on the screen.</source>
-            <translation>Tourne l'image sur l'écran.</translation>
+            <source>Turns the picture.</source>
+            <translation>Tourne l'image.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5771,8 +5776,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Black border on each side as a fraction of the screen; it keeps light away from the edge.</source>
-            <translation>Bord noir de chaque côté, en fraction de l'écran ; il tient la lumière loin du bord.</translation>
+            <source>Black border on each side as a fraction of the whole image; it keeps light away from the edge.</source>
+            <translation>Bord noir de chaque côté, en fraction de l'image entière ; il tient la lumière loin du bord.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5811,8 +5816,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius of the shape as a fraction of the screen's smaller half-width.</source>
-            <translation>Rayon de la forme en fraction de la plus petite demi-largeur de l'écran.</translation>
+            <source>Radius of the shape as a fraction of the smaller half-width of the whole image.</source>
+            <translation>Rayon de la forme en fraction de la plus petite demi-largeur de l'image entière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5831,8 +5836,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Height of the shape as a fraction of the screen's smaller width.</source>
-            <translation>Hauteur de la forme en fraction de la plus petite largeur de l'écran.</translation>
+            <source>Height of the shape as a fraction of the smaller width of the whole image.</source>
+            <translation>Hauteur de la forme en fraction de la plus petite largeur de l'image entière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5841,8 +5846,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A uniform rectangle; as large as the screen, all of it evenly lit.</source>
-            <translation>Un rectangle uniforme ; aussi grand que l'écran, il l'éclaire tout entier uniformément.</translation>
+            <source>A uniform rectangle; as large as the whole image, all of it evenly lit.</source>
+            <translation>Un rectangle uniforme ; aussi grand que l'image entière, il l'éclaire tout entière uniformément.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5851,18 +5856,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Width of the rectangle as a fraction of the screen's.</source>
-            <translation>Largeur du rectangle en fraction de celle de l'écran.</translation>
+            <source>Width of the rectangle as a fraction of that of the whole image.</source>
+            <translation>Largeur du rectangle en fraction de celle de l'image entière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>of the screen</source>
-            <translation>de l'écran</translation>
+            <source>of the whole image</source>
+            <translation>de l'image entière</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Height of the rectangle as a fraction of the screen's; a small one makes a line.</source>
-            <translation>Hauteur du rectangle en fraction de celle de l'écran ; une petite fait une ligne.</translation>
+            <source>Height of the rectangle as a fraction of that of the whole image; a small one makes a line.</source>
+            <translation>Hauteur du rectangle en fraction de celle de l'image entière ; une petite fait une ligne.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5896,8 +5901,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Words, as large as the screen lets them be.</source>
-            <translation>Des mots, aussi grands que l'écran le permet.</translation>
+            <source>Words, as large as the whole image lets them be.</source>
+            <translation>Des mots, aussi grands que l'image entière le permet.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5946,8 +5951,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Parts of the screen whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
-            <translation>Parties de l'écran dont la lumière est indiquée à part, comme sur un bureau ou une voie : sa quantité et son uniformité ; de plusieurs images, les mêmes parties de chacune. Elles ne changent pas la lentille.</translation>
+            <source>Parts of the screen, or of the angles of the far field, whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
+            <translation>Parties de l'écran ou des angles du champ lointain dont la lumière est indiquée à part, comme sur un bureau ou une voie : sa quantité et son uniformité ; de plusieurs images, les mêmes parties de chacune. Elles ne changent pas la lentille.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6272,7 +6277,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; left empty, in parts of all light.</source>
-            <translation>Toute la lumière de la lampe, selon sa fiche technique. Avec elle, la lumière est indiquée en lux et en lumens ; sans elle, en parties de toute la lumière.</translation>
+            <translation>Toute la lumière de la lampe, selon sa fiche technique. Avec elle, la lumière est indiquée en lux et en lumens ; sans elle, en parties de toute la lumière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6386,6 +6391,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Image angles</source>
+            <translation>Angles de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Full angles of the image across and upwards.</source>
             <translation>Angles totaux de l'image en travers et vers le haut.</translation>
         </message>
@@ -6487,97 +6497,97 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>missing; it is required</source>
-            <translation>manque ; il est nécessaire</translation>
+            <translation>manque ; il est nécessaire</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is too small; must be greater than {gt:.10g}</source>
-            <translation>{input} est trop petit ; il faut plus de {gt:.10g}</translation>
+            <translation>{input} est trop petit ; il faut plus de {gt:.10g}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is too small; at least {ge:.10g}</source>
-            <translation>{input} est trop petit ; au moins {ge:.10g}</translation>
+            <translation>{input} est trop petit ; au moins {ge:.10g}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is too large; must be less than {lt:.10g}</source>
-            <translation>{input} est trop grand ; il faut moins de {lt:.10g}</translation>
+            <translation>{input} est trop grand ; il faut moins de {lt:.10g}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is too large; at most {le:.10g}</source>
-            <translation>{input} est trop grand ; au plus {le:.10g}</translation>
+            <translation>{input} est trop grand ; au plus {le:.10g}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not available; allowed: {expected}</source>
-            <translation>{input} n'existe pas ; permis : {expected}</translation>
+            <translation>{input} n'existe pas ; permis : {expected}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is even; an odd number is needed</source>
-            <translation>{input} est pair ; il faut un nombre impair</translation>
+            <translation>{input} est pair ; il faut un nombre impair</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not finite; a finite number is needed</source>
-            <translation>{input} n'est pas fini ; il faut un nombre fini</translation>
+            <translation>{input} n'est pas fini ; il faut un nombre fini</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not a number; a number is needed</source>
-            <translation>{input} n'est pas un nombre ; il faut un nombre</translation>
+            <translation>{input} n'est pas un nombre ; il faut un nombre</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not a whole number; a whole number is needed</source>
-            <translation>{input} n'est pas un nombre entier ; il faut un nombre entier</translation>
+            <translation>{input} n'est pas un nombre entier ; il faut un nombre entier</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is neither true nor false; true or false is needed</source>
-            <translation>{input} n'est ni true ni false ; il faut true ou false</translation>
+            <translation>{input} n'est ni true ni false ; il faut true ou false</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not text; text is needed</source>
-            <translation>{input} n'est pas un texte ; il faut un texte</translation>
+            <translation>{input} n'est pas un texte ; il faut un texte</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is empty; some text is needed</source>
-            <translation>{input} est vide ; il faut un texte</translation>
+            <translation>{input} est vide ; il faut un texte</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not a list; a list of numbers is needed</source>
-            <translation>{input} n'est pas une liste ; il faut une liste de nombres</translation>
+            <translation>{input} n'est pas une liste ; il faut une liste de nombres</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input} is not an object; an object with named fields is needed</source>
-            <translation>{input} n'est pas un objet ; il faut un objet aux champs nommés</translation>
+            <translation>{input} n'est pas un objet ; il faut un objet aux champs nommés</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>not valid JSON: {error}</source>
-            <translation>JSON non valide : {error}</translation>
+            <translation>JSON non valide : {error}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>unknown field; known here: {fields}</source>
-            <translation>champ inconnu ; connus ici : {fields}</translation>
+            <translation>champ inconnu ; connus ici : {fields}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{actual_length} values given; exactly {max_length} are needed</source>
-            <translation>{actual_length} valeurs données ; il en faut exactement {max_length}</translation>
+            <translation>{actual_length} valeurs données ; il en faut exactement {max_length}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>{input}: two whole numbers or 'auto' are needed</source>
-            <translation>{input} : il faut deux nombres entiers ou 'auto'</translation>
+            <translation>{input} : il faut deux nombres entiers ou 'auto'</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6762,17 +6772,17 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/analysis/cells/image.py" />
             <source>no light of this lens reaches the screen, so there is no image to judge</source>
-            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
+            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/cross_check.py" />
             <source>no light of this lens reaches the screen, so there is nothing to compare</source>
-            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à comparer</translation>
+            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à comparer</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
             <source>no light of this lens reaches the screen, so there is nothing to see</source>
-            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à voir</translation>
+            <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à voir</translation>
         </message>
         <message>
             <location filename="../../workbench/design/auto.py" />
@@ -6792,52 +6802,52 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
-            <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+            <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
         </message>
         <message>
             <location filename="../../workbench/design/memory.py" />
             <source>{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, and {available} are free; take fewer of both, or close other programs</source>
-            <translation>{n_x} × {n_y} pixels avec {n_u} × {n_v} points de contrôle demandent environ {needed} de mémoire, et {available} sont libres ; prenez-en moins, ou fermez d'autres programmes</translation>
+            <translation>{n_x} × {n_y} pixels avec {n_u} × {n_v} points de contrôle demandent environ {needed} de mémoire, et {available} sont libres ; prenez-en moins, ou fermez d'autres programmes</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the lens, or move its middle nearer to the axis</source>
-            <translation>la lumière rase le côté lointain de l'écran, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez l'écran vers la lentille, ou rapprochez son milieu de l'axe</translation>
+            <translation>la lumière rase le côté lointain de l'écran, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez l'écran vers la lentille, ou rapprochez son milieu de l'axe</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the lens, or move its middle nearer to the axis</source>
-            <translation>la lumière rase le côté lointain du champ lointain, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez le champ lointain vers la lentille, ou rapprochez son milieu de l'axe</translation>
+            <translation>la lumière rase le côté lointain du champ lointain, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez le champ lointain vers la lentille, ou rapprochez son milieu de l'axe</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the screen, at {slant:.0f} degrees from across it, where the image is less exact; turn the screen towards the mirror, or move its middle nearer to the axis</source>
-            <translation>la lumière rase le côté lointain de l'écran, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez l'écran vers le miroir, ou rapprochez son milieu de l'axe</translation>
+            <translation>la lumière rase le côté lointain de l'écran, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez l'écran vers le miroir, ou rapprochez son milieu de l'axe</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
-            <translation>la lumière rase le côté lointain du champ lointain, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez le champ lointain vers le miroir, ou rapprochez son milieu de l'axe</translation>
+            <translation>la lumière rase le côté lointain du champ lointain, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez le champ lointain vers le miroir, ou rapprochez son milieu de l'axe</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>none of its light goes to the lens; turn or move it</source>
-            <translation>aucune de sa lumière ne va vers la lentille ; tournez-la ou déplacez-la</translation>
+            <translation>aucune de sa lumière ne va vers la lentille ; tournez-la ou déplacez-la</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>none of its light goes to the mirror; turn or move it</source>
-            <translation>aucune de sa lumière ne va vers le miroir ; tournez-la ou déplacez-la</translation>
+            <translation>aucune de sa lumière ne va vers le miroir ; tournez-la ou déplacez-la</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>{net} are not the control points of the finished lens that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} ne sont pas les points de contrôle de la lentille finie, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
+            <translation>{net} ne sont pas les points de contrôle de la lentille finie, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
             <source>{net} are not the control points of the finished mirror that are locked; leave the stage's net out or unlock them</source>
-            <translation>{net} ne sont pas les points de contrôle du miroir fini, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
+            <translation>{net} ne sont pas les points de contrôle du miroir fini, qui sont verrouillés ; omettez le réseau de l'étape ou déverrouillez-les</translation>
         </message>
         <message>
             <location filename="../../workbench/design/origin.py" />
@@ -6857,7 +6867,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/design/paper.py" />
             <source>'box' is constant within a pixel and gives the paper's method no gradient; 'gaussian'</source>
-            <translation>'box' est constant dans un pixel et ne donne pas de gradient à la méthode de l'article ; 'gaussian'</translation>
+            <translation>'box' est constant dans un pixel et ne donne pas de gradient à la méthode de l'article ; 'gaussian'</translation>
         </message>
         <message>
             <location filename="../../workbench/design/paper.py" />
@@ -6867,7 +6877,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/design/parametrisation.py" />
             <source>'{name}' has {count:,} parameters here and needs {needed} for them, their gradient and Adam's moments; {available} are free</source>
-            <translation>'{name}' a ici {count:,} paramètres et demande {needed} pour eux, leur gradient et les moments d'Adam ; {available} sont libres</translation>
+            <translation>'{name}' a ici {count:,} paramètres et demande {needed} pour eux, leur gradient et les moments d'Adam ; {available} sont libres</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -7072,292 +7082,292 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/materials.py" />
             <source>{name} is not in the catalogue; known: {known}</source>
-            <translation>{name} n'est pas au catalogue ; connus : {known}</translation>
+            <translation>{name} n'est pas au catalogue ; connus : {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/materials.py" />
             <source>{wavelength:g} is outside the data for {name}; {low:g} to {high:g}</source>
-            <translation>{wavelength:g} est hors des données de {name} ; de {low:g} à {high:g}</translation>
+            <translation>{wavelength:g} est hors des données de {name} ; de {low:g} à {high:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
-            <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
+            <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />
             <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
+            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />
             <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
+            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/collimated_source.py" />
             <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
-            <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
+            <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/collimated_source.py" />
             <source>{radius:g} is too narrow for a lens with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour une lentille de demi-largeur {half:g} ; au moins {least:g}</translation>
+            <translation>{radius:g} est trop étroit pour une lentille de demi-largeur {half:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/collimated_source.py" />
             <source>{radius:g} is too narrow for a mirror with a half-width of {half:g}; at least {least:g}</source>
-            <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
+            <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/emission.py" />
             <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
-            <translation>{parts} font {across} × {up} rectangles ; au plus {most} en tout</translation>
+            <translation>{parts} font {across} × {up} rectangles ; au plus {most} en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/entrance.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
-            <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
+            <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/far_field.py" />
             <source>{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}</source>
-            <translation>{half:g} autour de {middle:g} dépasse {most:g} degrés ; au plus {left:g}</translation>
+            <translation>{half:g} autour de {middle:g} dépasse {most:g} degrés ; au plus {left:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/far_field.py" />
             <source>is at no distance; a screen is needed</source>
-            <translation>n'est à aucune distance ; il faut un écran</translation>
+            <translation>n'est à aucune distance ; il faut un écran</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/grid_source.py" />
             <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
-            <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
+            <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/kinds.py" />
             <source>missing; it or {other} is required</source>
-            <translation>manque ; lui ou {other} est nécessaire</translation>
+            <translation>manque ; lui ou {other} est nécessaire</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/kinds.py" />
             <source>is given together with a {one}; one of them is needed</source>
-            <translation>est donné avec {one} ; il faut l'un des deux</translation>
+            <translation>est donné avec {one} ; il faut l'un des deux</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
-            <translation>{value} n'est ni un nombre ni un nom ; un nombre supérieur à 1 ou le nom d'un matériau</translation>
+            <translation>{value} n'est ni un nombre ni un nom ; un nombre supérieur à 1 ou le nom d'un matériau</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>{value}; a number greater than 1 is needed</source>
-            <translation>{value} ; il faut un nombre supérieur à 1</translation>
+            <translation>{value} ; il faut un nombre supérieur à 1</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>{index:g}; greater than 1 is needed</source>
-            <translation>{index:g} ; il faut plus de 1</translation>
+            <translation>{index:g} ; il faut plus de 1</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>{height:g} leaves no room above the minimal thickness; more than {least:g}</source>
-            <translation>{height:g} ne laisse pas de place au-dessus de l'épaisseur minimale ; plus de {least:g}</translation>
+            <translation>{height:g} ne laisse pas de place au-dessus de l'épaisseur minimale ; plus de {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>{height:g} leaves no room below the maximal thickness; less than {most:g}</source>
-            <translation>{height:g} ne laisse pas de place au-dessous de l'épaisseur maximale ; moins de {most:g}</translation>
+            <translation>{height:g} ne laisse pas de place au-dessous de l'épaisseur maximale ; moins de {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>missing; it goes with {material}</source>
-            <translation>manque ; elle va avec {material}</translation>
+            <translation>manque ; elle va avec {material}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if need be</source>
-            <translation>{large:g} ne permet pas de calculer ; de {least:g} à {most:g}, au besoin dans une autre unité</translation>
+            <translation>{large:g} ne permet pas de calculer ; de {least:g} à {most:g}, au besoin dans une autre unité</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{half:g} makes the lens slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} rend la lentille plus étroite que {most:g} à 1 ; au moins {least:g}</translation>
+            <translation>{half:g} rend la lentille plus étroite que {most:g} à 1 ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{half:g} makes the mirror slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} rend le miroir plus étroit que {most:g} à 1 ; au moins {least:g}</translation>
+            <translation>{half:g} rend le miroir plus étroit que {most:g} à 1 ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{index:g} is more than any material has; at most {most:g}</source>
-            <translation>{index:g} est plus que n'a aucun matériau ; au plus {most:g}</translation>
+            <translation>{index:g} est plus que n'a aucun matériau ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{absorption:g} leaves less than {least:g} of the light behind {thickness:g} of glass; at most {most:g}</source>
-            <translation>{absorption:g} laisse moins de {least:g} de la lumière derrière {thickness:g} de verre ; au plus {most:g}</translation>
+            <translation>{absorption:g} laisse moins de {least:g} de la lumière derrière {thickness:g} de verre ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
-            <translation>{length:g} est trop long pour une demi-largeur de {half:g} ; au plus {most:g}</translation>
+            <translation>{length:g} est trop long pour une demi-largeur de {half:g} ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/measured_source.py" />
             <source>'{file}' is none of these: {endings}</source>
-            <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
+            <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/net.py" />
             <source>{count} is too few for degree {degree}; at least {least}</source>
-            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
+            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/optic.py" />
             <source>'auto' needs a target to choose for; numbers</source>
-            <translation>'auto' demande une cible pour choisir ; des nombres</translation>
+            <translation>'auto' demande une cible pour choisir ; des nombres</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/part.py" />
             <source>{value:g} is too small for this one; a number that it can hold</source>
-            <translation>{value:g} est trop petit pour celle-ci ; un nombre qu'elle peut tenir</translation>
+            <translation>{value:g} est trop petit pour celle-ci ; un nombre qu'elle peut tenir</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
             <source>{z:g} is not before {front}; less than {most:g}</source>
-            <translation>{z:g} n'est pas devant ({front}) ; moins de {most:g}</translation>
+            <translation>{z:g} n'est pas devant ({front}) ; moins de {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
             <source>{way:g} before {front} is too near for a lens with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour une lentille de demi-largeur {size:g} ; au moins {least:g}</translation>
+            <translation>{way:g} devant ({front}) est trop près pour une lentille de demi-largeur {size:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
             <source>{way:g} before {front} is too near for a mirror with a half-width of {size:g}; at least {least:g}</source>
-            <translation>{way:g} devant ({front}) est trop près pour un miroir de demi-largeur {size:g} ; au moins {least:g}</translation>
+            <translation>{way:g} devant ({front}) est trop près pour un miroir de demi-largeur {size:g} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
             <source>{way:g} before {front} is too far for a lens with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour une lentille de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+            <translation>{way:g} devant ({front}) est trop loin pour une lentille de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
             <source>{way:g} before {front} is too far for a mirror with a half-width of {size:g}; at most {most:g}, or collimated light</source>
-            <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
+            <translation>{way:g} devant ({front}) est trop loin pour un miroir de demi-largeur {size:g} ; au plus {most:g}, ou une lumière collimatée</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/region.py" />
             <source>{size:g} about {middle:g} ends beyond the receiver; at most {most:g} there</source>
-            <translation>{size:g} autour de {middle:g} dépasse le récepteur ; au plus {most:g} à cet endroit</translation>
+            <translation>{size:g} autour de {middle:g} dépasse le récepteur ; au plus {most:g} à cet endroit</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/region.py" />
             <source>have no area between them; a polygon with some</source>
-            <translation>n'entourent aucune surface ; un polygone qui en a une</translation>
+            <translation>n'entourent aucune surface ; un polygone qui en a une</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/region.py" />
             <source>make sides that cross; in their order around the polygon</source>
-            <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
+            <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/region.py" />
             <source>{count} are given; at most {most}</source>
-            <translation>{count} sont donnés ; au plus {most}</translation>
+            <translation>{count} sont donnés ; au plus {most}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/run.py" />
             <source>unknown field; the automatic method has none</source>
-            <translation>champ inconnu ; la méthode automatique n'en a pas</translation>
+            <translation>champ inconnu ; la méthode automatique n'en a pas</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
-            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière de la lentille ; sa face avant doit regarder toute la lentille</translation>
+            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière de la lentille ; sa face avant doit regarder toute la lentille</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>[{x:g}, {y:g}] turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
-            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière du miroir ; sa face avant doit regarder tout le miroir</translation>
+            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière du miroir ; sa face avant doit regarder tout le miroir</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{z:g} may touch the lens; more than {least:g}, the highest that the exit face can become</source>
-            <translation>{z:g} peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre</translation>
+            <translation>{z:g} peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{z:g} puts its lowest edge at z = {nearest:g}, which may touch the lens; more than {least:g}, the highest that the exit face can become and the tilt adds</source>
-            <translation>{z:g} met son bord le plus bas à z = {nearest:g}, qui peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre, et ce qu'ajoute l'inclinaison</translation>
+            <translation>{z:g} met son bord le plus bas à z = {nearest:g}, qui peut toucher la lentille ; plus de {least:g}, le plus haut que la face de sortie puisse atteindre, et ce qu'ajoute l'inclinaison</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{z:g} may touch the lens, or be behind it; less than {most:g}, the lowest that it can become</source>
-            <translation>{z:g} peut toucher la lentille ou être derrière elle ; moins de {most:g}, le plus bas qu'elle puisse atteindre</translation>
+            <translation>{z:g} peut toucher la lentille ou être derrière elle ; moins de {most:g}, le plus bas qu'elle puisse atteindre</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{z:g} may touch the mirror, or be behind it; less than {most:g}, the lowest that it can become</source>
-            <translation>{z:g} peut toucher le miroir ou être derrière lui ; moins de {most:g}, le plus bas qu'il puisse atteindre</translation>
+            <translation>{z:g} peut toucher le miroir ou être derrière lui ; moins de {most:g}, le plus bas qu'il puisse atteindre</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/target.py" />
             <source>takes {across:g} of the width away; at most {most:g}</source>
-            <translation>enlève {across:g} de la largeur ; au plus {most:g}</translation>
+            <translation>enlève {across:g} de la largeur ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/target.py" />
             <source>takes {up:g} of the height away; at most {most:g}</source>
-            <translation>enlève {up:g} de la hauteur ; au plus {most:g}</translation>
+            <translation>enlève {up:g} de la hauteur ; au plus {most:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{value:g} is about curvature, and faces of degree 1 are flat between edges; {field} of at least 2</source>
-            <translation>{value:g} concerne la courbure, et les faces de degré 1 sont planes entre les arêtes ; {field} d'au moins 2</translation>
+            <translation>{value:g} concerne la courbure, et les faces de degré 1 sont planes entre les arêtes ; {field} d'au moins 2</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; none</source>
-            <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
+            <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
-            <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
+            <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is a folder; an image file is needed</source>
-            <translation>est un dossier ; il faut un fichier d'image</translation>
+            <translation>est un dossier ; il faut un fichier d'image</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is not an existing file; an image file is needed</source>
-            <translation>n'existe pas ; il faut un fichier d'image</translation>
+            <translation>n'existe pas ; il faut un fichier d'image</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>cannot be read: {why}</source>
-            <translation>ne peut être lu : {why}</translation>
+            <translation>ne peut être lu : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>holds a value that is NaN or infinite; finite values are needed</source>
-            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
+            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>holds {least:g}; values of at least 0 are needed</source>
-            <translation>contient {least:g} ; il faut des valeurs d'au moins 0</translation>
+            <translation>contient {least:g} ; il faut des valeurs d'au moins 0</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>'{tone}' is for shades, and '{path}' holds numbers; 'linear'</source>
-            <translation>'{tone}' est pour des tons, et '{path}' contient des nombres ; 'linear'</translation>
+            <translation>'{tone}' est pour des tons, et '{path}' contient des nombres ; 'linear'</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -7367,32 +7377,32 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>has {columns} × {rows} pixels; at least one is needed</source>
-            <translation>a {columns} × {rows} pixels ; il en faut au moins un</translation>
+            <translation>a {columns} × {rows} pixels ; il en faut au moins un</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>has {columns} × {rows} pixels; at most {most} on a side are allowed</source>
-            <translation>a {columns} × {rows} pixels ; au plus {most} par côté sont permis</translation>
+            <translation>a {columns} × {rows} pixels ; au plus {most} par côté sont permis</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: {why}</source>
-            <translation>n'est pas un tableau .npy complet de nombres : {why}</translation>
+            <translation>n'est pas un tableau .npy complet de nombres : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>has {count} dimensions; 2 (rows, columns) are needed</source>
-            <translation>a {count} dimensions ; il en faut 2 (lignes, colonnes)</translation>
+            <translation>a {count} dimensions ; il en faut 2 (lignes, colonnes)</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>holds values of type {kind}; real numbers are needed</source>
-            <translation>contient des valeurs de type {kind} ; il faut des nombres réels</translation>
+            <translation>contient des valeurs de type {kind} ; il faut des nombres réels</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
-            <translation>n'est pas un tableau .npy complet de nombres : il manque une partie des {size} octets</translation>
+            <translation>n'est pas un tableau .npy complet de nombres : il manque une partie des {size} octets</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -7402,32 +7412,32 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is an SVG that cannot be drawn: {why}</source>
-            <translation>est un SVG qui ne peut être dessiné : {why}</translation>
+            <translation>est un SVG qui ne peut être dessiné : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is not an image that can be read; known: {known}</source>
-            <translation>n'est pas une image lisible ; connus : {known}</translation>
+            <translation>n'est pas une image lisible ; connus : {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>has too many pixels; at most {most} on a side are allowed</source>
-            <translation>a trop de pixels ; au plus {most} par côté sont permis</translation>
+            <translation>a trop de pixels ; au plus {most} par côté sont permis</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is damaged or incomplete: {why}</source>
-            <translation>est endommagé ou incomplet : {why}</translation>
+            <translation>est endommagé ou incomplet : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/prepare.py" />
             <source>is too small to light any pixel of the screen; enlarge the shape</source>
-            <translation>est trop petit pour éclairer un pixel de l'écran ; agrandissez la forme</translation>
+            <translation>est trop petit pour éclairer un pixel de l'écran ; agrandissez la forme</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/prepare.py" />
             <source>'{path}' is black all over; some light is needed</source>
-            <translation>'{path}' est tout noir ; il faut un peu de lumière</translation>
+            <translation>'{path}' est tout noir ; il faut un peu de lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/prepare.py" />
@@ -7437,7 +7447,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/targets/text.py" />
             <source>{text!r} draws nothing; letters, digits or signs are needed</source>
-            <translation>{text!r} ne dessine rien ; il faut des lettres, des chiffres ou des signes</translation>
+            <translation>{text!r} ne dessine rien ; il faut des lettres, des chiffres ou des signes</translation>
         </message>
     </context>
 </TS>

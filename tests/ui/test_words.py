@@ -109,7 +109,7 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     speaking("de")
     translate(figure)
     (legend,) = axes.get_legend().get_texts()
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "flux / mm²")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "Fluss / mm²")
     assert legend.get_text() == "dieser Lauf"
 
 

@@ -31,13 +31,20 @@ Words in small letters alone could be names of fields; each is marked by itself.
 """
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
+_FLUX = "flux / "
 
 
 def translate(figure: Figure) -> None:
     """Say labels and legends of a picture that has just begun in the language that is spoken."""
     for text in cast("list[Text]", figure.findobj(Text)):
         english = text.get_text()
-        parts = _WITH_UNIT.fullmatch(english)
-        said = f"{tr(parts[1])} {parts[2]}" if parts else tr(english)
+        said = _said(english)
         if said != english:
             text.set_text(said)
+
+
+def _said(english: str) -> str:
+    if english.startswith(_FLUX):
+        return tr("flux / {unit}").format(unit=english.removeprefix(_FLUX))
+    parts = _WITH_UNIT.fullmatch(english)
+    return f"{tr(parts[1])} {parts[2]}" if parts else tr(english)

@@ -37,7 +37,7 @@ class StreetLight(LensJob):
     image_angles: Annotated[
         tuple[_Angle, _Angle],
         ANGLE,
-        about("Image size", "Full angles of the image across and upwards."),
+        about("Image angles", "Full angles of the image across and upwards."),
     ] = (70.0, 50.0)
 
     def scene(self) -> Scene:

@@ -17,11 +17,11 @@ class Finish(Part):
 
     padding: Annotated[
         float,
-        Measure("of width", "of the screen"),
+        Measure("of width", "of the whole image"),
         about(
             "Padding",
-            "Black border on each side as a fraction of the screen; it keeps light away from the "
-            "edge.",
+            "Black border on each side as a fraction of the whole image; it keeps light away from "
+            "the edge.",
             ge=0,
             lt=0.5,
         ),
@@ -66,7 +66,8 @@ class ImageTarget(Finish):
             "Image",
             "Image file; bright pixels get much light, black ones and transparent ones none. "
             "Where all that is drawn is black, as in many a logo on a transparent ground, the "
-            "drawing itself gets the light. It is fitted into the screen with its aspect kept. "
+            "drawing itself gets the light. It is fitted into the screen, or into the far field's "
+            "angles, with its aspect kept. "
             "A relative path starts at the scene file's folder.",
             min_length=1,
         ),
@@ -85,11 +86,11 @@ class ImageTarget(Finish):
     fit: Annotated[
         Literal["whole", "fill"],
         SINCE_2,
-        Choices((("whole", "All of the picture"), ("fill", "All of the screen"))),
+        Choices((("whole", "All of the picture"), ("fill", "Without a border"))),
         about(
             "Fit",
-            "Whether all of the picture is seen, with a black border where the screen has "
-            "another aspect, or all of the screen is filled, and what is beyond it is cut away.",
+            "Whether all of the picture is seen, with a black border where the screen or the far "
+            "field has another aspect, or that is filled, and what is beyond it is cut away.",
         ),
     ] = "whole"
     turn: Annotated[
@@ -103,7 +104,7 @@ class ImageTarget(Finish):
                 ("around", "Upside down"),
             )
         ),
-        about("Turn", "Turns the picture on the screen."),
+        about("Turn", "Turns the picture."),
     ] = "none"
     crop: Annotated[
         tuple[_Cut, _Cut, _Cut, _Cut],
@@ -143,10 +144,10 @@ class ImageTarget(Finish):
 
 _Radius = Annotated[
     float,
-    Measure("of half width", "of the screen's smaller half-width"),
+    Measure("of half width", "of the whole image's smaller half-width"),
     about(
         "Radius",
-        "Radius of the shape as a fraction of the screen's smaller half-width.",
+        "Radius of the shape as a fraction of the smaller half-width of the whole image.",
         gt=0,
         le=1,
     ),
@@ -170,10 +171,10 @@ class FlameTarget(Finish):
     builtin: Literal["flame"] = "flame"
     height: Annotated[
         float,
-        Measure("of width", "of the screen's smaller width"),
+        Measure("of width", "of the whole image's smaller width"),
         about(
             "Height",
-            "Height of the shape as a fraction of the screen's smaller width.",
+            "Height of the shape as a fraction of the smaller width of the whole image.",
             gt=0,
             le=1,
         ),
@@ -189,11 +190,11 @@ class BallTarget(Finish):
     radius: _Radius = 0.8
 
 
-_OF_SCREEN = Measure("of the screen")
+_OF_IMAGE = Measure("of the whole image")
 
 
 class RectangleTarget(Finish):
-    """A uniform rectangle; as large as the screen, all of it evenly lit."""
+    """A uniform rectangle; as large as the whole image, all of it evenly lit."""
 
     model_config = ConfigDict(title="Rectangle")
 
@@ -201,15 +202,18 @@ class RectangleTarget(Finish):
     builtin: Literal["rectangle"] = "rectangle"
     width: Annotated[
         float,
-        _OF_SCREEN,
-        about("Width", "Width of the rectangle as a fraction of the screen's.", gt=0, le=1),
+        _OF_IMAGE,
+        about(
+            "Width", "Width of the rectangle as a fraction of that of the whole image.", gt=0, le=1
+        ),
     ] = 1.0
     height: Annotated[
         float,
-        _OF_SCREEN,
+        _OF_IMAGE,
         about(
             "Height",
-            "Height of the rectangle as a fraction of the screen's; a small one makes a line.",
+            "Height of the rectangle as a fraction of that of the whole image; a small one makes "
+            "a line.",
             gt=0,
             le=1,
         ),
@@ -232,7 +236,7 @@ class RingTarget(Finish):
 
 
 class TextTarget(Finish):
-    """Words, as large as the screen lets them be."""
+    """Words, as large as the whole image lets them be."""
 
     model_config = ConfigDict(title="Text")
 

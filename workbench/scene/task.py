@@ -111,7 +111,7 @@ class Scene(Part):
             "maps. Automatic has no filter.",
         ),
     ] = GaussianFilter()
-    target: Annotated[Target, about("Target", "The image that the light shall draw on the screen.")]
+    target: Annotated[Target, about("Target", "The image that the light shall draw.")]
     further_images: Annotated[
         tuple[FurtherImage, ...],
         SINCE_2,
@@ -126,9 +126,9 @@ class Scene(Part):
         SINCE_2,
         about(
             "Regions",
-            "Parts of the screen whose light is told by itself, as on a desk or a lane: how much "
-            "there is, and how even it is; of several images, the same parts of each. They do not "
-            "change the lens.",
+            "Parts of the screen, or of the angles of the far field, whose light is told by "
+            "itself, as on a desk or a lane: how much there is, and how even it is; of several "
+            "images, the same parts of each. They do not change the lens.",
         ),
     ] = ()
     run: Annotated[Run, about("Run", "How the design is found.")] = AutoRun()
