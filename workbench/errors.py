@@ -1,5 +1,8 @@
 """The two ways in which the engine says no, and how they quote what is wrong."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 LONGEST_QUOTE = 60
 """Most characters of a value or name that a sentence quotes."""
 
@@ -20,6 +23,15 @@ class Refused(Exception):
         super().__init__(f"{path}: {reason}")
         self.path = path
         self.reason = reason
+
+
+@contextmanager
+def refused_within(whole: str) -> Iterator[None]:
+    """Give refusals of a part's fields their paths from the whole: ``whole`` stands before them."""
+    try:
+        yield
+    except Refused as refused:
+        raise Refused(f"{whole}.{refused.path}", refused.reason) from None
 
 
 class RunFailed(Exception):

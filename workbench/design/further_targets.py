@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from workbench.design.picture import picture_of
-from workbench.errors import Refused
+from workbench.errors import refused_within
 from workbench.scene import DrawnTarget, Scene
 
 
@@ -32,11 +32,8 @@ def with_targets(scene: Scene, folder: Path) -> Scene:
     ):
         if image.drawn.light is None:
             picture = image.drawn.picture or picture_of(alone, folder)
-            try:
+            with refused_within(f"further_images[{number}]"):
                 light = load_target(alone, folder, picture)
-            except Refused as refused:
-                path = f"further_images[{number}].{refused.path}"
-                raise Refused(path, refused.reason) from None
             image = image.drawn_as(DrawnTarget(light, picture))
         images.append(image)
     return scene.model_copy(update={"further_images": tuple(images)})

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from workbench.design.picture import LARGEST_PICTURE, content_of
-from workbench.errors import Refused
 from workbench.measured.lamps import check_file
 from workbench.scene import Scene
+from workbench.scene.stages import refused_in_stage
 
 
 def with_light(scene: Scene, folder: Path) -> Scene:
@@ -26,13 +26,10 @@ def with_light(scene: Scene, folder: Path) -> Scene:
     missing = [name for name, data in scene.light_files.items() if data is None]
     if missing:
         scene = scene.carrying({name: content_of(folder / name) for name in missing})
-    for number in range(len(scene.run.stages) + 1):
-        try:
+    stages = len(scene.run.stages)
+    for number in range(stages + 1):
+        with refused_in_stage(number, stages, scene.optic):
             check_file(scene.source_of(number))
-        except Refused as refused:
-            if number == len(scene.run.stages):
-                raise
-            raise Refused(f"run.stages[{number}].{refused.path}", refused.reason) from refused
     return scene
 
 

@@ -16,6 +16,7 @@ from workbench.optics.plan import device_of
 from workbench.optics.sources import emitter_of
 from workbench.said import Said
 from workbench.scene import Scene
+from workbench.scene.stages import refused_in_stage
 
 Array = npt.NDArray[np.float64]
 
@@ -50,17 +51,12 @@ def check_stages(
     """
     finished = scenes[-1]
     for stage, part in enumerate(scenes[first:], first):
-        try:
+        with refused_in_stage(stage, len(scenes) - 1, part.optic):
             device_of(part)
             method_of(part).check(part)
             _check_lit(part)
             if locked:
                 _check_net(part, finished)
-        except Refused as refused:
-            if part is finished:
-                raise
-            path = refused.path.removeprefix(f"{part.optic.called}.").removeprefix("run.")
-            raise Refused(f"run.stages[{stage}].{path}", refused.reason) from None
     if locked and start is not None:
         limits = HeightLimits.of_faces(bounded(finished))
         kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}

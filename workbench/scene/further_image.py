@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict, PrivateAttr
 
-from workbench.errors import Refused
+from workbench.errors import Refused, refused_within
+from workbench.said import Said
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import about
 from workbench.scene.kinds import only
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 Array = npt.NDArray[np.float64]
+
+_MOST = 8  # each is traced by itself
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,3 +137,31 @@ class FurtherImage(Part):
     def _drawing(self) -> tuple[object, ...]:
         """All that the target's image depends on."""
         return self.target, self.receiver.half_extent, self.receiver.pixels
+
+
+def check_images(scene: "Scene") -> None:
+    """Refuse further images that the optic cannot light, or too many.
+
+    Raises
+    ------
+    Refused
+        With the path of the field in the scene.
+    """
+    images, optic = scene.further_images, scene.optic
+    if len(images) > _MOST:
+        many = Said("{count} are given; at most {most}", count=len(images), most=_MOST)
+        raise Refused("further_images", many)
+    for number, image in enumerate(images):
+        with refused_within(f"further_images[{number}]"):
+            image.receiver.check_lengths(optic.half_width)
+            image.receiver.check_lit_by(optic)
+
+
+def wanted_images(scene: "Scene", target: Array) -> tuple[WantedImage, ...]:
+    """All images that a scene asks for, the first one first; see `Scene.images`."""
+    first, *others = scene.single
+    found = [WantedImage(first, target, 1.0)]
+    for number, (alone, image) in enumerate(zip(others, scene.further_images, strict=True)):
+        with refused_within(f"further_images[{number}]"):
+            found.append(WantedImage(alone, image.wanted, image.weight))
+    return tuple(found)

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
-from workbench.errors import Refused
+from workbench.errors import Refused, refused_within
 from workbench.said import Said
 from workbench.scene.fields import PLACE, Measure, Version, about
 from workbench.scene.kinds import Kinds
@@ -149,10 +149,8 @@ def check_regions(regions: Sequence[AnyRegion]) -> None:
         many = Said("{count} are given; at most {most}", count=len(regions), most=_MOST)
         raise Refused("regions", many)
     for number, region in enumerate(regions):
-        try:
+        with refused_within(f"regions[{number}]"):
             region.check_outline()
-        except Refused as refused:
-            raise Refused(f"regions[{number}].{refused.path}", refused.reason) from None
 
 
 _Place = tuple[float, float]

@@ -4,8 +4,6 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import ConfigDict
 
-from workbench.errors import Refused
-from workbench.said import Said
 from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
 from workbench.scene.filter import Filter
 from workbench.scene.kinds import Kinds
@@ -217,24 +215,3 @@ class PaperRun(RunSettings):
 
 
 Run = Annotated[AutoRun | PaperRun, Kinds("method", default="auto", title="Method")]
-
-
-def during(run: Run, stage: Stage) -> Run:
-    """Settings of a run in one of its stages.
-
-    Raises
-    ------
-    Refused
-        If the stage has a setting that its method does not have.
-    """
-    changes = {name: getattr(run, name) for name in RunSettings.model_fields}
-    changes |= {"iterations": stage.iterations, "stages": ()}
-    if stage.method not in (None, run.method):
-        # Settings of the one method mean nothing to the other.
-        run = PaperRun() if stage.method == "paper" else AutoRun()
-    if stage.learning_rate is not None:
-        if "learning_rate" not in type(run).model_fields:
-            unknown = Said("unknown field; the automatic method has none")
-            raise Refused("run.learning_rate", unknown)
-        changes["learning_rate"] = stage.learning_rate
-    return run.model_copy(update=changes)

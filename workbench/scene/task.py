@@ -20,7 +20,13 @@ from workbench.scene import limits
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
-from workbench.scene.further_image import Array, FurtherImage, WantedImage
+from workbench.scene.further_image import (
+    Array,
+    FurtherImage,
+    WantedImage,
+    check_images,
+    wanted_images,
+)
 from workbench.scene.kinds import only
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
@@ -28,18 +34,13 @@ from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.region import Region, check_regions
-from workbench.scene.run import AutoRun, Run, Stage, during
+from workbench.scene.run import AutoRun, Run
 from workbench.scene.screen import Screen
 from workbench.scene.source import Source
+from workbench.scene.stages import stage_scenes
 from workbench.scene.target import Target
 
 Unit = Literal["mm", "cm", "m", "inch"]
-
-MOST_STAGES = 100
-"""Most stages of a run: each is checked as a scene of its own."""
-
-MOST_IMAGES = 8
-"""Most further images: each is traced by itself."""
 
 
 class _Versioned(Part, extra="ignore"):
@@ -143,7 +144,7 @@ class Scene(Part):
         self.source.measured_in(self.unit)
         self.source.check_before(optic)
         self.receiver.check_lit_by(optic)
-        self._check_further()
+        check_images(self)
         check_regions(self.regions)
         for field in ("smoothness", *radii):
             value = getattr(self.run, field)
@@ -157,7 +158,7 @@ class Scene(Part):
                         field=f"{optic.called}.degree",
                     ),
                 )
-        self.stage_scenes()
+        stage_scenes(self)
 
     @model_serializer(mode="wrap")
     def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
@@ -166,25 +167,6 @@ class Scene(Part):
             if not getattr(self, name):
                 data.pop(name, None)
         return self.known_to(version, data) | {"version": version}
-
-    def _check_further(self) -> None:
-        """Refuse further images that the optic cannot light, or too many."""
-        if len(self.further_images) > MOST_IMAGES:
-            raise Refused(
-                "further_images",
-                Said(
-                    "{count} are given; at most {most}",
-                    count=len(self.further_images),
-                    most=MOST_IMAGES,
-                ),
-            )
-        for number, image in enumerate(self.further_images):
-            try:
-                image.receiver.check_lengths(self.optic.half_width)
-                image.receiver.check_lit_by(self.optic)
-            except Refused as refused:
-                path = f"further_images[{number}].{refused.path}"
-                raise Refused(path, refused.reason) from None
 
     @property
     def optic(self) -> Optic:
@@ -235,15 +217,7 @@ class Scene(Part):
         Refused
             If the target of a further image has yet to be drawn.
         """
-        first, *others = self.single
-        found = [WantedImage(first, target, 1.0)]
-        for number, (scene, image) in enumerate(zip(others, self.further_images, strict=True)):
-            try:
-                found.append(WantedImage(scene, image.wanted, image.weight))
-            except Refused as refused:
-                path = f"further_images[{number}].{refused.path}"
-                raise Refused(path, refused.reason) from None
-        return tuple(found)
+        return wanted_images(self, target)
 
     def check_one_image(self, who: str) -> None:
         """Refuse further images where only one is known.
@@ -306,7 +280,7 @@ class Scene(Part):
         own = stages[stage].source if stage < len(stages) else None
         return own or self.source
 
-    def stage_scenes(self) -> tuple[Self, ...]:
+    def stage_scenes(self) -> tuple["Scene", ...]:
         """The run as scenes without stages, one after the other; the last is what is wanted.
 
         Raises
@@ -315,34 +289,7 @@ class Scene(Part):
             If a stage is not possible, there are too many, or they leave no iteration for the
             scene itself.
         """
-        stages = self.run.stages
-        if not stages:
-            return (self,)
-        if len(stages) > MOST_STAGES:
-            raise Refused(
-                "run.stages",
-                Said("{count} are given; at most {most}", count=len(stages), most=MOST_STAGES),
-            )
-        left = self.run.iterations - sum(stage.iterations for stage in stages)
-        if left < 1:
-            raise Refused(
-                "run.stages",
-                Said(
-                    "they leave none of the {count} iterations for the scene itself; more than "
-                    "{least} in all are needed",
-                    count=self.run.iterations,
-                    least=self.run.iterations - left,
-                ),
-            )
-        parts = []
-        for number, stage in enumerate(stages):
-            try:
-                parts.append(self._during(stage))
-            except Refused as refused:
-                path = refused.path.removeprefix(f"{self.optic.called}.").removeprefix("run.")
-                raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
-        last = self.run.model_copy(update={"stages": (), "iterations": left})
-        return (*parts, self.model_copy(update={"run": last}))
+        return stage_scenes(self)
 
     def with_net(self, shape: tuple[int, int] | None) -> Self:
         """The scene with what its ``"auto"`` control points come to; see `Optic.with_net`."""
@@ -355,18 +302,6 @@ class Scene(Part):
         if optic.known_shape is None:
             return self
         return self.with_optic(optic.model_copy(update={"control_points": optic.known_shape}))
-
-    def _during(self, stage: Stage) -> Self:
-        """The scene with what a stage changes."""
-        optic = self.optic
-        if stage.control_points is not None:
-            optic = optic.altered(control_points=stage.control_points)
-        return self.altered(
-            **{optic.called: optic},
-            source=stage.source or self.source,
-            filter=stage.filter or self.filter,
-            run=during(self.run, stage),
-        )
 
     def in_unit(self, unit: Unit) -> Self:
         """The same scene with all its lengths in another unit.
