@@ -1,14 +1,12 @@
 """Target images that are drawn by hand-written code: a photograph-like one, a letter, a road."""
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import TextPath
 
+from workbench.arrays import Array
 from workbench.scene import Screen
 from workbench.targets.coverage import paint
-
-Array = npt.NDArray[np.float64]
 
 _LIGHT = np.array([-0.55, 0.65, 0.53])  # towards the lamp: upper left, in front
 # Balls on a table: centre x, height above the table and depth; radius; grey; gloss.

@@ -7,8 +7,6 @@ import numpy.typing as npt
 
 from workbench.measured.rays.tm25 import HEADER, VERSION
 
-Array = npt.NDArray[np.float64]
-
 _RAYS = 9_000
 _CHIP = 1.0  # mm a side
 _DATE = b"2025-01-01T00:00:00+00:00"

@@ -3,18 +3,14 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.threads.background import Task
+from workbench.arrays import Array
 from workbench.design.session import verified_error as verified_error  # to be had from here, too
 
 if TYPE_CHECKING:
     from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-
-Array = npt.NDArray[np.float64]
 
 RAYS = 4_000_000
 """Rays of a thorough check."""

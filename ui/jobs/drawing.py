@@ -2,17 +2,14 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.widgets import theme
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.jobs import Dimension, SideView
-
-Array = npt.NDArray[np.float64]
 
 _LIGHT = {"light": "#d88900", "dark": "#ffc14d"}
 _GLASS = {"light": "#5b93c9", "dark": "#7fb2e6"}

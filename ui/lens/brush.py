@@ -4,19 +4,17 @@ from collections.abc import Set
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject
 
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from ui.words import tr
+from workbench.arrays import Mask
 from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet, freeform_nets
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
-
-Mask = npt.NDArray[np.bool_]
 
 _FIRST = 0.1  # of the lens's half-width
 

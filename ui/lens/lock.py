@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from ui.lens.brush import Brush, BrushTool, Mask
+from ui.lens.brush import Brush, BrushTool
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from ui.words import tr
+from workbench.arrays import Mask
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView

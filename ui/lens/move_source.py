@@ -6,19 +6,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.pictures.source_handles import Handle, moved
 from workbench.scene import Source
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
-
-Array = npt.NDArray[np.float64]
 
 _ACROSS, _ALONG = np.eye(3)[:2], np.eye(3)[2:]
 _FINE = 1 / 10  # of the movement of the hand or key, with Shift

@@ -5,21 +5,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Qt, Signal
 
 from ui.lens.brush import Brush, BrushTool
 from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.design.brush import Stroke
 from workbench.geometry.faces import FaceArrays
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
     from workbench.geometry.faces import ControlHeights
-
-Array = npt.NDArray[np.float64]
 
 _ALONG = np.array([[0.0, 0.0, 1.0]])
 _FINE = 1 / 20  # of the movement of the hand or key, with Shift

@@ -12,7 +12,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
 from ui.lens.brush import Brush
@@ -23,6 +22,7 @@ from ui.lens.sculpt import Sculpt
 from ui.shown.frame import same_task
 from ui.views.drawing_queue import drawing_queue
 from ui.words import error_text, later, tr
+from workbench.arrays import Mask
 from workbench.design.limits import bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
@@ -38,8 +38,6 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
     from workbench.scene import Source
-
-Mask = npt.NDArray[np.bool_]
 
 _BUSY = later("Stop the run first; then change the {optic} by hand.")
 _NO_LENS = later("There is no {optic} to shape yet.")

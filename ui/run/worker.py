@@ -13,8 +13,9 @@ from threading import Condition
 from typing import TYPE_CHECKING
 
 from ui.run.mailbox import Mailbox
-from ui.shown.frame import Array, Frame, make_frame
+from ui.shown.frame import Frame, make_frame
 from ui.threads.background import Task
+from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
 from workbench.interruption import interrupted_when

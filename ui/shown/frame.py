@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
+
+from workbench.arrays import Array
 
 if TYPE_CHECKING:
     from workbench.design.lens_state import LensState
@@ -12,8 +13,6 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.optics.paths import RayPaths
     from workbench.scene import Source
-
-Array = npt.NDArray[np.float64]
 
 _SURFACE_SAMPLES = (65, 65)
 

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ui.shown.frame import iterations_before, same_task
-from workbench.design.snapshot import Array, Result
+from workbench.arrays import Array
+from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame

@@ -7,10 +7,9 @@
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject, Signal
 
+from workbench.arrays import Mask
 from workbench.geometry.faces import NO_LOCKS, ControlPoint
 
 if TYPE_CHECKING:
@@ -18,8 +17,6 @@ if TYPE_CHECKING:
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.sight import Sight
     from workbench.scene import Optic
-
-Mask = npt.NDArray[np.bool_]
 
 
 class FaceNets(QObject):

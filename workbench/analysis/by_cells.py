@@ -4,19 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench.analysis.cells.image import CellImage, imaging
 from workbench.analysis.independent import IndependentError, tracing_independently
 from workbench.analysis.metrics import paper_loss, relative_l2, root
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
+from workbench.arrays import Array
 from workbench.scene import AnyReceiver, Scene
 from workbench.watch import Steps, within
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -6,20 +6,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.through_focus import through_focus
+from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.said import Said
 from workbench.scene import Lens, Scene
 from workbench.scene.losses import TakesLight
 from workbench.watch import Watch, fraction_of, unwatched
-
-Array = npt.NDArray[np.float64]
 
 # Standard deviations that hold 95 %.
 _95 = 1.96

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.analysis.scatter import CorrectedDistance
-from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.surfaces.cut import CutSurface
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.tool_path import Raster
 from workbench.scene import Scene

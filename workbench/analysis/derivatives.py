@@ -9,16 +9,14 @@ from dataclasses import dataclass
 from threading import Lock
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch.autograd import forward_ad
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.plan import Plan, device_of
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Torch has one level of dual numbers for all threads together.
 _DUAL_NUMBERS = Lock()

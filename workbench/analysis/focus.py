@@ -5,14 +5,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import through_focus
+from workbench.arrays import Array
 from workbench.scene import Scene
 from workbench.watch import Watch, fraction_of, unwatched
-
-Array = npt.NDArray[np.float64]
 
 # Bytes of images that one trace fills.
 _LARGEST_IMAGES = 1 << 27

@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.analysis.scatter import CorrectedDistance
-from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace
+from workbench.arrays import Array
 from workbench.scene import Scene
 from workbench.watch import Steps, within
 

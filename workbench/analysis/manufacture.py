@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.manufacture_bounds import FaceBounds, difference_range, shape_bounds
 from workbench.analysis.tool_radius import GridFace, blocked_radius
+from workbench.arrays import Array, Mask
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.bounds import equal_parts
 from workbench.geometry.curvature import local_shape
@@ -21,9 +21,6 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.interruption import check_given_up
 from workbench.scene import Optic
-
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 # Least numbers of parts along each axis that hulls are made of. Twice as many places are looked at.
 _PARTS = 256

@@ -10,15 +10,12 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.sparse import csr_array
 
+from workbench.arrays import Array, Mask
 from workbench.geometry.bounds import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
 from workbench.interruption import check_given_up
-
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 # Coefficients that are looked at together.
 _AT_ONCE = 1 << 20

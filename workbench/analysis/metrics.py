@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import gaussian_filter
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 # Window and constants of Wang et al. (2004): 11 × 11 pixels of a Gaussian.
 _SIGMA, _RADIUS = 1.5, 5

@@ -17,13 +17,13 @@ import numpy.typing as npt
 from workbench import system_libraries
 from workbench.analysis.mitsuba_lights import check_known, mitsuba_lights
 from workbench.analysis.mitsuba_receivers import picture_of
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Lens, Mirror, Scene
 from workbench.watch import Watch, unwatched
 
-Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.uint32]
 
 # Variant without a compiler at run time: that of the others needs an LLVM of the right version.

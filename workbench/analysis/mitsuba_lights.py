@@ -5,11 +5,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.mitsuba_rays import rays_as_light
 from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.tracing.sources.turning import file_axes
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.measured.lamps import intensity_of
 from workbench.scene import (
@@ -33,7 +33,6 @@ _FADE = 1e-3
 _SLIDE = 1024
 _EVEN = {"type": "rgb", "value": 1.0}
 
-Array = npt.NDArray[np.float64]
 Lights = tuple[dict[str, Any], float]
 
 

@@ -11,12 +11,10 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.measured.lamps import placed_rays
 from workbench.scene import AreaSource, CollimatedSource, Optic, RayFileSource, Source
-
-Array = npt.NDArray[np.float64]
 
 # Most triangles: single precision still tells so many apart.
 _MOST = 1 << 19

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.sparse import csr_array
 
-from workbench.analysis.tracing.elements import Array
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.scene import AnyReceiver, FarField, Optic, Screen
 

@@ -5,14 +5,10 @@ from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
+from workbench.arrays import Array
 from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.coverage import coverage
-
-Array = npt.NDArray[np.float64]
 
 # A pixel that is less inside than this says more of what is beside the region.
 _INSIDE = 0.5

@@ -9,8 +9,7 @@ import numpy.typing as npt
 
 from workbench.analysis.metrics import root
 from workbench.analysis.tracing.sources.cells import BATCHES
-
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 FEWER = 4
 """The second image has so many times fewer rays."""

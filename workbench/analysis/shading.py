@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
+from workbench.arrays import Array
 from workbench.scene import Scene
 
 SHADED = "meets the face again", "comes through the screen"

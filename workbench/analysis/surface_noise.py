@@ -4,13 +4,11 @@ import math
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import BSpline, make_interp_spline
 from scipy.ndimage import gaussian_filter
 
+from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
-
-Array = npt.NDArray[np.float64]
 
 # Knot spans per length of the noise, which make a spline of any degree follow it.
 _SPANS = 4

@@ -2,15 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
+from workbench.arrays import Array
 from workbench.scene import Scene
 from workbench.watch import Watch, unwatched
-
-Array = npt.NDArray[np.float64]
 
 
 def through_focus(

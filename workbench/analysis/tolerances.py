@@ -10,18 +10,16 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.manufacture import manufacture
 from workbench.analysis.surface_noise import with_noise
 from workbench.analysis.tolerance_fields import ABOUT, Tolerances
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
+from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import FreeformEntrance, Optic, Scene
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.interruption import check_given_up
-
-Array = npt.NDArray[np.float64]
 
 # Pairs are looked at up to so many steps of the grid apart, then on one of twice the step, so that
 # the places of a pair are known to a sixth of their distance, or better.

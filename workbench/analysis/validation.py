@@ -27,6 +27,7 @@ from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.analysis.validation_figures import Validation
+from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.measured.light_unit import light_unit
 from workbench.optics.account import Account
@@ -34,7 +35,6 @@ from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
-Array = npt.NDArray[np.float64]
 Images = list[npt.NDArray[np.float32]]
 
 # Part of the work that the image by cells is taken to be.

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.metrics import Quality
 from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading
+from workbench.arrays import Array
 from workbench.optics.account import Account
 
-Array = npt.NDArray[np.float64]
 Interval = tuple[float, float]
 
 

@@ -6,9 +6,6 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
@@ -17,13 +14,12 @@ from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.validation import validate as trace_anew
 from workbench.analysis.validation_figures import Validation
+from workbench.arrays import Array
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 def validate(

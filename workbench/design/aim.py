@@ -34,14 +34,12 @@ control points, and a rectangle of 40 × 40 pixels by one of 1 × 1 mm 15 mm bef
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.transport import First, first_of, first_of_several
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Control points along an axis, at most, of a lens that only tells where its face is.
 _ROUGH = 64

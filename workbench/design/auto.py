@@ -18,11 +18,11 @@ from functools import partial
 from itertools import islice
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import FreeHeights, Mask
+from workbench.arrays import Array, Mask
+from workbench.design.heights import FreeHeights
 from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import finest_image
 from workbench.design.loss import check_gradient
@@ -36,8 +36,6 @@ from workbench.geometry.faces import NO_LOCKS
 from workbench.optics.plan import device_of
 from workbench.said import Said
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
 # brings there does not find back.

@@ -1,14 +1,12 @@
 """Shaping an optic by hand: a brush raises or lowers control points of one of its faces."""
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Optic
 
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 Block = tuple[slice, slice]
 
 _SMALLEST = 1.5  # radius, in distances between neighbours: all eight of them

@@ -1,17 +1,15 @@
 """The light of one lens after the other, for people who shape them by hand."""
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.methods import method_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
 from workbench.optics.plan import device_of
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class Evaluator:

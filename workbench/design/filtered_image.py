@@ -2,19 +2,15 @@
 
 from collections.abc import Mapping
 
-import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from workbench.design.heights import Mask
+from workbench.arrays import Array, Mask
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
 from workbench.optics.plan import Plan, device_of
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class FilteredImage:

@@ -4,16 +4,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic
-
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 _AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
 

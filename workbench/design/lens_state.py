@@ -5,16 +5,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.shortfall import Shortfall
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.optics.account import Account
 
 if TYPE_CHECKING:
     from torch import Tensor
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.near_sources import fitting_source_cells
 from workbench.design.several_images import AnyImage, SeveralImages
@@ -18,8 +18,6 @@ from workbench.measured.lamps import of_known_size
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.scene import Scene, WantedImage
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)

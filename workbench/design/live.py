@@ -20,8 +20,8 @@ from collections.abc import Callable, Generator
 from dataclasses import replace
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.design.loss import relative_error
 from workbench.design.run import run
@@ -31,7 +31,6 @@ from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
 from workbench.scene import Scene
 
-Array = npt.NDArray[np.float64]
 Generate = Callable[[Scene, Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
 
 # Relative error of a lens by transport where none was made for this target yet.

@@ -3,13 +3,11 @@
 from collections.abc import Callable, Generator, Mapping
 from typing import NamedTuple, Protocol
 
-import numpy as np
-import numpy.typing as npt
 from torch import Tensor
 
+from workbench.arrays import Array, Mask
 from workbench.design.auto import auto_steps
 from workbench.design.filtered_image import FilteredImage
-from workbench.design.heights import Mask
 from workbench.design.levels import finest_image
 from workbench.design.memory import check_auto, memory_notes
 from workbench.design.paper import check_paper, paper_steps
@@ -17,7 +15,6 @@ from workbench.design.room import Room
 from workbench.design.step import Step
 from workbench.scene import Scene
 
-Array = npt.NDArray[np.float64]
 Heights = Mapping[str, Tensor]
 
 

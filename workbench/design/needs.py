@@ -2,11 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-import numpy.typing as npt
 import torch
 
-from workbench.design.heights import Mask
+from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.methods import method_of
 from workbench.errors import Refused
@@ -17,8 +15,6 @@ from workbench.optics.sources import emitter_of
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.scene.stages import refused_in_stage
-
-Array = npt.NDArray[np.float64]
 
 # Places of the optic along each axis at which its source has to shine somewhere.
 _LOOKED_AT = 65

@@ -26,13 +26,11 @@ of one size suit, as the paper's, gets such a one.
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
 from workbench.scene.net import LARGEST_NET
-
-Array = npt.NDArray[np.float64]
 
 _PER_PIXEL = 1.625
 # Parts of that for targets and sources with less detail: steps, so that a stroke of a brush in the

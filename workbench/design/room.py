@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array, Mask
 from workbench.design.aim import first_lens
-from workbench.design.heights import FreeHeights, HeightRange, Mask
+from workbench.design.heights import FreeHeights, HeightRange
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First
@@ -16,8 +16,6 @@ from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic, Scene
 from workbench.system_memory import release_freed_memory
-
-Array = npt.NDArray[np.float64]
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
 # least this part of what bends the light at the rim by half of the screen's width.

@@ -9,10 +9,7 @@ import time
 from collections.abc import Generator, Mapping
 from dataclasses import replace
 
-import numpy as np
-import numpy.typing as npt
-
-from workbench.design.heights import Mask
+from workbench.arrays import Array, Mask
 from workbench.design.methods import method_of
 from workbench.design.needs import check_stages, grazed
 from workbench.design.net import definite
@@ -23,8 +20,6 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import AutoNet, Optic, Scene
-
-Array = npt.NDArray[np.float64]
 
 _DONE, _LOCKED = Said("all iterations are done"), Said("all control points are locked")
 

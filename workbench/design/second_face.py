@@ -3,9 +3,7 @@
 from collections.abc import Callable, Generator
 from contextlib import closing
 
-import numpy as np
-import numpy.typing as npt
-
+from workbench.arrays import Array
 from workbench.design.room import Room
 from workbench.design.step import Step
 from workbench.design.transport import behind_flat_entrance
@@ -13,7 +11,6 @@ from workbench.errors import RunFailed
 from workbench.interruption import check_interruption
 from workbench.scene import Scene
 
-Array = npt.NDArray[np.float64]
 Steps = Generator[Step, None, str]
 
 # The exit face alone is followed for so many iterations: they cost a third of those of two faces.

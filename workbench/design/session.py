@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench import units
+from workbench.arrays import Array
 from workbench.design.lens_state import scaled
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.net import definite
@@ -17,8 +17,6 @@ from workbench.geometry.approximation import project
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene, Unit
-
-Array = npt.NDArray[np.float64]
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""

@@ -8,18 +8,16 @@ It is there only if a scene asks for it: ``run.smoothness`` weighs how much the 
 from collections.abc import Mapping
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.loss import share
 from workbench.design.step import Step
 from workbench.geometry.basis import basis_matrix
 from workbench.geometry.curvature import mean_and_gaussian
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # The descent keeps to a radius that is larger by this part: a penalty gives a little, and bends
 # between the places that are looked at can be sharper.

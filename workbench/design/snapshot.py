@@ -5,13 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.interruption import Interrupted
 from workbench.said import Said
-
-Array = npt.NDArray[np.float64]
 
 _STOPPED = Said("stopped")
 

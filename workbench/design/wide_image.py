@@ -3,11 +3,10 @@
 import math
 from collections.abc import Mapping
 
-import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
@@ -19,8 +18,6 @@ from workbench.optics.light import Light
 from workbench.optics.plan import device_of
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.

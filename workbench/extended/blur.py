@@ -5,13 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_named
 from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Where a blur is smooth along an axis, so many places of it in each pixel tell it from all others:
 # (least width in pixels, places).

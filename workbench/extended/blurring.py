@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy import fft
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 
 class Blurring:

@@ -6,14 +6,12 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.blurring import Blurring
 from workbench.extended.deblur import Deblurred, deblur, deblurring, error_allowed, error_allowing
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Parts of the target's peak up to where a pixel is black.
 _BLACK = 0.01

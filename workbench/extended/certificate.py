@@ -27,11 +27,9 @@ to 0.97 % without it and is to 1.18 % with it, where light that makes 1.43 % is 
 from collections.abc import Iterator
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.extended.blurring import Blurring
-
-Array = npt.NDArray[np.float64]
 
 # Less than this part of the blur in the image is rounding.
 _GRAZING = 1e-9

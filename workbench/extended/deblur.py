@@ -21,15 +21,13 @@ from itertools import count, islice
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
 from workbench.interruption import check_given_up
 from workbench.watch import finished
-
-Array = npt.NDArray[np.float64]
 
 # Weights of the copies of image and light, and over-relaxation. Where steps are many, that of light
 # falls, every so many of them, from the first value to the last: 60 steps leave a letter in the sun

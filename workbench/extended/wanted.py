@@ -7,11 +7,9 @@ as an error, borders would be left dark.
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.extended.blur import Blur
-
-Array = npt.NDArray[np.float64]
 
 
 def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
+from workbench.arrays import Array
 from workbench.design.lens_state import FurtherLight, LensState, frozen
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.snapshot import Result
 from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import AccountFigures, Figures
-from workbench.files.npy import Array
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import DrawnTarget, Scene

@@ -8,8 +8,9 @@ from pathlib import Path
 from textwrap import shorten
 from typing import BinaryIO
 
+from workbench.arrays import Array, Mask
 from workbench.errors import Refused, shown
-from workbench.files.npy import Array, Mask, largest_size, read_array, read_mask
+from workbench.files.npy import largest_size, read_array, read_mask
 
 # What zipfile raises on damaged archives, besides OSError.
 _DAMAGE = (

@@ -6,12 +6,9 @@ import warnings
 from typing import IO, Any
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array, Mask
 from workbench.errors import Refused
-
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 _LONGEST_HEADER = 1024
 _HEADER_READERS = {

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from workbench import __version__
+from workbench.arrays import Array, Mask
 from workbench.design.net import definite
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
@@ -35,7 +36,7 @@ from workbench.files.header import (
     read_part,
 )
 from workbench.files.light_files import light_entries, names_of_light, with_kept_light
-from workbench.files.npy import Array, Mask, write_array
+from workbench.files.npy import write_array
 from workbench.files.scene import (
     LARGEST_TEXT,
     read_scene,

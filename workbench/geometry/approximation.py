@@ -3,14 +3,12 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.basis import sparse_basis
 
 if TYPE_CHECKING:
     from workbench.geometry.surface import ControlNet
-
-Array = npt.NDArray[np.float64]
 
 
 def project(net: "ControlNet", heights: Array, other: "ControlNet") -> Array:

@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
+
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.intp]
 
 

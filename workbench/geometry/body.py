@@ -7,14 +7,12 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Scene
-
-Array = npt.NDArray[np.float64]
 
 # Faces that are so near, over the half-width, touch: meshes and solids cannot tell them apart.
 _TOUCH = 1e-9

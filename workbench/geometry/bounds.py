@@ -1,12 +1,10 @@
 """Where the surface and its derivatives can be at most, span by span."""
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.knots import insertion_matrix
 from workbench.geometry.surface import ControlNet
-
-Array = npt.NDArray[np.float64]
 
 
 def derivative_range(

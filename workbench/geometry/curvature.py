@@ -3,12 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.basis import sparse_basis
 from workbench.geometry.surface import AnyArray, ControlNet
-
-Array = npt.NDArray[np.float64]
 
 _ORDERS = (0, 1, 2)
 

@@ -1,9 +1,8 @@
 """Knot vectors: clamped and equispaced, their Greville abscissae, exact knot insertion."""
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 
 def clamped_knots(count: int, degree: int) -> Array:

@@ -1,9 +1,8 @@
 """Points beside a straight line, such as the line of sight under a mouse pointer."""
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 
 def nearest_to_line(points: Array, start: Array, end: Array) -> tuple[tuple[int, ...], float]:

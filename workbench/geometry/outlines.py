@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import Optic
 
 if TYPE_CHECKING:
     from torch import Tensor
 
-Array = npt.NDArray[np.float64]
 AnyArray = TypeVar("AnyArray", npt.NDArray[Any], "Tensor")
 
 

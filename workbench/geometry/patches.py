@@ -12,7 +12,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.geometry.basis import Array, Indices, local_basis
+from workbench.arrays import Array
+from workbench.geometry.basis import Indices, local_basis
 from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
 from workbench.geometry.outlines import Outline, outline_of
@@ -16,7 +17,6 @@ from workbench.scene import Optic
 if TYPE_CHECKING:
     import torch
 
-Array = npt.NDArray[np.float64]
 _AT_ONCE = 1 << 15  # places at which basis functions are held at once
 # Evaluation is indexing and matrix products alone, so arrays and tensors go the same way.
 AnyArray = TypeVar("AnyArray", npt.NDArray[np.float64], "torch.Tensor")

@@ -13,13 +13,12 @@ import numpy.typing as npt
 from scipy.interpolate import BSpline, NdBSpline
 from scipy.sparse import csr_array
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
 from workbench.watch import Steps, of_equal, within
-
-Array = npt.NDArray[np.float64]
 
 _NEWTON = 4  # steps to where the ball touches, from the lattice
 _COARSE = 7  # places along each axis below a ball, where these steps begin

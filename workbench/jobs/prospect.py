@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.tracing.trace import Trace, added
+from workbench.arrays import Array
 from workbench.design.needs import grazed
 from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
@@ -15,8 +15,6 @@ from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.slopes import Slopes, needed_slopes
 from workbench.said import Said
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
 _ALL = 0.995  # more light than this is all of it

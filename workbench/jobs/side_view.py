@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import Scene
 from workbench.units import sized
-
-Array = npt.NDArray[np.float64]
 
 _RAYS = 5
 _BEFORE = 0.25  # of all the way, that light from infinitely far is drawn before the optic

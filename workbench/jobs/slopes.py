@@ -7,11 +7,9 @@ between. Designs differ where pictures are uneven; the steepest places are about
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _PLACES = 17  # along each axis
 

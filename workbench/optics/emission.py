@@ -3,12 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.optics.cap import covering_caps
 from workbench.scene import LightOfPoints, Optic
-
-Array = npt.NDArray[np.float64]
 
 
 class Rays(NamedTuple):

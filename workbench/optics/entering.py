@@ -5,14 +5,12 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import LightOfPoints, Optic
-
-Array = npt.NDArray[np.float64]
 
 # Steps around an outline: for so many of the distance of a point, at least and at most.
 _PER_LENGTH, _FEWEST, _MOST = 100, 512, 1 << 15

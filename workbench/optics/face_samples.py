@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
@@ -22,8 +22,6 @@ from workbench.optics.sources.origins import splits_of
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
-
-Array = npt.NDArray[np.float64]
 
 
 class SampledFace(NamedTuple):

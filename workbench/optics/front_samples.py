@@ -7,11 +7,10 @@ What they are lit by is in `workbench.optics.lit_face`; the compiled twin is
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
@@ -25,8 +24,6 @@ from workbench.optics.samples import Corners, Places, areas_of, places, splits_s
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
-
-Array = npt.NDArray[np.float64]
 
 # No place is nearer to the axis, as a part of the way to the rim: the root has a slope.
 _TINY = 1e-15

@@ -7,11 +7,9 @@ side: what half of the cells gives and its mirror image are the image of all.
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.optics.samples import Corners, Samples
-
-Array = npt.NDArray[np.float64]
 
 
 class Halves(NamedTuple):

@@ -5,13 +5,12 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.optics.entering import entering
 from workbench.optics.samples import Corners, Places, Samples, interleaving, places_of_points
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import LightOfPoints, Optic
-
-Array = npt.NDArray[np.float64]
 
 # Part of the aperture's half-width that samples are made denser for, at least: a lens that becomes
 # thicker than it began still has enough of them elsewhere.

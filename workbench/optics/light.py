@@ -3,14 +3,11 @@
 from collections.abc import Mapping
 from typing import NamedTuple, Protocol
 
-import numpy as np
-import numpy.typing as npt
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.account import Account
 from workbench.scene import Filter
-
-Array = npt.NDArray[np.float64]
 
 
 class Light(NamedTuple):

@@ -9,10 +9,10 @@ and takes in more or less light than a plane across the axis, as the face leans 
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.path import Path
 from workbench.optics.patterns import interpolated
@@ -20,8 +20,6 @@ from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins
 from workbench.optics.surfaces import Meeting
-
-Array = npt.NDArray[np.float64]
 
 
 class LitSamples(NamedTuple):

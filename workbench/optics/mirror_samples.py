@@ -6,11 +6,10 @@ All of the mirror is lit, wherever its light crosses the plane before it.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
 from workbench.optics.lit_face import LitFace
@@ -19,8 +18,6 @@ from workbench.optics.samples import Corners, Places, Samples, places, splits_si
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
-
-Array = npt.NDArray[np.float64]
 
 
 class SharedMirror(NamedTuple):

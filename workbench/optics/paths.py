@@ -7,14 +7,13 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
 from workbench.optics.sources import emitter_of
 from workbench.scene import Optic, Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class RayPaths(NamedTuple):

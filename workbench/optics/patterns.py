@@ -6,13 +6,11 @@ The reference and its compiled twins interpolate between the same values.
 import math
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.sources.origins import Origins
-
-Array = npt.NDArray[np.float64]
 
 # Places along an axis at which patterns are looked up: of all origins together, and of each at
 # least and at most.

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 import torch
 from torch import Tensor
 
+from workbench.arrays import Mask
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.choice import Choice
-from workbench.optics.kernels.locked import Mask
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of

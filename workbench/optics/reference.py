@@ -5,11 +5,10 @@ The fused kernels are held to it by tests; where there is no kernel, it does the
 
 from collections.abc import Callable, Mapping
 
-import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.account import Account
 from workbench.optics.arrival import Arrival
 from workbench.optics.face_samples import FaceSamples, SampledFace
@@ -21,8 +20,6 @@ from workbench.optics.path import Path
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.optics.sources import Emitter
 from workbench.scene import Filter
-
-Array = npt.NDArray[np.float64]
 
 
 class Reference:

@@ -6,9 +6,8 @@ from typing import NamedTuple, Self
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
-
-Array = npt.NDArray[np.float64]
 
 # Cells beside a ray that differ in width by less than twice this part count as equal.
 _EVEN = 1e-6

@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.arrival import Arrival
@@ -27,8 +27,6 @@ from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
-
-Array = npt.NDArray[np.float64]
 
 # In the middle of the lens no distance to the outline has a direction.
 _CENTRE = 1e-12

@@ -4,14 +4,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _NAME = "total_reflection"  # in the light account
 _CELLS = 16  # along each axis, of which the brightest is named

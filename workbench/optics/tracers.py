@@ -6,9 +6,9 @@ A new special case is a file in `workbench.optics.kernels` and an entry in ``_KE
 from functools import cached_property
 from typing import Protocol
 
+from workbench.arrays import Mask
 from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.kernels.face import FusedFaceSamples
-from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.mirror import FusedMirrorRays
 from workbench.optics.kernels.origins import FusedOrigins
 from workbench.optics.kernels.point import FusedPointRays

@@ -8,11 +8,9 @@ import math
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 VIEWS = {
     "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.figure import Figure
 
+from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
 from workbench.measured.light_unit import LightUnit, light_unit
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
@@ -17,8 +17,6 @@ from workbench.targets.raster import averaged
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = npt.NDArray[np.float64]
 
 _FONT = 8
 _LONGEST = 34  # letters of a title

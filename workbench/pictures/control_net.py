@@ -9,9 +9,9 @@ import math
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pyvista as pv
 
+from workbench.arrays import Array, Mask
 from workbench.design.brush import bump
 from workbench.geometry.lines import nearest_to_line
 from workbench.geometry.outlines import outline_of
@@ -21,8 +21,6 @@ from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
 from workbench.scene import Optic
 
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 Block = tuple[slice, slice]
 
 _POINT = {True: "#c9d2de", False: "#2c3440"}  # by dark

@@ -3,13 +3,12 @@
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
+
+from workbench.arrays import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-Array = npt.NDArray[np.float64]
 
 # Signs that not every reader of a table takes for what they are.
 _PLAIN = str.maketrans({"²": "^2", "°": "deg", "×": "x", "−": "-", "(": "[", ")": "]"})

@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib import colormaps
 
+from workbench.arrays import Array
 from workbench.pictures.images import receiver_map
 from workbench.pictures.maps import SIGNED, colour_bar
 from workbench.pictures.updated import UpdatedPicture
@@ -13,8 +13,6 @@ from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = npt.NDArray[np.float64]
 
 _UNAFFECTED = "#a8a8a8"  # neither of the colours of gain and loss, nor their white
 

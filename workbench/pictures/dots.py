@@ -3,10 +3,9 @@
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pyvista as pv
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 
 class Dots:

@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from typing import Any, Protocol
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.geometry.faces import ControlHeights
 from workbench.geometry.surface import sample_faces
@@ -23,8 +23,6 @@ from workbench.pictures.derivative import DerivativeImage
 from workbench.pictures.images import LIGHT, full_scale, signed_error, target_irradiance
 from workbench.pictures.maps import SIGNED, round_scale
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _FONT = 8
 _BLOCKS = 2  # beside each other

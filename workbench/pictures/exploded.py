@@ -7,11 +7,9 @@ lens, each as a whole. Rays keep where they meet the lens, and end at the same p
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import FurtherImage, Scene, Screen, Source
-
-Array = npt.NDArray[np.float64]
 
 # Longest distances from the lens, and largest width of the screen, in widths of the lens.
 _TO_SCREEN, _TO_SOURCE, _WIDTH = 2.0, 1.5, 1.5

@@ -10,10 +10,9 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib import colormaps
 
+from workbench.arrays import Array
 from workbench.pictures import shapes
 from workbench.pictures.maps import SIGNED
-
-Array = npt.NDArray[np.float64]
 
 FaceColours = Literal["material", "height", "curvature"]
 

@@ -17,6 +17,7 @@ import numpy.typing as npt
 from matplotlib import colormaps
 from matplotlib.colors import Colormap, LogNorm, Normalize
 
+from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import (
     SIGNED,
@@ -32,8 +33,6 @@ from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = npt.NDArray[np.float64]
 
 LIGHT = UNSIGNED[0]
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel

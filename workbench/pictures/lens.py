@@ -24,6 +24,7 @@ import pyvista as pv
 from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
@@ -36,8 +37,6 @@ from workbench.scene import Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
-
-Array = npt.NDArray[np.float64]
 
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # of a grid, at most

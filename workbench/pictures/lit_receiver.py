@@ -3,14 +3,12 @@
 from typing import Any, Protocol
 
 import numpy as np
-import numpy.typing as npt
 import pyvista as pv
 
+from workbench.arrays import Array
 from workbench.pictures import shapes
 from workbench.pictures.images import LIGHT, full_scale, to_colours
 from workbench.scene import AnyReceiver, Optic, WantedImage
-
-Array = npt.NDArray[np.float64]
 
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
 

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.colors import PowerNorm
 
+from workbench.arrays import Array
 from workbench.pictures.maps import (
     UNSIGNED,
     Extent,
@@ -19,8 +19,6 @@ from workbench.pictures.maps import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
-
-Array = npt.NDArray[np.float64]
 
 _FONT = 9
 _DPI = 150

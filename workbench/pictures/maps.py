@@ -4,18 +4,16 @@ import math
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.colors import Colormap
 from matplotlib.ticker import MaxNLocator, ScalarFormatter
 
+from workbench.arrays import Array
 from workbench.units import sized
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 SIGNED = "RdBu_r"
 """Colours of values about zero."""

@@ -3,9 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
+from workbench.arrays import Array
 from workbench.design.session import Session, result_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import lens_image
@@ -20,8 +18,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import FigureBase
 
     from workbench.design.snapshot import Result
-
-Array = npt.NDArray[np.float64]
 
 __all__ = [
     "draw_images",

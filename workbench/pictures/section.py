@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.pictures.maps import Extent, ticks
@@ -15,7 +16,6 @@ from workbench.scene import Scene
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = npt.NDArray[np.float64]
 Place = tuple[float, float]
 
 _FONT = 8

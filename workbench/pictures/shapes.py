@@ -6,8 +6,8 @@ Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
 import numpy as np
 import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
+from workbench.arrays import Array, Mask
+
 Cells = npt.NDArray[np.int64]
 
 _STRAIGHT = -0.7  # cosine of the angle between the two sides of a corner of a grid

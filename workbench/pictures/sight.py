@@ -6,10 +6,9 @@ Pixels are counted from the lower left corner, as VTK does.
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 _STEP = 1e-3  # of what the picture is high, to see how far a direction leads in it
 _HEAD_ON = 0.15  # a direction seen shorter than this part of its length leads nowhere

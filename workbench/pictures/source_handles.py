@@ -3,13 +3,12 @@
 from typing import Any, Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
 from workbench.scene import Source
 
-Array = npt.NDArray[np.float64]
 Handle = Literal["middle"] | int
 """The whole source, or the number of a corner of a grid."""
 

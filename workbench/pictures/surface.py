@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.curvature import LocalShape, local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import even_counts, freeform_nets
@@ -24,8 +24,6 @@ from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = npt.NDArray[np.float64]
 
 _PLACES = 192  # along the longer side
 

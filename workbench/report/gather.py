@@ -4,9 +4,6 @@ from collections.abc import Iterator, Mapping
 from datetime import datetime
 from functools import partial
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench import __version__
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.manufacture import manufacture, surface_maps
@@ -16,6 +13,7 @@ from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Distribution, perturbed
 from workbench.analysis.validation import validate
 from workbench.analysis.validation_figures import Validation
+from workbench.arrays import Array
 from workbench.design.origin import origin
 from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
@@ -35,8 +33,6 @@ from workbench.report.figures import (
 )
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _PLACES = 257  # of maps, along the longer side of the lens
 

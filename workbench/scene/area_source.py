@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict
 
+from workbench.arrays import Array
 from workbench.scene.emission import Emission
 from workbench.scene.fields import LENGTH, PLACE, Measure, Version, about
 from workbench.scene.optic import Optic
@@ -15,8 +15,6 @@ from workbench.scene.wide_source import WideSource
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class AreaSource(WideSource):

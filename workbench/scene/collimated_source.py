@@ -4,9 +4,9 @@ import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
@@ -20,8 +20,6 @@ from workbench.scene.turning import turned
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 # Cells of light tell the shape of a beam that is this part of the lens wide, and of wider ones.

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from pydantic import ConfigDict, Field
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene.fields import ANGLE, PLACE, about
-from workbench.scene.receiver import AnyReceiver, Array, Pixels
+from workbench.scene.receiver import AnyReceiver, Pixels
 
 if TYPE_CHECKING:
     from workbench.scene.optic import Optic

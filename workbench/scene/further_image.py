@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, PrivateAttr
 
+from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.said import Said
 from workbench.scene.far_field import FarField
@@ -19,8 +19,6 @@ from workbench.scene.target import Target
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 _MOST = 8  # each is traced by itself
 

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene.fields import LENGTH, PLACE, about
@@ -19,8 +19,6 @@ from workbench.scene.wide_source import WideSource
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 PointCount = Annotated[int, Field(ge=1, le=512)]
 

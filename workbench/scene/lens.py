@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, field_validator
 
 from workbench import materials
+from workbench.arrays import Array
 from workbench.errors import Refused, shown
 from workbench.said import Said
 from workbench.scene import limits
@@ -16,7 +17,7 @@ from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measu
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import ControlPoints, Degree
-from workbench.scene.optic import Array, Optic, relative
+from workbench.scene.optic import Optic, relative
 from workbench.scene.part import NonNegative, Positive
 
 Reflectance = Annotated[float, Field(ge=0, lt=1)]

@@ -7,9 +7,9 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, Field, PrivateAttr
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene.content import Content
@@ -19,8 +19,6 @@ from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, che
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 Angle = Annotated[float, Field(ge=-360, le=360)]
 _FileUnit = Literal["mm", "cm", "m", "inch"]

@@ -5,13 +5,14 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field
 
+from workbench.arrays import Array
 from workbench.said import Said
 from workbench.scene.base import Base, FlatBase
 from workbench.scene.entrance import FlatEntrance
 from workbench.scene.fields import LENGTH, RANGE, Version, about
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import ControlPoints, Degree
-from workbench.scene.optic import Array, Optic, relative
+from workbench.scene.optic import Optic, relative
 from workbench.scene.part import Positive
 
 _LOSSES = {

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
@@ -17,8 +18,6 @@ from workbench.scene.entrance import Entrance
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.net import check_net
 from workbench.scene.part import Part
-
-Array = npt.NDArray[np.float64]
 
 
 class Optic(Part):

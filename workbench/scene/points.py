@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
@@ -19,8 +19,6 @@ from workbench.scene.receiver import AnyReceiver
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
-
-Array = npt.NDArray[np.float64]
 
 # A new source stands this many lens half-widths before the entrance face.
 _DISTANCE = 5.0

@@ -5,16 +5,14 @@ from abc import abstractmethod
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import Field
 
+from workbench.arrays import Array
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
     from workbench.scene.optic import Optic
-
-Array = npt.NDArray[np.float64]
 
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 Pixels = Annotated[

@@ -6,16 +6,14 @@ from itertools import combinations
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
+from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.said import Said
 from workbench.scene.fields import PLACE, Measure, Version, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
-
-Array = npt.NDArray[np.float64]
 
 _OF_RECEIVER = Measure("of width", "of the receiver's width and height")
 _Offset = Annotated[float, Field(ge=-0.5, le=0.5)]

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 import numpy as np
 from pydantic import Field
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
 from workbench.scene.part import Positive
-from workbench.scene.receiver import AnyReceiver, Array, Pixels
+from workbench.scene.receiver import AnyReceiver, Pixels
 from workbench.scene.turning import turned
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ from pydantic import (
 )
 
 from workbench import units
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.refusals import refusal
 from workbench.said import Said
@@ -20,13 +21,7 @@ from workbench.scene import limits
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
-from workbench.scene.further_image import (
-    Array,
-    FurtherImage,
-    WantedImage,
-    check_images,
-    wanted_images,
-)
+from workbench.scene.further_image import FurtherImage, WantedImage, check_images, wanted_images
 from workbench.scene.kinds import only
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror

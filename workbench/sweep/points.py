@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench import __version__
 from workbench.design.task import with_task
@@ -19,8 +18,6 @@ from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
 from workbench.scene import Scene
 from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
-
-Array = npt.NDArray[np.float64]
 
 _LONGEST_NAME = 100
 

@@ -2,17 +2,13 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
+from workbench.arrays import Array
 from workbench.defects import unexpected
 from workbench.design.design_run import DesignRun
 from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result
 from workbench.errors import Refused, RunFailed
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class DesignTask(NamedTuple):

@@ -5,9 +5,8 @@ from collections.abc import Iterable
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import AnyReceiver
-
-Array = npt.NDArray[np.float64]
 
 
 def coverage(outline: npt.ArrayLike, receiver: AnyReceiver) -> Array:

@@ -10,12 +10,11 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image, ImageOps, UnidentifiedImageError
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.targets.svg import draw_svg, is_svg
 from workbench.targets.tone import LINEAR, Tone
-
-Array = npt.NDArray[np.float64]
 
 LARGEST_SIDE = 8192
 """Most rows or columns that are read; keeps a forged header from filling the memory."""

@@ -4,8 +4,8 @@ from io import BytesIO
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import ImageTarget, Scene
@@ -14,8 +14,6 @@ from workbench.targets.image import decode_image, read_image
 from workbench.targets.raster import put
 from workbench.targets.shapes import draw
 from workbench.targets.tone import TONES, Tone
-
-Array = npt.NDArray[np.float64]
 
 # Pixels of a drawn SVG for each of the screen, along its longer side; and in all, at most.
 _FINENESS, _FINEST = 4, 4096

@@ -3,12 +3,10 @@
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 from scipy.sparse import csr_array
 
+from workbench.arrays import Array
 from workbench.scene import AnyReceiver
-
-Array = npt.NDArray[np.float64]
 
 
 def put(

@@ -3,8 +3,8 @@
 from itertools import combinations
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import (
     AnyReceiver,
     BallTarget,
@@ -17,8 +17,6 @@ from workbench.scene import (
 from workbench.targets.coverage import coverage, paint
 from workbench.targets.raster import put
 from workbench.targets.text import picture_of_text
-
-Array = npt.NDArray[np.float64]
 
 _CORNERS_OF_DISC = 1440
 _POINTS_PER_CURVE = 64

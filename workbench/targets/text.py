@@ -4,13 +4,11 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 from PIL import Image, ImageDraw, ImageFont
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
-
-Array = npt.NDArray[np.float64]
 
 _LETTER = 256  # pixels of a letter's height, with what is above and below it
 _LARGEST = 8192  # pixels of the picture's longer side

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 # Below these a straight line takes the place of the power, in stored values and in light.
 _STRAIGHT_SHADE, _STRAIGHT_LIGHT, _STEEPNESS = 0.04045, 0.0031308, 12.92

@@ -5,18 +5,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from scipy.signal import fftconvolve
 
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
+from workbench.arrays import Array
 from workbench.design.run import run
 from workbench.design.snapshot import Snapshot
 from workbench.extended.bound import Bound
-
-Array = npt.NDArray[np.float64]
 
 _PICTURES = ("letter", "photo", "ball", "flame")
 _RAYS = 1 << 20

@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.benchmark.timing import in_turns
-
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 _NOTE = (
     "Medians of turns taken in one process; ratios are medians of the ratios of each turn. Error "

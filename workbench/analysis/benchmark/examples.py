@@ -6,17 +6,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 import resources
 from resources.drawings import photograph
+from workbench.arrays import Array
 from workbench.design.limits import HeightLimits
 from workbench.design.net import definite
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target
-
-Array = npt.NDArray[np.float64]
 
 _PHOTO = 256  # pixels of the shipped photograph a side
 _SEED = 13

@@ -7,20 +7,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
 from workbench.analysis.benchmark.machine import PeakMemory
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.validation import validate
+from workbench.arrays import Array
 from workbench.design.run import run
 from workbench.design.snapshot import History, Result
 from workbench.errors import Refused, RunFailed
 from workbench.optics.kernels import ready
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 DESIGNS = (
     "tophat-none-zeros",

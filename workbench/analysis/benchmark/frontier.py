@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, NamedTuple
 
-from workbench.analysis.benchmark.examples import Array, BenchmarkTask, Notify
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
 from workbench.analysis.benchmark.fresh import fresh_design
 from workbench.analysis.benchmark.methods import METHODS, Method, MethodLens
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.validation import validate
+from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.watch import finished
 

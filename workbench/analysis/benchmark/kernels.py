@@ -11,13 +11,12 @@ import torch
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.validation import validate
+from workbench.arrays import Array
 from workbench.design.loss import paper_loss, share
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan, device_of
 from workbench.optics.sources import emitter_of
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 _SOURCES = {"collimated": "flame", "point": "flame-point", "grid": "flame-grid"}
 _TRUE_RAYS = 16_000_000

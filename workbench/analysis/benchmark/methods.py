@@ -6,11 +6,9 @@ from dataclasses import replace
 from itertools import takewhile
 from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.metrics import relative_l2
+from workbench.arrays import Array
 from workbench.design.limits import HeightLimits
 from workbench.design.run import run
 from workbench.design.transport import transport_start
@@ -18,8 +16,6 @@ from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.ready import held_back
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 
 class MethodLens(NamedTuple):

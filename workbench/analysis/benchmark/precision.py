@@ -4,14 +4,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.benchmark.kernels import Descent
 from workbench.analysis.benchmark.table import Table, TableColumn
-
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 _EXAMPLES = (
     "tophat",

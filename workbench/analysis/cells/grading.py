@@ -8,11 +8,9 @@ much. Here the width of a cell is in proportion to √(d² + x²), how far the p
 from typing import Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Light from farther than so many half-widths away is as good as parallel: cells are equal.
 _FAR = 16.0

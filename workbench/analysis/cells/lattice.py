@@ -1,16 +1,14 @@
 """The light of each origin on a lattice of rays, spread evenly over what is between them."""
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.cells.drawing import Drawing
 from workbench.analysis.cells.lift import lift
 from workbench.analysis.cells.triangles import Canvas, fill_cells
 from workbench.analysis.tracing.train import OpticalTrain
+from workbench.arrays import Index
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
-
-Index = npt.NDArray[np.intp]
 
 # Nodes traced together: what is made of them stays within the cache.
 _AT_ONCE = 1 << 15

@@ -17,9 +17,9 @@ from workbench.analysis.cells.triangles import Array, Canvas, fill_spots
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.sources.even import in_disc, pairs
 from workbench.analysis.tracing.train import OpticalTrain
+from workbench.arrays import Index
 from workbench.scene import Scene
 
-Index = npt.NDArray[np.intp]
 Lit = npt.NDArray[np.bool_]
 
 # Rays of a spot, to its middle and to the corners of a pentagon: six values make a quadratic map.

@@ -7,12 +7,10 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
+from workbench.arrays import Array
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 SHORTEST, LONGEST = 0.40, 0.70
 """Wavelengths that are traced, µm. What little the eye sees beyond is taken to go there too."""

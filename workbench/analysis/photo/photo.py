@@ -23,14 +23,13 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
-
-Array = npt.NDArray[np.float64]
 
 # Cells are fine enough when half as many along each axis change the image by this part of it: eyes
 # do not see that in a picture of 256 steps.

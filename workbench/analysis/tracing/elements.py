@@ -8,10 +8,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
+from workbench.arrays import Array as Array  # to be had from here, too
+from workbench.arrays import Mask as Mask
 
 
 class TracedRays(NamedTuple):

@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from threading import Event
 
-from workbench.analysis.tracing.elements import Array
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
 from workbench.scene import Scene

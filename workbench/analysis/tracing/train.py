@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from workbench.analysis.tracing.elements import (
-    Array,
     Boundary,
     Detector,
     LightSource,
@@ -18,6 +17,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, MovedFace, SplineFace
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene

@@ -8,15 +8,13 @@ the turns a c-transform makes the one potential the best for the other.
 import math
 
 import numpy as np
-import numpy.typing as npt
 from scipy.fft import dctn, idctn
 
+from workbench.arrays import Array
 from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.push import mapped, push
 from workbench.interruption import check_given_up
 from workbench.optics.kernels import threads
-
-Array = npt.NDArray[np.float64]
 
 # Light and target are first carried on grids of half as many cells along each axis, down to this.
 _COARSEST = 64

@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
@@ -21,7 +21,6 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.interruption import check_interruption
 from workbench.scene import Scene, WantedImage
 
-Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
 
 # Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.

@@ -23,13 +23,12 @@ from collections.abc import Callable
 from typing import NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.push import push
 from workbench.design.transport.view import ReceiverView
 
-Array = npt.NDArray[np.float64]
 Pair = tuple[Array, Array]
 # Slopes along x and y that light needs at places in cells of the lens to places u, v.
 SlopesFor = Callable[[Pair, Pair], Pair]

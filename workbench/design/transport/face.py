@@ -4,15 +4,13 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.linalg import eigh
 from scipy.sparse import csr_array
 
+from workbench.arrays import Array
 from workbench.geometry.basis import sparse_basis
 from workbench.geometry.knots import clamped_knots
 from workbench.geometry.surface import ControlNet
-
-Array = npt.NDArray[np.float64]
 
 
 class SlopeFit:

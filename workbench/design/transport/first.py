@@ -5,16 +5,14 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.limits import bounded
 from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import FlatEntrance, Scene, WantedImage
-
-Array = npt.NDArray[np.float64]
 
 _BOTH, _ALONE = "both faces", "the exit face alone"
 _LINES = "both faces along lines through all images"

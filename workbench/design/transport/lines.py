@@ -10,15 +10,13 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.both_faces import BothFaces, Vector, unit
 from workbench.design.transport.two_face_light import LightInLens
 from workbench.design.transport.view import ReceiverView
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Faces in each round of transport.
 _FITS = 4

@@ -18,9 +18,9 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array
 from workbench.design.levels import COARSE, image_of
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.loss import relative_error
@@ -38,7 +38,6 @@ from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import ExactMethod, PointSource, Scene
 
-Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.

@@ -7,11 +7,11 @@ themselves took three quarters of the time of a first lens.
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 from torch.nn.functional import grid_sample
 
+from workbench.arrays import Array
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.intersection import RIM
 from workbench.optics.path import Path
@@ -22,7 +22,6 @@ from workbench.optics.sources.origins import through_cells
 from workbench.optics.surfaces import Meeting
 from workbench.scene import Scene
 
-Array = npt.NDArray[np.float64]
 Vector = tuple[Array, Array, Array]
 
 # Steps of a search at most, and how near it comes on average, in cells.

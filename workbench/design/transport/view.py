@@ -11,12 +11,10 @@ import math
 from typing import NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 # Samples of each cell along an axis for the light that is wanted there.
 _SAMPLES = 4

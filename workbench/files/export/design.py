@@ -6,16 +6,14 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench import units
+from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
-
-Array = npt.NDArray[np.float64]
 
 METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
 """Length of each of the scene's units."""

@@ -9,14 +9,11 @@ from collections.abc import Iterator
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.tool_path import CutFace, Raster
 from workbench.watch import Steps, finished
-
-Array = npt.NDArray[np.float64]
 
 _FINE = 1e-4  # height of ridges over the larger half-width
 _DIGITS = 5  # behind the point; GRBL reads seven in all

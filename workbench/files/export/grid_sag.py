@@ -11,13 +11,11 @@ without data.
 from typing import BinaryIO
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import CubicHermiteSpline
 
+from workbench.arrays import Array
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import write_table
-
-Array = npt.NDArray[np.float64]
 
 _UNIT_FLAG = {"mm": 0, "cm": 1, "inch": 2, "m": 3}
 

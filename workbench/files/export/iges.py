@@ -6,13 +6,11 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.step import write_step, write_step_face
-
-Array = npt.NDArray[np.float64]
 
 _UNIT = {"mm": "MM", "cm": "CM", "m": "M", "inch": "INCH"}
 _PLACES = 33  # along each axis, where the face that has been written is measured

@@ -3,14 +3,12 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array
 from workbench.files.export.design import Design
 from workbench.optics.arrival import Arrival
 from workbench.optics.path import Path
-
-Array = npt.NDArray[np.float64]
 
 
 class LeavingRays(NamedTuple):

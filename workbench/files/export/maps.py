@@ -11,12 +11,11 @@ import numpy.typing as npt
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
+from workbench.arrays import Array
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import rounding, write_table
 from workbench.files.npy import write_array
 from workbench.scene.fields import ANGLE
-
-Array = npt.NDArray[np.float64]
 
 _DEEPEST = 65535
 _DESCRIPTION = 270  # TIFF tag

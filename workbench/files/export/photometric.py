@@ -9,17 +9,15 @@ from collections.abc import Iterable
 from typing import BinaryIO
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench import __version__
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.leaving import LeavingRays, leaving
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.table import solid_angles, table_of
 from workbench.scene import Optic
-
-Array = npt.NDArray[np.float64]
 
 _LUMENS = 1000.0  # of the source
 _PLANES = 24

@@ -8,14 +8,11 @@ an elliptic lens, by as many steps.
 from typing import BinaryIO
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import RectBivariateSpline
 
+from workbench.arrays import Array, Mask
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import write_table
-
-Array = npt.NDArray[np.float64]
-Mask = npt.NDArray[np.bool_]
 
 _MARGIN = 3  # steps beyond the edge, enough for a bicubic spline to forget its end
 

@@ -3,12 +3,9 @@
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import BSpline, make_interp_spline
 
 from workbench.files.export.design import Design
-
-Array = npt.NDArray[np.float64]
 
 # Pieces of a quarter of the rim, at least and at most.
 _FEWEST, _MOST = 64, 4096

@@ -12,13 +12,11 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import BSpline
 
+from workbench.arrays import Array
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.rim import Rim
-
-Array = npt.NDArray[np.float64]
 
 # Points closer than this part of the lens count as one.
 _TOLERANCE = 1e-8

@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from typing import BinaryIO
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 _ROWS_AT_ONCE = 1 << 16  # as text they stay small
 

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.export.design import Design
 from workbench.geometry.basis import local_basis
 from workbench.geometry.bounds import derivative_range
 
-Array = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int64]
 
 _MOST_CELLS = 4_000_000

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 

@@ -12,13 +12,10 @@ rays, and each one's own rays only tell how it differs, as finely as they are ma
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array, Index
 from workbench.measured.rays.placed import PlacedRays
 from workbench.measured.rays.size import Size
-
-Array = npt.NDArray[np.float64]
-Index = npt.NDArray[np.intp]
 
 # The histogram goes beyond the lens by this factor: lenses that are out of their place see it.
 _WIDER = 1.2

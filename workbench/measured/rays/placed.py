@@ -7,9 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench import units
+from workbench.arrays import Array
 from workbench.measured.rays.rayset import RaySet
-
-Array = npt.NDArray[np.float64]
 
 _METRES = units.METRES | {"feet": 12 * units.METRES["inch"]}
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
 Floats = npt.NDArray[np.float32]
 
 MOST_RAYS = 4_000_000

@@ -3,9 +3,8 @@
 from typing import NamedTuple, Self
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 # Means of u⁴ and v⁴ over that of u² v², for places u, v over their deviations: 3.6 for an even
 # rectangle, 6 for what is round.

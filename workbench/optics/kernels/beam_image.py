@@ -5,11 +5,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from workbench.arrays import AnyArray, Array
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.beam_nodes import shift, shift_back
 from workbench.optics.kernels.beam_raster import (
@@ -22,8 +22,6 @@ from workbench.optics.kernels.beam_raster import (
 from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.polygons import compile_drawing
 
-Array = npt.NDArray[np.float64]
-AnyArray = npt.NDArray[np.floating[Any]]
 Splits = tuple[Array, Array]
 
 # Parts for each thread where a part needs no image of its own: rows take more time where light is.

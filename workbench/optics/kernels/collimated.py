@@ -8,17 +8,17 @@ intersection, and slopes on a tensor grid by small matrix products.
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Mask
 from workbench.geometry.surface import ControlNet
 from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Refraction
 from workbench.optics.kernels.collimated_trace import LOOPS, Optics
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of
-from workbench.optics.kernels.locked import Mask, Rays
+from workbench.optics.kernels.locked import Rays
 from workbench.optics.kernels.parallel import ParallelRays, rays_along
 from workbench.optics.kernels.passes import GridPasses
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
@@ -31,9 +31,6 @@ from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import GaussianFilter, Screen
-
-Array = npt.NDArray[np.float64]
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class FusedCollimatedRays(ParallelRays):

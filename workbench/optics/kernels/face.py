@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Array, Mask
 from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import FaceSamples, SampledFace
 from workbench.optics.glass import FlatGlass
@@ -20,7 +20,6 @@ from workbench.optics.kernels.face_numbers import Across, FaceOptics, Number, Up
 from workbench.optics.kernels.face_trace import LOOPS
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
-from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.passes import GridLanding, GridPasses
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
 from workbench.optics.lattice import SampleAxis, make_lattice
@@ -30,9 +29,6 @@ from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.samples import places
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import BoxFilter, Filter, GaussianFilter, Screen
-
-Array = npt.NDArray[np.float64]
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class FusedFaceSamples:

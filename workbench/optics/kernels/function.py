@@ -3,15 +3,13 @@
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from workbench.arrays import AnyArray
 from workbench.optics.account import Account
 from workbench.optics.light import Nodes
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class Sums(NamedTuple):

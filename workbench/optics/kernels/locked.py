@@ -6,11 +6,10 @@ for each lens; the up to four rectangles around it are traced once.
 """
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Mask
 from workbench.optics.kernels.grid import Axis
 
-Mask = npt.NDArray[np.bool_]
 Rays = tuple[Axis, Axis]
 """A tensor grid of rays: across and up."""
 

@@ -6,16 +6,16 @@ Light along the axis comes straight to the mirror, and goes back to any plane, o
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Mask
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Reflection
 from workbench.optics.kernels.function import Sums, kind_of
-from workbench.optics.kernels.locked import Mask, Rays
+from workbench.optics.kernels.locked import Rays
 from workbench.optics.kernels.mirror_trace import LOOPS, Along
 from workbench.optics.kernels.origin_receive import landing_of
 from workbench.optics.kernels.parallel import ParallelRays, rays_along
@@ -29,8 +29,6 @@ from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.scene import GaussianFilter, Screen
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class FusedMirrorRays(ParallelRays):

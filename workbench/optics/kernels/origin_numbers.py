@@ -3,12 +3,11 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.optics.transmittance import TransmittanceLaw
 
 Number = np.floating[Any]
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class SampleLine(NamedTuple):

@@ -9,10 +9,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.glass import FlatGlass
 from workbench.optics.kernels import threads
@@ -29,8 +29,6 @@ from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.optics.sources.origins import Origins
 from workbench.optics.transmittance import TransmittanceLaw
 
-Array = npt.NDArray[np.float64]
-AnyArray = npt.NDArray[np.floating[Any]]
 Kind = type[np.floating[Any]]
 
 # Origins nearer to each other's mirror image than this part of their extent count as a pair.

@@ -10,15 +10,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array, Mask
 from workbench.geometry.surface import ControlNet
 from workbench.optics.halves import Halves
 from workbench.optics.kernels.function import Sums, kind_of, trace
 from workbench.optics.kernels.grid import Axis, make_axis
-from workbench.optics.kernels.locked import Mask, Rays, count, split
+from workbench.optics.kernels.locked import Rays, count, split
 from workbench.optics.kernels.passes import GridLanding, GridPasses
 from workbench.optics.kernels.spread import Spread, make_spread
 from workbench.optics.light import Light, Nodes
@@ -26,8 +26,6 @@ from workbench.optics.path import Path
 from workbench.optics.samples import Samples, places
 from workbench.optics.sources import CollimatedEmitter
 from workbench.scene import BoxFilter, Filter
-
-Array = npt.NDArray[np.float64]
 
 
 class ParallelRays(ABC):

@@ -5,15 +5,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.function import Sums
 from workbench.optics.kernels.grid import Axis
 from workbench.optics.kernels.rows import Loops
 from workbench.optics.kernels.spread import Spread, add_up, make_canvases, pad
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class GridLanding:

@@ -6,18 +6,17 @@ they are sorted again.
 """
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Mask
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.function import Sums, kind_of, trace
-from workbench.optics.kernels.locked import Mask
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
 from workbench.optics.kernels.point_order import Sorted, arrange
 from workbench.optics.kernels.point_trace import (
@@ -39,8 +38,6 @@ from workbench.optics.path import Path
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Filter, GaussianFilter, Screen
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 # An interruption of the order costs about as much as sorting so many rays.
 _INTERRUPTION = 2

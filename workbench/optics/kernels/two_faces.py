@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import AnyArray, Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.front_samples import FrontGrid, FrontSamples
@@ -41,8 +41,6 @@ from workbench.optics.path import Path
 from workbench.optics.samples import Corners, places
 from workbench.optics.transmittance import TransmittanceLaw
 
-Array = npt.NDArray[np.float64]
-AnyArray = npt.NDArray[np.floating[Any]]
 Kind = type[np.floating[Any]]
 
 # No slope of light in the glass is larger.

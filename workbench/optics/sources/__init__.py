@@ -6,10 +6,9 @@ A new kind of source is a file here, its fields in `workbench.scene`, and a row 
 from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
-import numpy as np
-import numpy.typing as npt
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.area import AreaEmitter
@@ -29,8 +28,6 @@ from workbench.scene import (
     Source,
 )
 from workbench.scene.kinds import row_of
-
-Array = npt.NDArray[np.float64]
 
 __all__ = ["CollimatedEmitter", "Emitter", "Origins", "PointEmitter", "emitter_of"]
 

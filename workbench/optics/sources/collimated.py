@@ -3,18 +3,16 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from scipy.special import erf
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples, cells, parts_inside, places, shares
 from workbench.optics.sources.origins import Origins
 from workbench.scene import CollimatedSource, Optic
-
-Array = npt.NDArray[np.float64]
 
 
 class CollimatedEmitter:

@@ -3,18 +3,16 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
 from workbench.scene import CollimatedSource, Optic
-
-Array = npt.NDArray[np.float64]
 
 # The shadow of a beam on the face is not taken to be longer than this many of its radii.
 _LONGEST = 20.0

@@ -5,11 +5,10 @@ from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_named
 
-Array = npt.NDArray[np.float64]
 Outline = Literal["rectangle", "ellipse"]
 
 _GOLDEN = (math.sqrt(5) - 1) / 2

@@ -4,18 +4,16 @@ from abc import ABC, abstractmethod
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.evenly import Outline, SpreadPlaces, at_corners, filling, spread
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic
-
-Array = npt.NDArray[np.float64]
 
 # Cells and origins that tell how much light meets the lens, where rays are drawn at random.
 _MANY = Corners(64, 64, 64)

@@ -8,16 +8,13 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import Array, Index
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples, parts_inside, places_of_points
 from workbench.scene import Optic
-
-Array = npt.NDArray[np.float64]
-Index = npt.NDArray[np.intp]
 
 
 class EnteringLight(NamedTuple):

@@ -3,18 +3,16 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array, Index
 from workbench.measured.lamps import intensity_of
 from workbench.measured.photometry import IntensityTable
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
+from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic, PhotometricSource
-
-Array = npt.NDArray[np.float64]
 
 
 class TurnedTable:

@@ -1,18 +1,16 @@
 """Light of one point, or of a grid of points that stands for an extended source."""
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.emission import emit
 from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Origins, splits_of, through_cells
 from workbench.scene import LightOfPoints, Optic
-
-Array = npt.NDArray[np.float64]
 
 
 class PointEmitter:

@@ -1,18 +1,16 @@
 """Light of measured rays: of points that stand for them in beams, else the rays themselves."""
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array, Index
 from workbench.measured.lamps import placed_rays, ray_model
 from workbench.measured.rays.model import RayModel
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Index, Origins, splits_of, through_cells, vector
+from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic, RayFileSource
-
-Array = npt.NDArray[np.float64]
 
 # Points that stand for the rays where nothing says how many.
 _POINTS = 16

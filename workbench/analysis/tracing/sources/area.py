@@ -5,12 +5,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
 from workbench.analysis.tracing.sources.near import near_places
 from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.arrays import Array
 from workbench.scene import AreaSource, Optic
 
 # Points that stand for the emitter at the first level of cells: their error is then like that of

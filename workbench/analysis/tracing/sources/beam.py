@@ -6,10 +6,11 @@ from collections.abc import Iterator
 import numpy as np
 from scipy.special import ndtr, ndtri
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, pairs
+from workbench.arrays import Array
 from workbench.scene import CollimatedSource, Optic
 
 # Directions that stand for the disc at the first level of cells.

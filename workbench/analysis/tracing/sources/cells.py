@@ -4,9 +4,8 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 # Batches of places, 4 × 4: enough to estimate their scatter.
 _SIDE = 4

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.scene import CollimatedSource, Optic
 

@@ -8,9 +8,8 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-Array = npt.NDArray[np.float64]
+from workbench.arrays import Array
 
 # Of the rule that adds up the light of a cone.
 _NODES = 48

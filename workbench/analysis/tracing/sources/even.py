@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array
+from workbench.arrays import Array
 
 _GOLDEN = (math.sqrt(5) - 1) / 2
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array
+from workbench.arrays import Array
 
 # A source closer than this part of the half-width is taken to be as far: numbers would round off.
 _CLOSE = 1e-3

@@ -5,11 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES, Cells
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.measured.lamps import intensity_of
 from workbench.scene import Optic, PhotometricSource

@@ -5,12 +5,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
 from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.arrays import Array
 from workbench.scene import LightOfPoints, Optic
 
 

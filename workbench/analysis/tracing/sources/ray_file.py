@@ -5,11 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from workbench import units
-from workbench.analysis.tracing.elements import Array, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.analysis.tracing.sources.unspread import Unspread
+from workbench.arrays import Array
 from workbench.measured.lamps import ray_model, rays_of
 from workbench.scene import Optic, RayFileSource
 

@@ -2,7 +2,8 @@
 
 from typing import Self
 
-from workbench.analysis.tracing.elements import Array, LightSource
+from workbench.analysis.tracing.elements import LightSource
+from workbench.arrays import Array
 
 
 class Unspread:

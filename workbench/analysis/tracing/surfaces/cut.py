@@ -1,6 +1,7 @@
 """A face as a ball cutter leaves it, with its ridges."""
 
-from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedFace, TracedRays
+from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedFace, TracedRays
+from workbench.arrays import Array
 from workbench.geometry.tool_path import Raster
 
 _STEPS = 3  # from the face that was to be cut onto what was: they are closer than ridges are wide

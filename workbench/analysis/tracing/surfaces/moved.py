@@ -3,9 +3,10 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from workbench.analysis.tracing.elements import Array, Crossings, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.surfaces.spline import SplineFace
+from workbench.arrays import Array
 from workbench.scene import Lens
 
 

@@ -5,8 +5,9 @@ import math
 import numpy as np
 from scipy.interpolate import BSpline
 
-from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedRays
+from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedRays
 from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet, surface
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Optic
