@@ -108,7 +108,7 @@ def test_code_from_disk_runs_without_the_compilers_modules_and_beside_new_code(t
     assert printed("both") == [f"{same} True False", "5.0 True"]
 
 
-def test_compiling_is_logged_once_and_what_is_kept_needs_no_word(places, caplog):
+def test_compiling_is_logged_once_and_loading_from_disk_is_not(places, caplog):
     caplog.set_level("INFO", logger="workbench")
     compiled._tell.cache_clear()
     for _ in range(2):

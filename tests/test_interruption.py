@@ -29,7 +29,7 @@ def scene(make_scene):
 
 
 @pytest.mark.parametrize("work", WORK.values(), ids=WORK)
-def test_long_work_ends_when_nobody_wants_it(scene, work):
+def test_long_work_ends_when_it_is_interrupted(scene, work):
     asked = []
 
     def second_time():

@@ -121,7 +121,7 @@ def test_result_states_where_cells_miss_the_wanted_accuracy(lens, target, monkey
     assert coarse.to_data()["error_bound_wanted"] == 1e-6
 
 
-def test_the_part_that_is_done_never_falls(lens, target):
+def test_progress_never_decreases(lens, target):
     scene, heights = lens(POINT)
     parts = list(validating(scene, target, heights, 100_000, accuracy=1e-2))
     assert parts == sorted(parts)

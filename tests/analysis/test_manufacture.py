@@ -39,10 +39,10 @@ class TestSpheres:
         angle = math.degrees(math.asin(self.RIM / radius))
         assert found.steepest.value == pytest.approx(angle, abs=1e-4)
         assert found.draft == pytest.approx(90 - angle, abs=1e-4)
-        bent, other = found.tightest_concave, found.tightest_convex
+        tightest, other = found.tightest_concave, found.tightest_convex
         if sign < 0:
-            bent, other = other, bent
-        assert bent.value == pytest.approx(radius, rel=1e-3)
+            tightest, other = other, tightest
+        assert tightest.value == pytest.approx(radius, rel=1e-3)
         assert other.value == math.inf
 
     def test_bounds_are_close(self, make_scene):

@@ -13,7 +13,7 @@ pytest.importorskip("mitsuba")
 @pytest.mark.parametrize(
     "source", [{"kind": "collimated"}, {"kind": "point", "position": [-2.0, 0.0, -6.0]}]
 )
-def test_a_stranger_sees_the_same_light_of_a_mirror(source):
+def test_mitsuba_finds_the_same_light_of_a_mirror(source):
     scene = Scene.from_data(
         {
             "mirror": {"half_width": [1, 1], "control_points": [6, 6], "reflectance": 0.8},

@@ -13,7 +13,7 @@ POINT = {"kind": "point", "position": [0.2, 0, -4], "rays": 1000}
 
 
 @pytest.mark.parametrize(("source", "outline"), [(TILTED, "rectangle"), (POINT, "ellipse")])
-def test_a_stranger_sees_the_same_light_of_two_faces(make_scene, monkeypatch, source, outline):
+def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, source, outline):
     monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 128)  # made sooner
     scene = make_scene(
         {

@@ -48,11 +48,11 @@ def test_an_afocal_pair_bends_by_what_one_face_is_tilted(make_scene):
     straight, _ = leaving(scene, heights, Pose())
     assert straight == pytest.approx([0.0, 0.0, 1.0], abs=1e-14)
     small = 1e-4
-    bent, _ = leaving(scene, heights, Pose(exit_tilt=(0.0, small)))
+    deflected, _ = leaving(scene, heights, Pose(exit_tilt=(0.0, small)))
     slope = math.atan(0.1)
     inside, outside = math.cos(math.asin(math.sin(slope) / INDEX)), math.cos(slope)
-    assert bent[0] == pytest.approx(-(INDEX * inside / outside - 1) * small, rel=1e-3)
-    assert bent[0] == pytest.approx(-(INDEX - 1) * small, rel=0.01)
+    assert deflected[0] == pytest.approx(-(INDEX * inside / outside - 1) * small, rel=1e-3)
+    assert deflected[0] == pytest.approx(-(INDEX - 1) * small, rel=0.01)
 
 
 def test_a_ray_meets_a_decentred_face_where_it_met_the_face_beside(make_scene, rng):

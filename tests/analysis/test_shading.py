@@ -32,7 +32,7 @@ def trough(scene, slope):
     return {"mirror": np.repeat(-slope * np.abs(x)[:, None], 4, axis=1)}
 
 
-def test_a_flat_mirror_is_not_in_its_own_way():
+def test_a_flat_mirror_does_not_shade_itself():
     aside = {"z": -9.0, "half_width": [0.5, 0.5], "center": [5, 0], "pixels": [8, 8]}
     scene = mirror(screen=aside)
     found = shading_of(scene, trough(scene, 0.0), seed=1)
@@ -95,7 +95,7 @@ def _met(scene):
     return 1 - found.account.lost["missed_mirror"]
 
 
-def test_far_fields_and_screens_behind_lenses_are_in_no_ones_way(make_scene):
+def test_far_fields_and_screens_behind_lenses_shade_nothing(make_scene):
     field = {"half_angle": [30, 30], "pixels": [8, 8]}
     scene = mirror(screen=None, far_field=field)
     assert shading_of(scene, trough(scene, 0.0), seed=1).through_receiver == 0.0

@@ -44,7 +44,7 @@ def test_auto_says_that_it_converged(make_scene, disc):
     )
 
 
-def test_auto_ends_where_errors_fall_by_less_than_eyes_see(make_scene, disc, monkeypatch):
+def test_auto_ends_where_errors_fall_by_less_than_is_visible(make_scene, disc, monkeypatch):
     monkeypatch.setattr(auto, "_UNSEEN", 0.5)
     why = ended(run(make_scene({"run.iterations": 1000}), disc))
     assert why == "converged: error less than 50 percentage points lower in 8 iterations"
@@ -78,7 +78,7 @@ def test_a_failure_is_recorded_and_raised(make_scene, disc):
     assert history.result().ended == "failed: the loss is not finite"
 
 
-def test_a_run_in_vain_is_said(make_scene, disc):
+def test_a_run_without_improvement_is_reported(make_scene, disc):
     run_data = {"method": "paper", "iterations": 3, "learning_rate": 1e9}
     why = ended(run(make_scene({"run": run_data}), disc))
     assert why == "all iterations are done; no iteration made the lens better"

@@ -44,12 +44,12 @@ def test_one_plan_serves_many_lenses(make_scene, target):
     heights = np.full((12, 10), 0.5)
     flat = FaceArrays({"exit": heights})
     heights[5, 5] += 0.02
-    bent = FaceArrays({"exit": heights})
+    curved = FaceArrays({"exit": heights})
     evaluator = Evaluator(scene, target, flat)
-    first, moved, again = (evaluator.snapshot(h) for h in (flat, bent, flat))
+    first, moved, again = (evaluator.snapshot(h) for h in (flat, curved, flat))
     np.testing.assert_array_equal(first.state.irradiance, again.state.irradiance)
     assert np.abs(first.state.irradiance - moved.state.irradiance).max() > 1e-3
-    fresh = Evaluator(scene, target, bent).snapshot(bent)
+    fresh = Evaluator(scene, target, curved).snapshot(curved)
     assert moved.state.loss == pytest.approx(fresh.state.loss, rel=1e-3)
 
 
@@ -58,11 +58,11 @@ def test_locked_control_points_save_rays_and_change_no_light(make_scene, target)
     mask = np.ones((12, 10), dtype=np.bool_)
     mask[:3] = False
     flat, locked = FaceArrays({"exit": np.full((12, 10), 0.5)}), FaceArrays({"exit": mask})
-    bent = FaceArrays({"exit": np.where(mask, 0.5, 0.52)})
+    curved = FaceArrays({"exit": np.where(mask, 0.5, 0.52)})
     evaluator = Evaluator(scene, target, flat, locked)
     evaluator.snapshot(flat)
-    found = evaluator.snapshot(bent)
-    all_traced = Evaluator(scene, target, flat).snapshot(bent)
+    found = evaluator.snapshot(curved)
+    all_traced = Evaluator(scene, target, flat).snapshot(curved)
     lit = all_traced.state.irradiance.max()
     np.testing.assert_allclose(found.state.irradiance, all_traced.state.irradiance, atol=1e-5 * lit)
     assert any("of the rays after the first" in note for note in found.notes)

@@ -94,7 +94,7 @@ def test_a_lens_by_transport_that_is_worse_than_the_present_one_is_not_the_best(
     assert not first.best
 
 
-def test_an_undesigned_lens_that_nobody_saw_is_no_measure_of_the_best(designed):
+def test_the_undesigned_lens_does_not_compete_with_lenses_of_transport(designed):
     # All of the screen evenly lit is what the flat plate does; its error is 0.
     task = begin(Scene.from_data(designed.scene.to_data() | EVEN), Path())
     edited = designed.with_scene(task.scene, task.target)
@@ -104,7 +104,7 @@ def test_an_undesigned_lens_that_nobody_saw_is_no_measure_of_the_best(designed):
     assert first.best
 
 
-def test_the_best_lens_is_told_by_all_that_the_scene_asks_of_it(designed):
+def test_the_best_lens_is_chosen_by_all_that_the_scene_asks_for(designed):
     settings = designed.scene.run.model_copy(update={"smoothness": 3.0})
     task = designed.scene.model_copy(update={"run": settings})
     snapshots = lenses(LiveDesign(), moved(replace(designed, scene=task), 9), 8)
@@ -124,7 +124,7 @@ def test_value_of_transport_is_estimated_from_its_last_lens(designed):
     assert error == relative_error(by_transport.state, target)
 
 
-def test_the_lens_that_was_made_last_is_gone_on_from_on_request(designed):
+def test_a_design_can_continue_from_the_last_lens(designed):
     live = LiveDesign()
     lenses(live, moved(designed, 5.01), 3)
     last = live._last

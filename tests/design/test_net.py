@@ -81,7 +81,7 @@ def test_the_papers_method_has_a_net_like_the_papers(chosen, parametrisation, ne
     assert chosen({"run": {"method": "paper", "parametrisation": parametrisation}}) == net
 
 
-def test_numbers_of_a_person_are_left_alone(make_scene):
+def test_numbers_of_control_points_in_the_scene_are_kept(make_scene):
     scene = make_scene()
     assert definite(scene, np.ones((32, 32))) is scene
 

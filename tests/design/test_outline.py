@@ -40,8 +40,10 @@ def test_a_design_of_an_elliptic_lens_comes_near_the_target(make_scene, tmp_path
         heights = last.state.heights["exit"]
     assert errors["ellipse"] < 1.5 * errors["rectangle"] + 0.01
     assert last.state.account.lost["missed_lens"] == pytest.approx(1 - np.pi / 4, abs=1e-6)
-    bends = np.abs(np.diff(heights, 2, axis=0))
-    assert bends[:, 0].max() < 3 * bends[:, 16].max()  # no wild heights beside the lens
+    second_differences = np.abs(np.diff(heights, 2, axis=0))
+    assert (
+        second_differences[:, 0].max() < 3 * second_differences[:, 16].max()
+    )  # no wild heights beside the lens
 
 
 def test_the_result_of_a_symmetric_task_is_symmetric(make_scene, tmp_path):

@@ -52,8 +52,8 @@ def quadratic(scene, r, s, t):
         pairs = inner.sum(1) ** 2 - (inner**2).sum(1)
         squares.append(pairs / (p * (p - 1)))
     height = scene.lens.base.height
-    bent = r / 2 * squares[0][:, None] + t / 2 * squares[1] + s * x[:, None] * y
-    return torch.as_tensor(height + bent)
+    curved = r / 2 * squares[0][:, None] + t / 2 * squares[1] + s * x[:, None] * y
+    return torch.as_tensor(height + curved)
 
 
 def test_there_is_no_smoothness_term_by_default(make_scene):
@@ -115,8 +115,8 @@ def test_hollows_alone_count_for_a_ball_cutter(make_scene, face):
     }
     scene = make_scene(changes)
     curvature = smoothness_of(scene).faces[face]
-    bent = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0, towards +z
-    hollow, hump = (bent, -bent) if face == "exit" else (-bent, bent)
+    curved = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0, towards +z
+    hollow, hump = (curved, -curved) if face == "exit" else (-curved, curved)
     assert curvature.concavity_violation(hollow, 2.0).item() == pytest.approx(1.0, rel=1e-4)
     assert curvature.concavity_violation(hump, 2.0).item() == 0
 

@@ -181,15 +181,15 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
 
 def test_a_lens_becomes_two_faced_and_one_faced_again(make_scene, uneven):
     flat = make_scene({"lens.height_range": None})
-    bent = np.linspace(0.4, 0.6, 120).reshape(12, 10)
-    session = Session(flat, uneven, start=FaceArrays({"exit": bent}))
+    curved = np.linspace(0.4, 0.6, 120).reshape(12, 10)
+    session = Session(flat, uneven, start=FaceArrays({"exit": curved}))
     two = session.with_scene(make_scene(FREEFORM), uneven)
     assert list(two.start) == ["entrance", "exit"]
-    np.testing.assert_array_equal(two.start["exit"], bent)
+    np.testing.assert_array_equal(two.start["exit"], curved)
     assert np.ptp(two.start["entrance"]) == 0
     one = two.with_scene(flat, uneven)
     assert list(one.start) == ["exit"]
-    np.testing.assert_array_equal(one.start["exit"], bent)
+    np.testing.assert_array_equal(one.start["exit"], curved)
 
 
 def test_another_entrance_net_carries_the_face(make_scene, uneven):
@@ -197,13 +197,13 @@ def test_another_entrance_net_carries_the_face(make_scene, uneven):
         return Scene.from_data(make_scene({**FREEFORM, "lens.entrance": {**_net(count)}}).to_data())
 
     coarse = scene(8)
-    bent = 0.1 + 0.05 * np.random.default_rng(2).random((8, 8))
-    start = FaceArrays({"entrance": bent, "exit": np.full((12, 10), 0.5)})
+    curved = 0.1 + 0.05 * np.random.default_rng(2).random((8, 8))
+    start = FaceArrays({"entrance": curved, "exit": np.full((12, 10), 0.5)})
     session = Session(coarse, uneven, start=start)
     finer = session.with_scene(scene(13), uneven)
     assert finer.start["entrance"].shape == (13, 13)
     again = finer.with_scene(coarse, uneven)
-    np.testing.assert_allclose(again.start["entrance"], bent, atol=1e-12)
+    np.testing.assert_allclose(again.start["entrance"], curved, atol=1e-12)
 
 
 def _net(count):

@@ -169,7 +169,7 @@ def test_scale_of_the_target_does_not_count():
     assert deblur(1e6 * target, blur).bound == pytest.approx(deblur(target, blur).bound, rel=1e-3)
 
 
-def test_target_that_is_blurred_light_is_in_reach(rng):
+def test_a_target_that_is_blurred_light_has_no_least_error(rng):
     blur = Blur((5.0, 5.0), "ellipse")
     blurring = Blurring(blur.kernels(), (32, 32))
     light = np.zeros((len(blur.kernels()), *blurring.grid))
@@ -179,7 +179,7 @@ def test_target_that_is_blurred_light_is_in_reach(rng):
     assert found.error < 2e-3
 
 
-def test_a_search_is_made_once_for_all_who_ask(monkeypatch):
+def test_a_search_is_shared_by_callers_with_the_same_question(monkeypatch):
     target = np.zeros((12, 12))
     target[3:9, 5:8] = 1.7
     first = deblur(target, Blur((2.5, 3.5)))

@@ -60,11 +60,11 @@ def test_no_slope_or_curvature_is_beyond_its_bound(degree, rng):
         heights = rng.normal(size=net.shape)
         patches = Patches(net, torch.float64)
         slopes = patches.slope_bounds(torch.as_tensor(heights))
-        bends = patches.curvature_bounds(torch.as_tensor(heights))
+        curvatures = patches.curvature_bounds(torch.as_tensor(heights))
         places = rng.random((4000, 2))
         spline = NdBSpline(net.knots, heights, net.degree)
         orders = [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2)]
-        for order, bound in zip(orders, (*slopes, *bends), strict=True):
+        for order, bound in zip(orders, (*slopes, *curvatures), strict=True):
             if order[0] > degree[0] or order[1] > degree[1]:
                 continue
             width = np.prod((2 * np.array(net.half_width)) ** order)

@@ -26,11 +26,11 @@ THIN_PLATE = {
 }
 
 
-def smooth(scene, bend=0.05):
+def smooth(scene, amplitude=0.05):
     """A lens of soft waves, which keeps rays away from the rim of its side."""
     net = ControlNet.of(scene.lens)
     x, y = (torch.as_tensor(c) for c in net.positions)
-    return 0.5 + bend * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
+    return 0.5 + amplitude * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
 
 
 def interpolating(net, height):
@@ -56,11 +56,11 @@ def oval(net):
         outer = np.arctan2(rho, d)
         inner = np.arcsin(np.sin(outer) / n)
 
-        def excess(s, rho=rho, outer=outer, inner=inner):
+        def path_difference(s, rho=rho, outer=outer, inner=inner):
             r, z = rho + s * np.sin(inner), s * np.cos(inner)
             return d / np.cos(outer) + n * s + np.hypot(r, _FOCUS - z) - axial
 
-        s = brentq(excess, -2, 3, xtol=1e-15, rtol=1e-15)
+        s = brentq(path_difference, -2, 3, xtol=1e-15, rtol=1e-15)
         radii.append(rho + s * np.sin(inner))
         heights.append(s * np.cos(inner))
     # Even in the radius, so that it is smooth in x and y.

@@ -38,7 +38,7 @@ def image_of(nodes, pixels, fused=True):
 
 
 @pytest.fixture
-def bent(rng):
+def folded(rng):
     """Rays of a map with folds, of which some leave the image."""
     u, v = np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 7))
     column = 10 * u + 2.5 * np.sin(7 * v + 3 * u) + 0.8 * rng.standard_normal(u.shape)
@@ -106,19 +106,19 @@ def test_cells_with_a_ray_that_goes_nowhere_are_dark(fused):
 
 
 @BOTH
-def test_flux_is_conserved_where_light_folds(fused, bent):
-    bent[:2] += 30
-    image, landed = image_of(bent, (80, 80), fused)
+def test_flux_is_conserved_where_light_folds(fused, folded):
+    folded[:2] += 30
+    image, landed = image_of(folded, (80, 80), fused)
     assert image.sum().item() == pytest.approx(landed, abs=1e-12)
-    assert landed == pytest.approx(bent[2].sum().item(), abs=1e-12)
+    assert landed == pytest.approx(folded[2].sum().item(), abs=1e-12)
     assert image.min() >= 0
 
 
-def test_the_kernel_equals_its_twin(bent, rng):
+def test_the_kernel_equals_its_twin(folded, rng):
     cotangent = torch.tensor(rng.standard_normal((8, 10)))
     found = []
     for fused in (True, False):
-        nodes = bent.clone().requires_grad_()
+        nodes = folded.clone().requires_grad_()
         image, landed = image_of(nodes, (10, 8), fused)
         (gradient,) = torch.autograd.grad((image * cotangent).sum(), [nodes])
         found.append((image.detach(), gradient, landed))
@@ -130,16 +130,16 @@ def test_the_kernel_equals_its_twin(bent, rng):
 
 @BOTH
 @pytest.mark.parametrize("part", [0, 1, 2], ids=["columns", "rows", "flux"])
-def test_the_gradient_is_that_of_the_image_even_at_folds(fused, part, bent, rng):
+def test_the_gradient_is_that_of_the_image_even_at_folds(fused, part, folded, rng):
     cotangent = torch.tensor(rng.standard_normal((8, 10)))
-    nodes = bent.clone().requires_grad_()
+    nodes = folded.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(
         (image_of(nodes, (10, 8), fused)[0] * cotangent).sum(), [nodes]
     )
-    way = torch.zeros_like(bent)
-    way[part] = torch.tensor(rng.standard_normal(bent.shape[1:]))
+    way = torch.zeros_like(folded)
+    way[part] = torch.tensor(rng.standard_normal(folded.shape[1:]))
     step = 1e-6
-    ahead, back = (image_of(bent + s * way, (10, 8), fused)[0] for s in (step, -step))
+    ahead, back = (image_of(folded + s * way, (10, 8), fused)[0] for s in (step, -step))
     rise = ((ahead - back) * cotangent).sum().item() / (2 * step)
     assert (gradient * way).sum().item() == pytest.approx(rise, rel=1e-6, abs=1e-8)
 
@@ -159,8 +159,8 @@ def test_any_rays_give_light_that_adds_up(seed, spread):
     assert gradient.isfinite().all()
 
 
-def test_hits_infinitely_far_away_change_nothing(bent):
-    far = bent.clone()
+def test_hits_infinitely_far_away_change_nothing(folded):
+    far = folded.clone()
     far[0, 2, 3] = 1e30
     image, _ = image_of(far, (10, 8))
     assert image.isfinite().all()

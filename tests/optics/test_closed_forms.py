@@ -126,8 +126,8 @@ def test_a_hyperboloid_sends_parallel_light_through_one_point(make_scene):
     def height(x, y):
         """Equal optical paths: n z + the way to the focus is the same."""
         r2 = np.square(x) + np.square(y)
-        half, excess = focal * (INDEX - 1), INDEX**2 - 1
-        return middle - (np.sqrt(half**2 + excess * r2) - half) / excess
+        half, index2_minus_1 = focal * (INDEX - 1), INDEX**2 - 1
+        return middle - (np.sqrt(half**2 + index2_minus_1 * r2) - half) / index2_minus_1
 
     heights = interpolating(ControlNet.of(scene.lens), height)
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)

@@ -129,9 +129,9 @@ def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
     _, _, exits, hits = paths.points.transpose(1, 0, 2)
     h = np.hypot(exits[:, 0], exits[:, 1])
     inside = np.arcsin(h / radius)  # angle to the normal
-    bent = np.arcsin(n * h / radius) - inside
+    deflection = np.arcsin(n * h / radius) - inside
     place = height - radius + np.sqrt(radius**2 - h**2)
-    expected = (focus - place) * np.tan(bent) - h  # beyond the axis, as they meet it before
+    expected = (focus - place) * np.tan(deflection) - h  # beyond the axis, as they meet it before
     np.testing.assert_allclose(np.hypot(hits[:, 0], hits[:, 1]), expected, atol=1e-6)
     widest = (focus - (height - radius + math.sqrt(8))) * math.tan(
         math.asin(n / radius) - math.asin(1 / radius)

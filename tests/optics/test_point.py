@@ -71,9 +71,9 @@ class TestFlatPlate:
         radius = np.hypot(x, y)
         outer = np.arctan2(radius, 2.0)
         inner = np.arcsin(np.sin(outer) / INDEX)
-        reach = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
+        landing = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
         assert torch.hypot(*places_of(hits, scene.screen)).numpy() == pytest.approx(
-            reach, abs=1e-12
+            landing, abs=1e-12
         )
         share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
         assert hits.rays.flux.numpy() == pytest.approx(share**2 / len(x), rel=1e-12)
@@ -199,8 +199,8 @@ def test_where_the_search_starts_leaves_the_image_alone(make_scene, rng):
     rough = 0.5 + 0.25 * torch.as_tensor(rng.uniform(-1, 1, size=(12, 10)))
     fresh = Plan(scene, dtype=torch.float64).trace({"exit": rough}).flux
     warm = Plan(scene, dtype=torch.float64)
-    for bend in (0.0, 0.2):
-        warm.trace({"exit": smooth(scene, bend)})
+    for amplitude in (0.0, 0.2):
+        warm.trace({"exit": smooth(scene, amplitude)})
     assert (warm.trace({"exit": rough}).flux - fresh).abs().max() < 1e-12
 
 

@@ -98,14 +98,14 @@ def test_gradients_are_those_of_central_differences(rng):
     room = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
     beside = room < 0
     weights = torch.tensor(rng.normal(size=PIXELS[::-1]))
-    bent = 0.05 * torch.tensor(rng.normal(size=(4, *room.shape)))
+    offset = 0.05 * torch.tensor(rng.normal(size=(4, *room.shape)))
     way = torch.tensor(rng.normal(size=(4, *room.shape))) * ~beside
 
     def value(moved):
         given, within = cut(nodes + moved[:3], torch.where(beside, -1.0, room + moved[3]))
         return (rim_light(given, within, PIXELS, splits).flux * weights).sum()
 
-    start = torch.where(beside, 0.0, bent.abs())
+    start = torch.where(beside, 0.0, offset.abs())
     leaf = start.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(value(leaf), [leaf])
     step = 1e-6

@@ -31,8 +31,8 @@ def lit(make_scene, lens, outline="rectangle"):
     heights = {}
     for face, net in freeform_nets(scene.lens).items():
         along = (np.linspace(-1, 1, count) ** 2 for count in net.shape)
-        bent = levels[face] - 0.1 * np.add.outer(*along) * (1 if face == "exit" else -1)
-        heights[face] = torch.as_tensor(bent)
+        curved = levels[face] - 0.1 * np.add.outer(*along) * (1 if face == "exit" else -1)
+        heights[face] = torch.as_tensor(curved)
     return scene, heights
 
 

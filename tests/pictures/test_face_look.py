@@ -49,8 +49,8 @@ def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():
     fine = smooth + 1e-3 * np.sin(12 * X)
     plain, exaggerated = (lit_normals(surface(fine), high) for high in (False, True))
     assert plain == pytest.approx(shapes.normals(surface(fine)))
-    bent = np.abs(lit_normals(surface(smooth), True) - shapes.normals(surface(smooth)))
-    assert bent.max() < 1e-6
+    change = np.abs(lit_normals(surface(smooth), True) - shapes.normals(surface(smooth)))
+    assert change.max() < 1e-6
     off = [np.abs(each - shapes.normals(surface(smooth))).max() for each in (plain, exaggerated)]
     assert off[1] > 20 * off[0]
     assert np.linalg.norm(exaggerated, axis=1) == pytest.approx(1.0)

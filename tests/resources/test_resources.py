@@ -45,7 +45,7 @@ def test_the_script_makes_every_file_that_ships_and_no_other(made):
     assert {*resources.path("examples").iterdir()} == {each.file for each in resources.EXAMPLES}
 
 
-def test_the_page_of_fields_is_of_the_fields_of_now(made):
+def test_the_page_of_fields_is_up_to_date(made):
     page = (made / "manual" / "fields.md").read_text("utf-8")
     assert page == resources.path("manual", "fields.md").read_text("utf-8")
     for field in Scene.fields():
@@ -161,8 +161,8 @@ def test_bases_of_the_magnifications_just_fill_their_screens(magnification):
     r = lens.half_width[0]
     z, near = lens.base.height_at(np.array([r, r - 1e-6]), 0.0)
     incident = math.atan((z - near) / 1e-6)
-    bent = math.asin(lens.index * math.sin(incident)) - incident  # away from the axis
-    met = r + (screen.z - z) * math.tan(bent)
+    deflection = math.asin(lens.index * math.sin(incident)) - incident  # away from the axis
+    met = r + (screen.z - z) * math.tan(deflection)
     assert met == pytest.approx(screen.half_width[0], rel=0.03)
 
 

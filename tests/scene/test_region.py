@@ -24,7 +24,7 @@ def test_regions_are_written_as_they_are_read():
     assert scene.to_data()["regions"][0] == DESK
 
 
-def test_a_scene_without_regions_has_no_word_of_them():
+def test_a_scene_without_regions_is_written_without_that_field():
     assert "regions" not in Scene.from_data(changed({})).to_data()
     two_faces = changed({"lens.entrance": {"shape": "freeform"}})
     assert "regions" not in Scene.from_data(two_faces).to_data()

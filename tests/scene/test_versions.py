@@ -33,7 +33,7 @@ def test_a_kind_of_part_that_is_new_needs_its_version_wherever_it_stands():
     assert _Whole(first=_Old(turn=2.0)).needed_version == 2
 
 
-def test_an_old_file_leaves_new_fields_out_and_a_new_one_says_them():
+def test_files_of_version_1_leave_new_fields_out():
     whole = _Whole(others=(_Old(width=2.0),))
     data = whole.model_dump(mode="json")
     assert whole.known_to(1, data) == {"first": {"width": 1.0}, "others": [{"width": 2.0}]}

@@ -75,8 +75,10 @@ def main() -> None:
             try:
                 reported = do(tr(job), hand)
                 figures = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in reported.items())
-                told = hand.having(tr("Error {error} · light {place} {shares}").partition("{")[0])
-                print(f"{job}: {figures}, {hand.steps} steps; {told}", flush=True)
+                readout = hand.having(
+                    tr("Error {error} · light {place} {shares}").partition("{")[0]
+                )
+                print(f"{job}: {figures}, {hand.steps} steps; {readout}", flush=True)
             finally:
                 hand.close()
 

@@ -30,7 +30,7 @@ def speaking(qapp):
     speak(qapp, "en")
 
 
-def test_english_is_what_is_said_without_a_dictionary():
+def test_texts_are_english_without_a_dictionary():
     assert tr("{path} is written.") == "{path} is written."
     assert tr("There is no {optic} yet: Start designs one", optic="mirror") == (
         "There is no mirror yet: Start designs one"
@@ -38,7 +38,7 @@ def test_english_is_what_is_said_without_a_dictionary():
     assert tr("") == ""
 
 
-def test_a_language_that_is_spoken_is_left_again(speaking):
+def test_another_language_can_be_chosen_again(speaking):
     speaking("de")
     assert (tr("&Open…"), spoken()) == ("&Öffnen …", "de")
     speaking("fr")
@@ -168,7 +168,7 @@ def test_the_system_chooses_the_first_language_that_there_is(monkeypatch, wanted
         ),
     ],
 )
-def test_a_window_speaks(speaking, open_window, language, menu, check, dock, field, cancel):
+def test_a_window_is_translated(speaking, open_window, language, menu, check, dock, field, cancel):
     speaking(language)
     window = open_window()
     assert window.menuBar().actions()[0].text() == menu
@@ -195,7 +195,7 @@ def test_no_command_and_no_job_stays_english(speaking, open_window):
     assert "Mirror" not in titles
 
 
-def test_a_choice_is_kept_and_said_to_count_later(window, settings):
+def test_a_chosen_language_is_kept_and_reported_to_count_from_the_next_start(window, settings):
     assert LANGUAGE.kept(settings) == "system"
     window.commands["language_fr"].trigger()
     assert LANGUAGE.kept(settings) == "fr"
@@ -203,7 +203,7 @@ def test_a_choice_is_kept_and_said_to_count_later(window, settings):
     assert window.commands["language_fr"].isChecked()
 
 
-def test_a_choice_of_what_is_spoken_needs_no_word(window, settings):
+def test_choosing_the_present_language_is_not_reported(window, settings):
     window.commands["language_en"].trigger()
     assert (LANGUAGE.kept(settings), window.messages.text) == ("en", "")
 

@@ -148,9 +148,9 @@ class JobForm(QScrollArea):
             row.refuse("")
         for path, waiting in self._refused.items():
             concerned = partial(_first_concerned, present)
-            culprit = concerned(waiting.refused.path) or concerned(path)
-            if culprit is not None:
-                culprit.refuse(tr(waiting.refused.reason))
+            refused_row = concerned(waiting.refused.path) or concerned(path)
+            if refused_row is not None:
+                refused_row.refuse(tr(waiting.refused.reason))
 
 
 def _first_concerned(rows: list[Row], path: str) -> Row | None:

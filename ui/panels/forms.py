@@ -328,13 +328,13 @@ class Forms(QScrollArea):
         reasons: dict[Row, str] = {}
         refusals = []
         for path, waiting in self._pending.items():
-            culprit = _row_of(waiting.refused.path, present)
+            refused_row = _row_of(waiting.refused.path, present)
             edited = _row_of(path, present)
             reason = tr(waiting.refused.reason)
-            if culprit is not None:
-                reasons[culprit] = reason
-            if edited is not None and edited is not culprit:
-                where = culprit.name if culprit is not None else waiting.refused.path
+            if refused_row is not None:
+                reasons[refused_row] = reason
+            if edited is not None and edited is not refused_row:
+                where = refused_row.name if refused_row is not None else waiting.refused.path
                 reasons[edited] = f"{where}: {reason}"
             if edited is not None:
                 refusals.append(f"{edited.name}: {reasons[edited]}")

@@ -203,9 +203,10 @@ class CutFace:
     def _counts(self, radius: float, scallop: float) -> tuple[list[float], list[int]]:
         """How far a raster reaches along x and y, and how many places it has."""
         slope, _, hump = self._shape
-        bent = 1 / (1 / radius + hump)  # a ridge on a hump is that of a smaller ball on a plane
-        height = min(scallop, bent)
-        apart = 2 * math.sqrt(2 * bent * height - height**2) / math.sqrt(1 + slope**2)
+        # A ridge on a hump is that of a smaller ball on a plane.
+        equivalent_radius = 1 / (1 / radius + hump)
+        height = min(scallop, equivalent_radius)
+        apart = 2 * math.sqrt(2 * equivalent_radius * height - height**2) / math.sqrt(1 + slope**2)
         # At the rim the ball touches with its side.
         beyond = radius * slope / math.sqrt(1 + slope**2)
         ends = [r + beyond for r in self.net.half_width]

@@ -72,11 +72,11 @@ def _taps(offset: Tensor, filter: Filter, axis: int) -> list[Tensor | None]:
     """
     if filter.size[axis] == 1:
         return [None]
-    alpha, reach = filter.alpha, filter.size[axis] / 2
+    alpha, half_size = filter.alpha, filter.size[axis] / 2
     taps = []
     for k in range(-(filter.size[axis] // 2), filter.size[axis] // 2 + 1):
         distance = offset - k
         scaled = torch.exp(2 * alpha * k * offset - alpha * k * k)
-        taps.append(-scaled * torch.expm1(alpha * (distance.square() - reach**2)))
+        taps.append(-scaled * torch.expm1(alpha * (distance.square() - half_size**2)))
     share = 1 / sum(taps[1:], taps[0])
     return [tap * share for tap in taps]

@@ -73,10 +73,10 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
         for each in (net, *nets)
         for count, r in zip(each.shape, each.half_width, strict=True)
     )
-    bent = optic.deflection * largest * density
+    deflection = optic.deflection * largest * density
     # From the lowest point of the lens, the farthest from the receiver.
     pixels = max(
-        (far * (bent + steepest) + along) * m / (2 * r)
+        (far * (deflection + steepest) + along) * m / (2 * r)
         for far, along, m, r in zip(
             receiver.per_radian(low),
             receiver.lean(low),

@@ -184,9 +184,11 @@ def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
         steep = limits.max_slope
         return _Map(maps.slope, of, None, steep, _in_words("at most", steep, "°"))
     radius = limits.min_radius
-    bent = None if radius is None else 1 / radius
+    curvature = None if radius is None else 1 / radius
     values = maps.concave if name == "Concave curvature" else maps.convex
-    return _Map(values.clip(0), of, None, bent, _in_words("radius at least", radius, f" {unit}"))
+    return _Map(
+        values.clip(0), of, None, curvature, _in_words("radius at least", radius, f" {unit}")
+    )
 
 
 def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) -> None:

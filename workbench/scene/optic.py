@@ -145,10 +145,6 @@ class Optic(Part):
     def flat_z(self, heights: Array) -> float:
         """Where the flat side of the solid part is, if the face has these control heights."""
 
-    def name_in(self, text: str) -> str:
-        """A text with what it is called in place of each "{optic}"."""
-        return text.replace("{optic}", self.called)
-
     def face_in_words(self, face: str) -> str:
         """What one of its freeform faces is called within a sentence."""
         return self.face_called if face == self.face else "entrance face"

@@ -74,10 +74,10 @@ class TestPlate:
         heights = net_of(scene, lambda x, y: 0.5 + 0.2 * x + 0 * y)
         image = flux_of(scene, heights, (64, 64))
         tilt = math.atan(0.2)
-        bend = math.tan(math.asin(1.5 * math.sin(tilt)) - tilt)
+        deflection = math.tan(math.asin(1.5 * math.sin(tilt)) - tilt)
         columns = np.linspace(-2, 2, 33)
-        # A ray from x lands at x + bend (5 − 0.5 − 0.2 x).
-        back = ((columns - bend * 4.5) / (1 - 0.2 * bend)).clip(-1, 1)
+        # A ray from x lands at x + deflection (5 − 0.5 − 0.2 x).
+        back = ((columns - deflection * 4.5) / (1 - 0.2 * deflection)).clip(-1, 1)
         refracted = math.asin(1.5 * math.sin(tilt))
         exit_part = 1 - 0.04 - 0.96 * (1 - math.cos(refracted)) ** 5
         assert image.sum(axis=0) == pytest.approx(0.96 * exit_part * np.diff(back) / 2, abs=1e-14)
@@ -86,7 +86,7 @@ class TestPlate:
 class TestParabolicCylinder:
     """z = 0.5 − c x², whose light on a column of pixels is an integral."""
 
-    def bend(self, c, x):
+    def deflection(self, c, x):
         slope = -2 * c * x
         tilt = math.atan(slope)
         return math.tan(math.asin(1.5 * math.sin(tilt)) - tilt)
@@ -97,7 +97,7 @@ class TestParabolicCylinder:
         return 0.96 * (0.96 - 0.96 * (1 - math.cos(refracted)) ** 5)
 
     def where(self, c, x):
-        return x + self.bend(c, x) * (5 - 0.5 + c * x * x)
+        return x + self.deflection(c, x) * (5 - 0.5 + c * x * x)
 
     def test_columns(self, make_scene):
         c = 0.1

@@ -41,7 +41,7 @@ def test_a_square_on_its_corner(odd):
     assert image == pytest.approx(expected, abs=1e-14)
 
 
-def test_the_way_around_does_not_matter():
+def test_the_orientation_of_a_cell_does_not_matter():
     nodes = np.array(cell((0.2, 0.3), (3.1, 0.9), (3.6, 3.2), (0.7, 2.8)))
     image, _, _ = filled(nodes, 1.0, (4, 4))
     other_way, _, _ = filled(nodes.transpose(1, 0, 2), 1.0, (4, 4))

@@ -12,7 +12,7 @@ from workbench.analysis.photo.photo import at_wavelength, photograph
 RAYS = 40_000
 
 
-def test_a_stranger_sees_the_same_colours(make_scene, monkeypatch):
+def test_mitsuba_finds_the_same_colours(make_scene, monkeypatch):
     mitsuba = pytest.importorskip("mitsuba")
     monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)  # made sooner
     changes = {

@@ -17,7 +17,7 @@ def view(make_scene):
     )
 
 
-def _bends(cell, to):
+def _slopes_for(cell, to):
     """Slopes that are even in the third power of a place, and differ along the lens besides."""
     x, y = ((2 * c + 1) / CELLS - 1 for c in cell)
     u, v = to
@@ -27,7 +27,7 @@ def _bends(cell, to):
 def test_a_chart_has_places_by_their_slopes_and_finds_them_again(view):
     wanted = np.full((CELLS, CELLS), CELLS**-2.0)
     begins = ReceiverView.grid(CELLS)
-    chart = Chart.of(view, wanted, _bends, begins)
+    chart = Chart.of(view, wanted, _slopes_for, begins)
     u, v = view.seen(CELLS)
     # What is linear in the place that light comes from, here that of the cell itself, is left out.
     for found, needed in ((chart.x, u + 0.2 * u**3), (chart.y, v + 0.1 * u)):
@@ -56,7 +56,7 @@ def test_values_between_cells_are_linear():
 def test_transport_in_a_chart_keeps_all_light(view):
     wanted = np.random.default_rng(1).random((CELLS, CELLS))
     wanted /= wanted.sum()
-    chart = Chart.of(view, wanted, _bends, ReceiverView.grid(CELLS))
+    chart = Chart.of(view, wanted, _slopes_for, ReceiverView.grid(CELLS))
     even = np.full((CELLS, CELLS), CELLS**-2.0)
     transport = chart.transport(even, wanted)
     u, v = chart.places(transport)

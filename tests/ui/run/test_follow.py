@@ -160,7 +160,7 @@ def test_undo_during_a_design_keeps_the_best_lens_so_far_for_redo(desk, designed
     assert desk.document.session.result is lens
 
 
-def test_edits_come_to_a_first_lens_and_the_latest_is_next(desk):
+def test_edits_wait_for_the_first_lens_and_the_latest_is_designed_next(desk):
     desk.engine.hold()
     desk.edit(6)
     desk.edit(7)
@@ -194,7 +194,7 @@ def test_an_edit_ends_a_design_that_has_a_lens_within_one_iteration(desk, qtbot)
     assert desk.engine.open == 1
 
 
-def test_a_step_that_is_dragged_on_goes_on_from_the_lens_that_followed_last(desk, designed):
+def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, designed):
     starts = []
     live = desk.follow._live
     snapshots = live.snapshots
@@ -219,7 +219,7 @@ def test_nothing_is_designed_while_nothing_changes(desk, qtbot):
     assert desk.engine.open == 0
 
 
-def test_a_run_goes_first_and_what_follows_ends(desk, qtbot):
+def test_a_run_stops_the_following_design(desk, qtbot):
     desk.engine.iterations = 1000
     desk.engine.hold()
     desk.edit(7)
@@ -247,7 +247,7 @@ def test_the_lens_of_a_run_is_kept_when_the_next_edit_is_followed(desk, qtbot):
     assert desk.document.session is designed
 
 
-def test_one_kept_run_stands_for_all_lenses_that_follow(desk):
+def test_all_lenses_that_follow_share_one_kept_run(desk):
     for settled, z in enumerate((6, 7, 8), 1):
         desk.edit(z)
         desk.wait(settled)
@@ -324,7 +324,7 @@ def test_an_edit_that_asks_for_no_other_lens_lets_the_design_before_it_go_on(has
     assert session.scene.regions[0].name == "Desk"
 
 
-def test_switching_off_ends_what_follows_and_keeps_its_lens(desk, qtbot):
+def test_switching_off_stops_the_following_design_and_keeps_its_lens(desk, qtbot):
     desk.engine.hold()
     desk.edit(7)
     desk.come_to_a_lens()
@@ -336,7 +336,7 @@ def test_switching_off_ends_what_follows_and_keeps_its_lens(desk, qtbot):
     assert desk.follow.text == ""
 
 
-def test_a_machine_that_does_not_keep_up_twice_is_left_alone(make_desk, qtbot):
+def test_following_is_switched_off_when_the_machine_is_too_slow_twice(make_desk, qtbot):
     desk = make_desk(patience_ms=50)
     desk.engine.hold()
     desk.edit(7)
@@ -351,7 +351,7 @@ def test_a_machine_that_does_not_keep_up_twice_is_left_alone(make_desk, qtbot):
     assert desk.document.session.result is None
 
 
-def test_a_first_lens_in_time_makes_up_for_a_late_one(make_desk, qtbot):
+def test_a_lens_in_time_resets_the_count_of_late_ones(make_desk, qtbot):
     desk = make_desk(patience_ms=50)
     desk.engine.hold()
     desk.edit(7)
@@ -363,7 +363,7 @@ def test_a_first_lens_in_time_makes_up_for_a_late_one(make_desk, qtbot):
     assert desk.follow._late == 0
 
 
-def test_the_end_of_what_never_held_begins_nothing_anew(desk):
+def test_releasing_a_hold_that_never_began_starts_no_design(desk):
     desk.edit(7)
     desk.follow.hold(False)
     desk.wait()

@@ -115,7 +115,7 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     assert window.document.session is before
 
 
-def test_a_hand_that_takes_the_lens_ends_what_follows(following, qtbot):
+def test_editing_the_lens_by_hand_stops_the_following_design(following, qtbot):
     window = following
     fill(qtbot, editor(window.forms, "screen.z"), "6")
     qtbot.waitUntil(lambda: window.document.session.result is not None)

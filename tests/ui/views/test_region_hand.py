@@ -5,7 +5,7 @@ import pytest
 from ui.views.region_hand import Grip, around, between, grip_at, reshaped
 from workbench.scene import EllipseRegion, PolygonRegion, RectangleRegion
 
-REACH = (0.01, 0.02)
+MARGIN = (0.01, 0.02)
 TRIANGLE = PolygonRegion(corners=((-0.2, -0.2), (0.2, -0.2), (0.0, 0.3)))
 
 
@@ -21,7 +21,7 @@ TRIANGLE = PolygonRegion(corners=((-0.2, -0.2), (0.2, -0.2), (0.0, 0.3)))
     ],
 )
 def test_a_rectangle_is_held_by_sides_and_corners(place, sides):
-    grip = grip_at([RectangleRegion(size=(0.5, 0.5))], place, REACH)
+    grip = grip_at([RectangleRegion(size=(0.5, 0.5))], place, MARGIN)
     assert grip == (Grip(0, sides=sides) if sides else None)
 
 
@@ -30,14 +30,14 @@ def test_a_rectangle_is_held_by_sides_and_corners(place, sides):
     [((0.005, 0.305), (2,)), ((0.0, -0.21), (0, 1)), ((-0.1, 0.05), (2, 0)), ((0.0, 0.0), ())],
 )
 def test_a_polygon_is_held_by_corners_and_sides(place, corners):
-    grip = grip_at([TRIANGLE], place, REACH)
+    grip = grip_at([TRIANGLE], place, MARGIN)
     assert grip == (Grip(0, corners=corners) if corners else None)
 
 
 def test_the_region_that_is_drawn_last_is_held():
     both = [RectangleRegion(size=(0.5, 0.5)), EllipseRegion(size=(0.5, 0.4))]
-    assert grip_at(both, (0.25, 0.0), REACH) == Grip(1, sides=(1,))
-    assert grip_at(both, (0.0, 0.25), REACH) == Grip(0, sides=(3,))
+    assert grip_at(both, (0.25, 0.0), MARGIN) == Grip(1, sides=(1,))
+    assert grip_at(both, (0.0, 0.25), MARGIN) == Grip(0, sides=(3,))
 
 
 def test_a_side_follows_the_hand_and_stays_on_the_receiver():
@@ -57,7 +57,7 @@ def test_corners_of_a_polygon_follow_the_hand():
     assert moved.corners == ((-0.15, -0.3), (0.25, -0.3), (0.0, 0.3))
 
 
-def test_what_is_too_small_is_no_region():
+def test_a_region_that_is_too_small_is_not_made():
     assert between((0.1, 0.1), (0.1, 0.4), "a") is None
     assert around([(0.0, 0.0), (0.1, 0.0), (0.1, 0.0)], "a") is None
     drawn = between((0.4, 0.3), (-0.9, -0.1), "Desk")

@@ -129,19 +129,19 @@ class BothFaces:
         for _ in range(_TRIALS):
             slopes = _slopes(coming, unit(way(fraction)), 1.0, self._index)
             slopes = self._light.evenly(slopes, "entrance", traced.entrance)
-            bent = self._fits["entrance"].heights(*slopes)
-            lacks = limits.lacks(bent)
+            heights = self._fits["entrance"].heights(*slopes)
+            lacks = limits.lacks(heights)
             if lacks <= 0:
-                return limits.placed(bent)
-            extent = float(np.ptp(bent))
+                return limits.placed(heights)
+            extent = float(np.ptp(heights))
             fraction *= _LESS * (extent - lacks) / extent
-        return limits.nearest(bent)
+        return limits.nearest(heights)
 
     def _exit(self, traced: LightInLens, goal: Goal) -> Array:
         """The exit face that turns light into its way behind the lens."""
         slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
-        bent = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
-        return self._limits["exit"].placed(bent)
+        heights = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
+        return self._limits["exit"].placed(heights)
 
 
 def cells_for(nets: Mapping[str, ControlNet]) -> int:

@@ -92,17 +92,17 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         return None
     transport = Transport(flux, wanted, weights, FEW_ROUNDS)
     faces = _Faces(scene, light, fit, limits)
-    heights = faces.bent(view.places(transport), heights, _ROUGH_FITS)
+    heights = faces.fitted(view.places(transport), heights, _ROUGH_FITS)
     flux = light.flux_or(heights, flux)
     transport.improve(flux, FEW_ROUNDS)
     fits = _FITS if scene.source.place is None else _NEAR_FITS
-    heights = faces.bent(view.places(transport), heights, fits)
+    heights = faces.fitted(view.places(transport), heights, fits)
     first = _Judged.of(scene, target, heights)
     if first.error < _GOOD:
         return first.heights
     transport.improve(flux)
     to = view.places(transport)
-    best = min(first, _Judged.of(scene, target, faces.bent(to, heights, fits)))
+    best = min(first, _Judged.of(scene, target, faces.fitted(to, heights, fits)))
     if best.error < _GOOD or faces.missed(to, best.heights) < _STRAIGHT:
         return best.heights
     begins = transport.back()
@@ -110,7 +110,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
         chart = Chart.of(view, wanted, faces.slopes_for(best.heights), begins)
         transport = chart.transport(light.flux_or(best.heights, flux), wanted)
         begins = chart.begins(transport)
-        heights = faces.bent(chart.places(transport), best.heights, fits)
+        heights = faces.fitted(chart.places(transport), best.heights, fits)
         before, best = best, min(best, _Judged.of(scene, target, heights))
         if best.error > _LESS * before.error:
             break
@@ -154,14 +154,14 @@ class _Faces(NamedTuple):
     fit: SlopeFit
     limits: HeightLimits
 
-    def bent(self, to: Pair, heights: Array, fits: int) -> Array:
+    def fitted(self, to: Pair, heights: Array, fits: int) -> Array:
         """Control heights of a face, from those of one like it, found in so many fits."""
         for _ in range(fits):
             heights = self.limits.placed(self.fit.heights(*self._wanted(to, heights)))
         return heights
 
     def missed(self, to: Pair, heights: Array) -> float:
-        """How far a face as it is found by `bent` sends light from where it should go.
+        """How far a face as it is found by `fitted` sends light from where it should go.
 
         In parts of the receiver's width, a root mean square. What a net of control points cannot
         follow is left out: only what no smooth face can.
