@@ -10,7 +10,6 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.commands.availability import Situation
 from ui.commands.language_choice import LANGUAGE, tell_of_language
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
@@ -34,20 +33,11 @@ from ui.run.lens_on_show import LensOnShow
 from ui.window.early_parts import EarlyParts
 from ui.window.layout import Layout
 from ui.window.view_state import ViewState
-from ui.words import later, tr
+from ui.window.window_state import WindowState
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
-
-_STATES = later(
-    {
-        "loading": "Loading…",
-        "idle": "Ready",
-        "running": "Designing…",
-        "paused": "Paused",
-        "stopping": "Stopping…",
-    }
-)
 
 
 class MainWindow(QMainWindow):
@@ -121,11 +111,11 @@ class MainWindow(QMainWindow):
         self._layout = Layout(self, self.workspace, settings)
         self._view_state = ViewState(self.commands, self._layout, self.log.add)
         self.loaded: LoadedParts | None = None
-        self._has_lens = False
         self._leaving = False  # whatever would be lost
         self._to_open: Path | None = None  # as soon as the run has ended
         self._closing = False  # as soon as the run has ended
         self.setAcceptDrops(True)
+        self._state = WindowState(early, self._lens)
         self._add_menus()
         self._connect()
         self._show_title()
@@ -137,6 +127,7 @@ class MainWindow(QMainWindow):
         from ui.window.loaded_parts import LoadedParts
 
         self.loaded = loaded = LoadedParts(self.early, self._settings, self)
+        self._state.loaded = loaded
         loaded.state_changed.connect(self._show_state)
         loaded.state_changed.connect(self._show_recent)
         loaded.control.ended.connect(self._end_run)
@@ -144,7 +135,7 @@ class MainWindow(QMainWindow):
         loaded.follow.hold(self.start_page.page is not None)
         self._lens.follow(loaded.control)
         self._carried.followed = loaded.follow.follows
-        loaded.follow.message.connect(self._tell_of_following)
+        loaded.follow.message.connect(self._show_following)
         self._view_state.attach(loaded.views.scene)
         self._show_state()
         self.built.emit()
@@ -178,7 +169,7 @@ class MainWindow(QMainWindow):
         self.reporter.close()
         if self.loaded is not None:
             self.loaded.close()
-            self.loaded = None  # nothing can be started any more
+            self.loaded = self._state.loaded = None  # nothing can be started any more
         super().closeEvent(event)
         self.closed.emit()
 
@@ -353,49 +344,9 @@ class MainWindow(QMainWindow):
     def _show_recent(self) -> None:
         self._recent.show(allowed=not self._busy)
 
-    def _tell_of_following(self, text: str) -> None:
-        """Say how far a lens is, many times a second; little else changes by it."""
-        if text and self._has_lens == (self.document.session.heights is not None):
-            self.status.go_on(text)
-        else:
-            self._show_state()
-
+    # Slots of the window itself: nothing calls them any more while its parts are taken down.
     def _show_state(self) -> None:
-        """What can be done depends on the run, on the result and on the undo stack."""
-        stack, commands = self.document.undo_stack, self.commands
-        session = self.document.session
-        now = Situation(
-            optic=session.scene.optic,
-            state="loading" if self.loaded is None else self.loaded.state,
-            has_lens=session.heights is not None,
-            lens=self._lens.text,
-            can_undo=stack.canUndo(),
-            can_redo=stack.canRedo(),
-            can_revert=self.document.path is not None and self.document.dirty,
-        )
-        self._has_lens = now.has_lens
-        commands.name_optic(session.scene.optic.called)
-        commands.allow(now.allows())
-        commands.explain(now.reasons())
-        commands.reword(now.texts())
-        undo, redo = (text.replace("&", "&&") for text in (stack.undoText(), stack.redoText()))
-        commands.reword(
-            {
-                "undo": tr("&Undo {undo}").format(undo=undo) if undo else tr("&Undo"),
-                "redo": tr("&Redo {redo}").format(redo=redo) if redo else tr("&Redo"),
-            }
-        )
-        commands["pause"].setChecked(now.state == "paused")
-        self.forms.set_running(not now.editable, paused=now.state == "paused")
-        self.workspace.history.setEnabled(now.editable)
-        if self.loaded is not None:
-            self.loaded.allow(look=now.resting, go_on=now.state == "idle")
-        ended = "" if session.result is None else tr(session.result.ended)
-        resting = now.state == "idle" and ended
-        following = "" if self.loaded is None else self.loaded.follow.text
-        if following:
-            self.status.go_on(following)
-        else:
-            self.status.show_state(
-                ended[0].upper() + ended[1:] if resting else tr(_STATES[now.state])
-            )
+        self._state.show()
+
+    def _show_following(self, text: str) -> None:
+        self._state.show_following(text)

@@ -2530,31 +2530,6 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Loading…</source>
-            <translation>Lädt …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Ready</source>
-            <translation>Bereit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Designing…</source>
-            <translation>Entwurf läuft …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Paused</source>
-            <translation>Angehalten</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Stopping…</source>
-            <translation>Wird gestoppt …</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
             <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
             <translation>Älteste Schritte ({count}) verworfen: zu viel Speicher zum Rückgängigmachen</translation>
         </message>
@@ -2592,16 +2567,6 @@
             <location filename="../../ui/main_window.py" />
             <source>Saved with the task that the run works on.</source>
             <translation>Gespeichert mit der Aufgabe, an der der Lauf arbeitet.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>&amp;Undo {undo}</source>
-            <translation>&amp;Rückgängig: {undo}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>&amp;Redo {redo}</source>
-            <translation>&amp;Wiederherstellen: {redo}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -4638,6 +4603,41 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../ui/window/view_state.py" />
             <source>The {what} kept with this design cannot be shown again: {error}</source>
             <translation>Mit diesem Entwurf Gespeichertes kann nicht wieder gezeigt werden ({what}): {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Loading…</source>
+            <translation>Lädt …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Ready</source>
+            <translation>Bereit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Designing…</source>
+            <translation>Entwurf läuft …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Paused</source>
+            <translation>Angehalten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopping…</source>
+            <translation>Wird gestoppt …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Undo {undo}</source>
+            <translation>&amp;Rückgängig: {undo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Redo {redo}</source>
+            <translation>&amp;Wiederherstellen: {redo}</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -7140,6 +7140,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/further_image.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sind angegeben; höchstens {most}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/grid_source.py" />
             <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
             <translation>{rays} von jedem der {points} Punkte sind zu viele; höchstens {most} Strahlen insgesamt</translation>
@@ -7275,16 +7280,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sind angegeben; höchstens {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/run.py" />
-            <source>unknown field; the automatic method has none</source>
-            <translation>unbekanntes Feld; die automatische Methode hat keines</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
             <translation>[{x:g}, {y:g}] dreht die Rückseite des Schirms zum Licht der Linse; seine Vorderseite muss der ganzen Linse zugewandt sein</translation>
@@ -7315,6 +7310,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{z:g} kann den Spiegel berühren oder hinter ihm liegen; weniger als {most:g}, der tiefste Wert, den er erreichen kann</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/stages.py" />
+            <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
+            <translation>sie lassen keine der {count} Iterationen für die Szene selbst; mehr als {least} insgesamt sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/stages.py" />
+            <source>unknown field; the automatic method has none</source>
+            <translation>unbekanntes Feld; die automatische Methode hat keines</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/target.py" />
             <source>takes {across:g} of the width away; at most {most:g}</source>
             <translation>schneidet {across:g} der Breite weg; höchstens {most:g}</translation>
@@ -7333,11 +7338,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; none</source>
             <translation>{count} angegeben, die nicht berücksichtigt werden können ({who}); keine</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
-            <translation>sie lassen keine der {count} Iterationen für die Szene selbst; mehr als {least} insgesamt sind nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />

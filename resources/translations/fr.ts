@@ -2530,31 +2530,6 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>Loading…</source>
-            <translation>Chargement…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Ready</source>
-            <translation>Prêt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Designing…</source>
-            <translation>Conception en cours…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Paused</source>
-            <translation>En pause</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Stopping…</source>
-            <translation>Arrêt…</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
             <source>Oldest steps ({count}) forgotten: too much memory to undo</source>
             <translation>Étapes les plus anciennes ({count}) oubliées : trop de mémoire pour annuler</translation>
         </message>
@@ -2592,16 +2567,6 @@
             <location filename="../../ui/main_window.py" />
             <source>Saved with the task that the run works on.</source>
             <translation>Enregistré avec la tâche sur laquelle travaille l'exécution.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>&amp;Undo {undo}</source>
-            <translation>A&amp;nnuler : {undo}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>&amp;Redo {redo}</source>
-            <translation>&amp;Rétablir : {redo}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -4638,6 +4603,41 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../ui/window/view_state.py" />
             <source>The {what} kept with this design cannot be shown again: {error}</source>
             <translation>Ce qui était gardé avec cette conception ne peut être remontré ({what}) : {error}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Loading…</source>
+            <translation>Chargement…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Ready</source>
+            <translation>Prêt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Designing…</source>
+            <translation>Conception en cours…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Paused</source>
+            <translation>En pause</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopping…</source>
+            <translation>Arrêt…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Undo {undo}</source>
+            <translation>A&amp;nnuler : {undo}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>&amp;Redo {redo}</source>
+            <translation>&amp;Rétablir : {redo}</translation>
         </message>
         <message>
             <location filename="../../ui/window/workspace.py" />
@@ -7140,6 +7140,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>n'est à aucune distance ; il faut un écran</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/further_image.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sont donnés ; au plus {most}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/grid_source.py" />
             <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
             <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
@@ -7275,16 +7280,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/region.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sont donnés ; au plus {most}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/run.py" />
-            <source>unknown field; the automatic method has none</source>
-            <translation>champ inconnu ; la méthode automatique n'en a pas</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
             <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière de la lentille ; sa face avant doit regarder toute la lentille</translation>
@@ -7315,6 +7310,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{z:g} peut toucher le miroir ou être derrière lui ; moins de {most:g}, le plus bas qu'il puisse atteindre</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/stages.py" />
+            <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
+            <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/stages.py" />
+            <source>unknown field; the automatic method has none</source>
+            <translation>champ inconnu ; la méthode automatique n'en a pas</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/target.py" />
             <source>takes {across:g} of the width away; at most {most:g}</source>
             <translation>enlève {across:g} de la largeur ; au plus {most:g}</translation>
@@ -7333,11 +7338,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; none</source>
             <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/task.py" />
-            <source>they leave none of the {count} iterations for the scene itself; more than {least} in all are needed</source>
-            <translation>elles ne laissent aucune des {count} itérations à la scène elle-même ; il en faut plus de {least} en tout</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
