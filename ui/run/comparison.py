@@ -81,6 +81,11 @@ class RunComparison(QDialog):
         """The runs on show."""
         return self._pair
 
+    @property
+    def readout(self) -> str:
+        """What is said of the place under the pointer."""
+        return self._readout.text()
+
     def show_pair(self, pair: Pair) -> None:
         """Show two runs."""
         self._pair = pair
