@@ -14,6 +14,7 @@ from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
 from workbench.design.levels import FINE, cells_of, image_of
 from workbench.design.memory import auto_memory, check_auto, memory_notes
+from workbench.design.near_sources import source_cells
 from workbench.design.run import run
 from workbench.errors import Refused
 from workbench.extended.blur import Blur
@@ -27,6 +28,10 @@ SCENES = {
     "sun": {"source": {"kind": "collimated", "rays": [16, 16], "angular_diameter": 0.533}},
     "point": {"source": {"kind": "point", "position": [0, 0, -30], "rays": 256}},
     "two faces": {"lens.entrance": {"shape": "freeform"}},
+    "lamp": {
+        "source": {"kind": "area", "center": [0, 0, -3], "half_width": [0.02, 0.02]},
+        "lens.control_points": [128, 128],
+    },
 }
 
 
@@ -61,7 +66,8 @@ def evaluation_peak(scene):
         face: torch.as_tensor(wavy(scene.with_net(net.shape)) - (0.3 if face == "entrance" else 0))
         for face, net in freeform_nets(scene.optic).items()
     }
-    image = image_of(FINE, scene, target, scene.receiver.half_extent, blur=blur_of(scene))
+    extent = scene.receiver.half_extent
+    image = image_of(FINE, scene, target, extent, blur=blur_of(scene), cells=source_cells(scene))
 
     def evaluate():
         given = {face: each.clone().requires_grad_() for face, each in heights.items()}
@@ -95,6 +101,8 @@ def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
     computed = memory._of_image(scene)
     if blur:
         computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts)
+    elif cells := source_cells(scene):
+        computed = memory._of_nodes(scene, cells)
     # It counts pieces of the heap, too.
     assert 1.05 * peaks[name] < computed < 1.4 * peaks[name]
 

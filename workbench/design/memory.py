@@ -46,6 +46,9 @@ _FAR, _NEAR, _BOTH = (26, 26), (58, 76), (122, 76)
 # Numbers of a node: those of hits and flux, the same on the wide image, and both cotangents, in the
 # precision of the trace; and in float64 hits, densities of triangles, and cotangents of these.
 _TRACED, _DRAWN = 9, 9
+# Those of a node where beams run between origins: hits and flux in the order of the trace and in
+# that of the samples, which are drawn in small batches.
+_OF_SAMPLES = 8
 # More of them in the precision of the trace: areas, depths and room to the rim on two faces; and
 # all that torch keeps where no kernel traces.
 _OF_TWO_FACES, _WITHOUT_KERNEL = 6, 60
@@ -142,11 +145,11 @@ def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
     """The same by so many cells, with so many times finer pixels where light is blurred."""
     grids = cells.origins * scene.source.point_count
     nodes = (cells.x + 1) * (cells.y + 1) * grids
-    traced = _TRACED + _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
+    traced = _OF_SAMPLES if cells.of_source else _TRACED
+    traced += _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
     if beam_kernel_of(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)) is None:
         traced += _WITHOUT_KERNEL
-    # Several grids are drawn one after the other, but for the small ones between origins.
-    drawn = _DRAWN if grids == 1 or cells.of_source else 0
+    drawn = _DRAWN if grids == 1 else 0  # several grids are drawn one after the other
     pixels = math.prod(max(finer, 1) * n * (1 + 2 * MARGINS[0]) for n in scene.receiver.pixels)
     numbers = traced * precision_of(scene).itemsize + drawn * _REAL
     images = _IMAGES + _BLURRED * (finer > 0)

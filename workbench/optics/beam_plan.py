@@ -137,6 +137,7 @@ class BeamPlan:
         if self._of_source is not None:
             found, splits = between_origins(found, self._of_source, tracer.mirrored)
         hits, account, room = found
+        del found  # or there are three arrays of all rays at the same time
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
         shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         wide = (n_x + 2 * m_x, n_y + 2 * m_y)

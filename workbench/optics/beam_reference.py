@@ -7,7 +7,7 @@ see `workbench.optics.kernels.beam_raster` for what each piece adds.
 import torch
 from torch import Tensor
 
-from workbench.optics.kernels.beam_image import Splits
+from workbench.optics.kernels.beam_image import Splits, repeated
 from workbench.optics.kernels.beam_raster import FARTHEST, ROUNDING, SLIVER
 
 
@@ -16,7 +16,8 @@ def reference_beam_image(
 ) -> tuple[Tensor, float]:
     """As `workbench.optics.beams.beam_image`."""
     n_x, n_y = pixels
-    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in splits[::-1])
+    each = repeated(splits[1], nodes.shape[1]), splits[0]
+    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
     column, row = (_shifted(hits.double(), (along_u, along_v)) for hits in nodes[:2])
     flux = nodes[2].double()  # of nodes, then of cells
     flux = flux[:-1] * along_u[:-1, 1:2] + flux[1:] * along_u[1:, :1]

@@ -33,7 +33,8 @@ def beam_image(
     splits : tuple of two ndarray, shape (m, 3) and (n, 3)
         Which parts of the flux of a ray belong to the cells before and behind it, along the last
         axis and along the one before; and 1 for rays between two cells of equal width. Several
-        grids may lie side by side: no flux belongs to the cells between them.
+        grids may lie side by side: no flux belongs to the cells between them. Where there are so
+        many times as many rows of rays, all grids are alike.
     pixels : tuple[int, int]
         (n_x, n_y).
     fused : bool

@@ -16,7 +16,7 @@ from torch import Tensor
 
 from workbench.optics.beam_reference import drawn, first_lines
 from workbench.optics.kernels import ready
-from workbench.optics.kernels.beam_image import Splits
+from workbench.optics.kernels.beam_image import Splits, repeated
 from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
 from workbench.optics.kernels.polygons import compiled_drawn
 
@@ -108,7 +108,8 @@ def rim_light(
 
 def _cells(nodes: Tensor, room: Tensor, splits: Splits) -> _Cells:
     """Cells to be cut; of their corners beside the rim what follows from those within."""
-    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in splits[::-1])
+    each = repeated(splits[1], nodes.shape[1]), splits[0]
+    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
     i, j = _beside_the_rim(room.detach() < 0)
     # Nodes of a cell and those around it, 4 × 4.
     (n, m), offsets = room.shape, torch.arange(-1, 3, device=nodes.device)

@@ -20,7 +20,6 @@ one sample to the next: there, beams between samples are right.
 
 import math
 
-import numpy as np
 import torch
 from torch import Tensor
 
@@ -55,14 +54,12 @@ def between_origins(
     """
     c_x, c_y = _cells(cells, mirrored)
     across, up = (places(Corners(c_x, c_y), axis).split for axis in (0, 1))
-    grids = _grids(nodes.hits, (c_x, c_y))
-    samples = math.prod(grids.shape[1:3])
 
     def turned(values: Tensor) -> Tensor:
         return _grids(values, (c_x, c_y)).reshape(len(values), -1, len(across))
 
     room = None if nodes.room is None else turned(nodes.room[None])[0]
-    return nodes._replace(hits=turned(nodes.hits), room=room), (across, np.tile(up, (samples, 1)))
+    return nodes._replace(hits=turned(nodes.hits), room=room), (across, up)
 
 
 def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool]) -> float:

@@ -28,6 +28,8 @@ Splits = tuple[Array, Array]
 _SHARES = 4
 # Grids of so few rows are drawn as one: what lies between them costs less than a call for each.
 _SMALL = 32
+# Nodes of grids that are alike and drawn as one: their triangles fit into the cache of a processor.
+_TOGETHER = 1 << 16
 
 
 def compiled_beam_image(
@@ -67,7 +69,7 @@ class _BeamImage(torch.autograd.Function):
     ) -> Tensor:
         hits = nodes.detach().contiguous().numpy()
         ctx.splits, ctx.mesh = splits, None
-        if grids := _grids(splits):
+        if grids := _grids(splits, hits.shape[1:]):
             image, landed = _forward_by_grids(hits, pixels, splits, grids)
         else:
             image, landed, ctx.mesh = _forward(hits, pixels, splits)
@@ -81,26 +83,46 @@ class _BeamImage(torch.autograd.Function):
         (nodes,) = ctx.saved_tensors
         hits, seen = nodes.detach().contiguous().numpy(), cotangent.double().contiguous().numpy()
         if ctx.mesh is None:
-            result = _back_by_grids(hits, seen, ctx.splits, _grids(ctx.splits))
+            grids = _grids(ctx.splits, hits.shape[1:])
+            result = _back_by_grids(hits, seen, ctx.splits, grids)
         else:
             result = _back(hits, ctx.mesh, seen)
         return torch.from_numpy(result), None, None, None
 
 
-def _grids(splits: Splits) -> list[slice]:
+def _grids(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
     """Rows of grids that lie side by side, if there are several that are drawn one by one.
 
     Diagonals of cells turn with the number of the row in its grid: small grids are drawn as one
     only if all have an even number of rows.
     """
-    along_v = splits[1]
+    along_v, (rows, columns) = splits[1], shape
+    if (alike := rows // len(along_v)) > 1:
+        each = len(along_v)
+        few = max(_TOGETHER // (each * columns), 1) if each % 2 == 0 else 1
+        return [
+            slice(each * begin, each * min(begin + few, alike)) for begin in range(0, alike, few)
+        ]
     first = np.flatnonzero(along_v[:, 0] == 0)
     if len(first) < 2:
         return []
-    rows = np.diff(first, append=len(along_v))
-    if rows.max() <= _SMALL and not (rows % 2).any():
+    counts = np.diff(first, append=len(along_v))
+    if counts.max() <= _SMALL and not (counts % 2).any():
         return []
     return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
+
+
+def _parted(splits: Splits, rows: slice) -> tuple[Array, Array]:
+    """Splits of some grids, along the first axis of their nodes, then along the second."""
+    along_u, along_v = splits
+    if rows.stop <= len(along_v):
+        return along_v[rows], along_u
+    return repeated(along_v, rows.stop - rows.start), along_u
+
+
+def repeated(along_v: Array, rows: int) -> Array:
+    """Splits along v of so many rows of grids that are alike."""
+    return np.tile(along_v, (rows // len(along_v), 1))
 
 
 def _forward(
@@ -152,7 +174,7 @@ def _forward_by_grids(
 
     def work(part: int) -> None:
         for rows in grids[at[part] : at[part + 1]]:
-            mesh, lands = _triangles(nodes[:, rows], (splits[1][rows], splits[0]), slivers[part])
+            mesh, lands = _triangles(nodes[:, rows], _parted(splits, rows), slivers[part])
             add_edges(*mesh[:3], 0, len(mesh.row), steps[part])
             landed[part] += lands
 
@@ -181,7 +203,7 @@ def _back_by_grids(
     def work(part: int) -> None:
         aside = np.zeros_like(cotangent)
         for rows in grids[at[part] : at[part + 1]]:
-            mesh, _ = _triangles(nodes[:, rows], (splits[1][rows], splits[0]), aside)
+            mesh, _ = _triangles(nodes[:, rows], _parted(splits, rows), aside)
             count, columns = mesh.row.shape
             d_nodes, d_density = np.zeros((3, count + 1, columns)), np.zeros_like(mesh.density)
             edges_back(*mesh[:3], cotangent, right, 0, count, d_nodes[0], d_nodes[1], d_density)
