@@ -26,7 +26,7 @@ from ui.words import LANGUAGES
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.jobs import JOBS
-from workbench.optics.account import words_for
+from workbench.optics.account import LOSSES, words_for
 from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
@@ -89,6 +89,8 @@ def _of_engine() -> Iterator[str]:
     for part in (Scene, *JOBS):
         yield from _of_part(part, seen)
     yield from BOUNDS.values()
+    yield from (text for loss in LOSSES.values() for text in (loss.where, loss.cure))
+    yield from (optic.body_called for optic in OPTICS)
     yield from SENTENCES.values()
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)

@@ -6496,6 +6496,101 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>passes beside it</source>
+            <translation>geht daran vorbei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger screen catches it</source>
+            <translation>ein größerer Schirm fängt es auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger far field catches it</source>
+            <translation>ein größeres Fernfeld fängt es auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>misses the lens</source>
+            <translation>verfehlt die Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger lens catches it</source>
+            <translation>eine größere Linse fängt es auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>leaves by the side</source>
+            <translation>tritt seitlich aus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a thinner lens, or a source farther away or nearer to the axis, keeps it</source>
+            <translation>eine dünnere Linse, oder eine Quelle weiter weg oder näher an der Achse, hält es</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is totally reflected</source>
+            <translation>wird totalreflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{flatter}thicker stock, a lower index or a target that needs less bending lets it out</source>
+            <translation>{flatter}dickeres Material, ein kleinerer Brechungsindex oder ein Ziel, das weniger Ablenkung braucht, lässt es hinaus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is reflected at the entrance</source>
+            <translation>wird am Eintritt reflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a source nearer to the axis lets it in</source>
+            <translation>eine Quelle näher an der Achse lässt es hinein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is reflected at the exit</source>
+            <translation>wird am Austritt reflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the glass</source>
+            <translation>absorbiert das Glas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a thinner lens or a clearer glass lets more of it through</source>
+            <translation>eine dünnere Linse oder ein klareres Glas lässt mehr davon durch</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>misses the mirror</source>
+            <translation>verfehlt den Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger mirror catches it</source>
+            <translation>ein größerer Spiegel fängt es auf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the mirror</source>
+            <translation>absorbiert der Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a coating with a higher reflectance reflects it</source>
+            <translation>eine Beschichtung mit höherem Reflexionsgrad reflektiert es</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>body of glass</source>
+            <translation>Glaskörper</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>missing; it is required</source>
             <translation>fehlt; es wird gebraucht</translation>
         </message>
@@ -6780,9 +6875,119 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu vergleichen</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/cut_lens.py" />
+            <source>its cut is not traced; only that of an exit face is</source>
+            <translation>der Schnitt wird nicht verfolgt; nur der einer Austrittsfläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>{i} is no control point; 0 to {last}</source>
+            <translation>{i} ist kein Kontrollpunkt; 0 bis {last}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>'{kind}' counts rays by pixel, which has no derivative; 'gaussian'</source>
+            <translation>'{kind}' zählt Strahlen je Pixel, was keine Ableitung hat; 'gaussian'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>1 counts rays by pixel, which has no derivative; 3 or more</source>
+            <translation>1 zählt Strahlen je Pixel, was keine Ableitung hat; 3 oder mehr</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
             <source>no light of this lens reaches the screen, so there is nothing to see</source>
             <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu sehen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{angle:g} degrees change nothing: {absent}; 0</source>
+            <translation>{angle:g} Grad ändern nichts: {absent}; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g} changes nothing: {absent}; 0</source>
+            <translation>{size:g} ändert nichts: {absent}; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{angle:g} degrees; at least 0, less than 45</source>
+            <translation>{angle:g} Grad; mindestens 0, weniger als 45</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; a finite number from 0 is needed</source>
+            <translation>{size:g}; eine endliche Zahl ab 0 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>a mirror has no other face</source>
+            <translation>ein Spiegel hat keine andere Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>there is no glass</source>
+            <translation>es gibt kein Glas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>a far field is at no distance</source>
+            <translation>ein Fernfeld hat keinen Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>this source lights the lens alike however it is turned</source>
+            <translation>diese Quelle beleuchtet die Linse gleich, wie sie auch gedreht ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>even light from infinitely far is the same everywhere</source>
+            <translation>gleichmäßiges Licht aus unendlicher Ferne ist überall dasselbe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else there may be no glass</source>
+            <translation>sonst gibt es vielleicht kein Glas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the screen may touch the lens</source>
+            <translation>sonst kann der Schirm die Linse berühren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the screen may touch the mirror</source>
+            <translation>sonst kann der Schirm den Spiegel berühren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the source may touch the lens</source>
+            <translation>sonst kann die Quelle die Linse berühren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the source may touch the mirror</source>
+            <translation>sonst kann die Quelle den Spiegel berühren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{scale:g}; from {least:g} to {width:g}</source>
+            <translation>{scale:g}; von {least:g} bis {width:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
+            <translation>{size:g}; mindestens 0, weniger als {room:g}, {otherwise}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerances.py" />
+            <source>the exit face may come {lower:.3g} nearer to the entrance face, more than half of the least thickness {half:.3g}: less is needed</source>
+            <translation>die Austrittsfläche kann der Eintrittsfläche um {lower:.3g} näher kommen, mehr als die halbe kleinste Dicke {half:.3g}: weniger ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tracing/trace.py" />
+            <source>{rays} are too many; at most {most}</source>
+            <translation>{rays} sind zu viele; höchstens {most}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/auto.py" />
@@ -6803,6 +7008,31 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
             <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>{part:.1%} {where}</source>
+            <translation>{part:.1%} {where}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>no light reaches the screen: of the emitted light {went}; {cure}</source>
+            <translation>kein Licht erreicht den Schirm: vom ausgesandten Licht {went}; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>no light reaches the far field: of the emitted light {went}; {cure}</source>
+            <translation>kein Licht erreicht das Fernfeld: vom ausgesandten Licht {went}; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>the loss is {loss} although {part:.0%} of the light is on the screen</source>
+            <translation>der Verlust ist {loss}, obwohl {part:.0%} des Lichts auf dem Schirm sind</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>the gradient of the loss is not finite for {bad} of {count} parameters</source>
+            <translation>der Gradient des Verlusts ist für {bad} von {count} Parametern nicht endlich</translation>
         </message>
         <message>
             <location filename="../../workbench/design/memory.py" />
@@ -6890,9 +7120,294 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>alle Kontrollpunkte sind gesperrt</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>stopped at iteration {iteration}: {why}{cause}</source>
+            <translation>angehalten bei Iteration {iteration}: {why}{cause}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>it has {count} characters; 1 to {most} are needed</source>
+            <translation>hat {count} Zeichen; 1 bis {most} sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>holds no lens yet; freeform design finds one</source>
+            <translation>enthält noch keine Linse; freeform design findet eine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>its lens was designed for another task, which was edited afterwards; freeform design goes on from it</source>
+            <translation>die Linse wurde für eine andere Aufgabe entworfen, die danach bearbeitet wurde; freeform design macht von ihr aus weiter</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/snapshot.py" />
             <source>stopped</source>
             <translation>gestoppt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/atomic.py" />
+            <source>cannot be written: its folder does not exist</source>
+            <translation>lässt sich nicht schreiben: der Ordner existiert nicht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/atomic.py" />
+            <source>cannot be written: {problem}</source>
+            <translation>lässt sich nicht schreiben: {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>is dark or has negative values; some light is needed</source>
+            <translation>ist dunkel oder hat negative Werte; etwas Licht ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{height:.5g} is no height of this lens; at most {farthest:g} {unit} from {front} are possible</source>
+            <translation>{height:.5g} ist keine Höhe dieser Linse; möglich sind höchstens {farthest:g} {unit} Abstand ({front})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{height:.5g} is no height of this mirror; at most {farthest:g} {unit} from {front} are possible</source>
+            <translation>{height:.5g} ist keine Höhe dieses Spiegels; möglich sind höchstens {farthest:g} {unit} Abstand ({front})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{value:.5g} is more than all light of the source in this pixel; {most:.5g} would be all of it</source>
+            <translation>{value:.5g} ist mehr als alles Licht der Quelle in diesem Pixel; {most:.5g} wäre alles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>has figures of {given} further images; the scene has {others}</source>
+            <translation>hat Zahlen von {given} weiteren Bildern; die Szene hat {others}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>has {count} losses; stages cannot have begun after {starts}</source>
+            <translation>hat {count} Verlustwerte; Stufen können nicht nach {starts} begonnen haben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>does not belong into this session</source>
+            <translation>gehört nicht in diese Sitzung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds an entry twice; each must be there once</source>
+            <translation>enthält einen Eintrag doppelt; jeder muss einmal da sein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is cut off</source>
+            <translation>ist abgeschnitten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds entries that overlap; each has bytes of its own</source>
+            <translation>enthält Einträge, die sich überlappen; jeder hat eigene Bytes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is missing; a session holds it</source>
+            <translation>fehlt; eine Sitzung enthält es</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is compressed or encrypted; sessions store entries as they are</source>
+            <translation>ist komprimiert oder verschlüsselt; Sitzungen speichern Einträge, wie sie sind</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has {size} bytes; at most {largest} are possible</source>
+            <translation>hat {size} Bytes; höchstens {largest} sind möglich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is a damaged or incomplete zip: {detail}</source>
+            <translation>ist ein beschädigtes oder unvollständiges ZIP: {detail}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
+            <translation>{ridge:g}; weniger als der Fräserradius {radius:g} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/formats.py" />
+            <source>has no ending that tells a format; one of {endings}</source>
+            <translation>hat keine Endung, die ein Format nennt; eine von {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a ball cutter of {radius:.4g} {unit} does not fit: it leaves {left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or run.min_tool_radius</source>
+            <translation>ein Kugelfräser von {radius:.4g} {unit} passt nicht: er lässt {left:.2g} stehen und schneidet {cut:.2g} {unit} zu viel weg; ein kleinerer, oder run.min_tool_radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings</source>
+            <translation>braucht OpenCASCADE, das pip install 'freeform-lens-workbench[iges]' bringt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not turn the shape into IGES</source>
+            <translation>OpenCASCADE konnte die Form nicht in IGES umwandeln</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not write the IGES file</source>
+            <translation>OpenCASCADE konnte die IGES-Datei nicht schreiben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not read the {ending} file again</source>
+            <translation>OpenCASCADE konnte die {ending}-Datei nicht wieder lesen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE finds no B-spline face in the IGES file that it wrote</source>
+            <translation>OpenCASCADE findet in der IGES-Datei, die es geschrieben hat, keine B-Spline-Fläche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/photometric.py" />
+            <source>no light leaves its {body}, so that it has no intensity</source>
+            <translation>kein Licht verlässt den {body}, also gibt es keine Lichtstärke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/tessellation.py" />
+            <source>{largest:.3g} {unit} is finer than the numbers of this format; at least {least:.3g}</source>
+            <translation>{largest:.3g} {unit} ist feiner als die Zahlen dieses Formats; mindestens {least:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/tessellation.py" />
+            <source>{largest:.3g} {unit} takes {triangles:.0f} triangles, more than {most}; about {possible:.2g} is possible</source>
+            <translation>{largest:.3g} {unit} braucht {triangles:.0f} Dreiecke, mehr als {most}; etwa {possible:.2g} ist möglich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>the {face} face is flat, so it has no file</source>
+            <translation>die Fläche „{face}“ ist eben, also hat sie keine Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>{version} is of a newer Freeform Lens Workbench, at most {most} can be read here; update the program</source>
+            <translation>{version} ist von einer neueren Freeform Lens Workbench, höchstens {most} lässt sich hier lesen; das Programm aktualisieren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>{count} are given; at most {most} are kept</source>
+            <translation>{count} sind gegeben; höchstens {most} werden aufbewahrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>cannot be kept as JSON: {error}</source>
+            <translation>lässt sich nicht als JSON aufbewahren: {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>takes {size} bytes; at most {most} are kept</source>
+            <translation>braucht {size} Bytes; höchstens {most} werden aufbewahrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>is nested too deeply; at most {most} levels are kept</source>
+            <translation>ist zu tief verschachtelt; höchstens {most} Ebenen werden aufbewahrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/json_text.py" />
+            <source>is given twice; each field can be there once</source>
+            <translation>ist doppelt angegeben; jedes Feld kann einmal da sein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds a value that is NaN or infinite; finite values are needed</source>
+            <translation>enthält einen Wert, der NaN oder unendlich ist; endliche Werte sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
+            <translation>enthält einen Wert, der weder 0 noch 1 ist; falsch oder wahr ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds {dtype}; {kind} is needed</source>
+            <translation>enthält {dtype}; {kind} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>has shape {found}; the scene needs {shape}</source>
+            <translation>hat die Form {found}; die Szene braucht {shape}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>is in Fortran order; C order is needed</source>
+            <translation>ist in Fortran-Reihenfolge; C-Reihenfolge ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>has {given} bytes of values; shape {shape} needs {size}</source>
+            <translation>hat {given} Bytes an Werten; die Form {shape} braucht {size}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>is no .npy array: its header cannot be read</source>
+            <translation>ist kein .npy-Array: der Kopf lässt sich nicht lesen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is no scene: it has more than {most} bytes</source>
+            <translation>ist keine Szene: mehr als {most} Bytes</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is neither a session nor a scene in UTF-8 text</source>
+            <translation>ist weder eine Sitzung noch eine Szene als UTF-8-Text</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>{name!r} is no text and cannot be kept in one</source>
+            <translation>{name!r} ist kein Text und lässt sich nicht in einem aufbewahren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>its text would have {size} bytes; at most {most} can be read</source>
+            <translation>der Text hätte {size} Bytes; höchstens {most} lassen sich lesen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>is no session: it does not begin like a zip</source>
+            <translation>ist keine Sitzung: der Anfang ist nicht der eines ZIP</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>would hold {count} kept runs; at most {most}</source>
+            <translation>enthielte {count} aufbewahrte Läufe; höchstens {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} at z = {end:g}: that is no {body}</source>
+            <translation>{face}: z = {z:.5g} {unit} bei x = {x:.4g}, y = {y:.4g}, nicht {limit} bei z = {end:g}: so gibt es keinen {body}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>above {front}</source>
+            <translation>über: {front}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>before the screen</source>
+            <translation>vor dem Schirm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>above the screen and the source</source>
+            <translation>über Schirm und Quelle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>below all</source>
+            <translation>unter allem</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/tool_path.py" />
+            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
+            <translation>{scallop:.2g} braucht {moves:,} Wege dieses Fräsers, mehr als {most:,}; eine größere</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -7090,9 +7605,69 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{wavelength:g} liegt außerhalb der Daten für {name}; {low:g} bis {high:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>missing; '{file}' does not name its unit</source>
+            <translation>fehlt; „{file}“ nennt keine Einheit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>'{file}' gives the lens no light: {error}</source>
+            <translation>„{file}“ gibt der Linse kein Licht: {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>'{file}' {reason}</source>
+            <translation>„{file}“ {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>is no photometric file; {endings} is needed</source>
+            <translation>ist keine photometrische Datei; {endings} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>hat mehr als {most} MB, zu viel für eine solche Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>lässt sich nicht verwenden: {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/read.py" />
+            <source>is no ray file; {endings} are known</source>
+            <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>does not exist; no file can have such a name</source>
+            <translation>existiert nicht; keine Datei kann so heißen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>is a folder; a file is needed</source>
+            <translation>ist ein Ordner; eine Datei ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>is a device or pipe; an ordinary file is needed</source>
+            <translation>ist ein Gerät oder eine Pipe; eine gewöhnliche Datei ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>does not exist; the name of a file is needed</source>
+            <translation>existiert nicht; der Name einer Datei ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>cannot be read: {problem}</source>
+            <translation>lässt sich nicht lesen: {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />
@@ -7353,11 +7928,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/targets/image.py" />
             <source>cannot be read: {why}</source>
             <translation>kann nicht gelesen werden: {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>holds a value that is NaN or infinite; finite values are needed</source>
-            <translation>enthält einen Wert, der NaN oder unendlich ist; endliche Werte sind nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />

@@ -6496,6 +6496,101 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>passes beside it</source>
+            <translation>passe à côté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger screen catches it</source>
+            <translation>un écran plus grand la capte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger far field catches it</source>
+            <translation>un champ lointain plus grand la capte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>misses the lens</source>
+            <translation>manque la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger lens catches it</source>
+            <translation>une lentille plus grande la capte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>leaves by the side</source>
+            <translation>sort par le côté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a thinner lens, or a source farther away or nearer to the axis, keeps it</source>
+            <translation>une lentille plus mince, ou une source plus éloignée ou plus proche de l'axe, la garde</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is totally reflected</source>
+            <translation>subit une réflexion totale</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{flatter}thicker stock, a lower index or a target that needs less bending lets it out</source>
+            <translation>{flatter}un brut plus épais, un indice plus faible ou une cible qui demande moins de déviation la laisse sortir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is reflected at the entrance</source>
+            <translation>est réfléchi à l'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a source nearer to the axis lets it in</source>
+            <translation>une source plus proche de l'axe la laisse entrer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is reflected at the exit</source>
+            <translation>est réfléchi à la sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the glass</source>
+            <translation>est absorbé par le verre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a thinner lens or a clearer glass lets more of it through</source>
+            <translation>une lentille plus mince ou un verre plus clair en laisse passer davantage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>misses the mirror</source>
+            <translation>manque le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a larger mirror catches it</source>
+            <translation>un miroir plus grand la capte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>is absorbed by the mirror</source>
+            <translation>est absorbé par le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>a coating with a higher reflectance reflects it</source>
+            <translation>un revêtement plus réfléchissant la réfléchit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>body of glass</source>
+            <translation>corps de verre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>missing; it is required</source>
             <translation>manque ; il est nécessaire</translation>
         </message>
@@ -6780,9 +6875,119 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à comparer</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/cut_lens.py" />
+            <source>its cut is not traced; only that of an exit face is</source>
+            <translation>sa coupe n'est pas tracée ; seule celle d'une face de sortie l'est</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>{i} is no control point; 0 to {last}</source>
+            <translation>{i} n'est pas un point de contrôle ; 0 à {last}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>'{kind}' counts rays by pixel, which has no derivative; 'gaussian'</source>
+            <translation>'{kind}' compte les rayons par pixel, ce qui n'a pas de dérivée ; 'gaussian'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/derivatives.py" />
+            <source>1 counts rays by pixel, which has no derivative; 3 or more</source>
+            <translation>1 compte les rayons par pixel, ce qui n'a pas de dérivée ; 3 ou plus</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
             <source>no light of this lens reaches the screen, so there is nothing to see</source>
             <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à voir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{angle:g} degrees change nothing: {absent}; 0</source>
+            <translation>{angle:g} degrés ne changent rien : {absent} ; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g} changes nothing: {absent}; 0</source>
+            <translation>{size:g} ne change rien : {absent} ; 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{angle:g} degrees; at least 0, less than 45</source>
+            <translation>{angle:g} degrés ; au moins 0, moins de 45</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; a finite number from 0 is needed</source>
+            <translation>{size:g} ; il faut un nombre fini à partir de 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>a mirror has no other face</source>
+            <translation>un miroir n'a pas d'autre face</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>there is no glass</source>
+            <translation>il n'y a pas de verre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>a far field is at no distance</source>
+            <translation>un champ lointain n'est à aucune distance</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>this source lights the lens alike however it is turned</source>
+            <translation>cette source éclaire la lentille de même, comment qu'on la tourne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>even light from infinitely far is the same everywhere</source>
+            <translation>une lumière uniforme venue de l'infini est partout la même</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else there may be no glass</source>
+            <translation>sinon il peut ne pas y avoir de verre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the screen may touch the lens</source>
+            <translation>sinon l'écran peut toucher la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the screen may touch the mirror</source>
+            <translation>sinon l'écran peut toucher le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the source may touch the lens</source>
+            <translation>sinon la source peut toucher la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>else the source may touch the mirror</source>
+            <translation>sinon la source peut toucher le miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{scale:g}; from {least:g} to {width:g}</source>
+            <translation>{scale:g} ; de {least:g} à {width:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerance_fields.py" />
+            <source>{size:g}; at least 0, less than {room:g}, {otherwise}</source>
+            <translation>{size:g} ; au moins 0, moins de {room:g}, {otherwise}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tolerances.py" />
+            <source>the exit face may come {lower:.3g} nearer to the entrance face, more than half of the least thickness {half:.3g}: less is needed</source>
+            <translation>la face de sortie peut s'approcher de {lower:.3g} de la face d'entrée, plus de la moitié de l'épaisseur minimale {half:.3g} : il en faut moins</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/tracing/trace.py" />
+            <source>{rays} are too many; at most {most}</source>
+            <translation>{rays} sont de trop ; au plus {most}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/auto.py" />
@@ -6803,6 +7008,31 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
             <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>{part:.1%} {where}</source>
+            <translation>{part:.1%} {where}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>no light reaches the screen: of the emitted light {went}; {cure}</source>
+            <translation>aucune lumière n'atteint l'écran : de la lumière émise, {went} ; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>no light reaches the far field: of the emitted light {went}; {cure}</source>
+            <translation>aucune lumière n'atteint le champ lointain : de la lumière émise, {went} ; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>the loss is {loss} although {part:.0%} of the light is on the screen</source>
+            <translation>la perte vaut {loss} bien que {part:.0%} de la lumière soit sur l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/loss.py" />
+            <source>the gradient of the loss is not finite for {bad} of {count} parameters</source>
+            <translation>le gradient de la perte n'est pas fini pour {bad} des {count} paramètres</translation>
         </message>
         <message>
             <location filename="../../workbench/design/memory.py" />
@@ -6890,9 +7120,294 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>tous les points de contrôle sont verrouillés</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>stopped at iteration {iteration}: {why}{cause}</source>
+            <translation>arrêté à l'itération {iteration} : {why}{cause}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>it has {count} characters; 1 to {most} are needed</source>
+            <translation>a {count} caractères ; il en faut 1 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>holds no lens yet; freeform design finds one</source>
+            <translation>ne contient pas encore de lentille ; freeform design en trouve une</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/session.py" />
+            <source>its lens was designed for another task, which was edited afterwards; freeform design goes on from it</source>
+            <translation>sa lentille a été conçue pour une autre tâche, modifiée depuis ; freeform design repart d'elle</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/snapshot.py" />
             <source>stopped</source>
             <translation>arrêté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/atomic.py" />
+            <source>cannot be written: its folder does not exist</source>
+            <translation>ne peut pas être écrit : son dossier n'existe pas</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/atomic.py" />
+            <source>cannot be written: {problem}</source>
+            <translation>ne peut pas être écrit : {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>is dark or has negative values; some light is needed</source>
+            <translation>est sombre ou a des valeurs négatives ; il faut un peu de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{height:.5g} is no height of this lens; at most {farthest:g} {unit} from {front} are possible</source>
+            <translation>{height:.5g} n'est pas une hauteur de cette lentille ; au plus {farthest:g} {unit} de distance sont possibles ({front})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{height:.5g} is no height of this mirror; at most {farthest:g} {unit} from {front} are possible</source>
+            <translation>{height:.5g} n'est pas une hauteur de ce miroir ; au plus {farthest:g} {unit} de distance sont possibles ({front})</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>{value:.5g} is more than all light of the source in this pixel; {most:.5g} would be all of it</source>
+            <translation>{value:.5g} dépasse toute la lumière de la source dans ce pixel ; {most:.5g} en serait la totalité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>has figures of {given} further images; the scene has {others}</source>
+            <translation>a les chiffres de {given} autres images ; la scène en a {others}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/designs.py" />
+            <source>has {count} losses; stages cannot have begun after {starts}</source>
+            <translation>a {count} valeurs de perte ; des étapes ne peuvent pas avoir commencé après {starts}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>does not belong into this session</source>
+            <translation>n'a pas sa place dans cette session</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds an entry twice; each must be there once</source>
+            <translation>contient une entrée en double ; chacune doit y être une fois</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is cut off</source>
+            <translation>est tronquée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>holds entries that overlap; each has bytes of its own</source>
+            <translation>contient des entrées qui se chevauchent ; chacune a ses propres octets</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is missing; a session holds it</source>
+            <translation>manque ; une session le contient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is compressed or encrypted; sessions store entries as they are</source>
+            <translation>est compressée ou chiffrée ; les sessions stockent les entrées telles quelles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>has {size} bytes; at most {largest} are possible</source>
+            <translation>a {size} octets ; au plus {largest} sont possibles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/entries.py" />
+            <source>is a damaged or incomplete zip: {detail}</source>
+            <translation>est un zip endommagé ou incomplet : {detail}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
+            <translation>{ridge:g} ; il faut moins que le rayon de la fraise {radius:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/formats.py" />
+            <source>has no ending that tells a format; one of {endings}</source>
+            <translation>n'a pas d'extension qui indique un format ; l'une de {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a ball cutter of {radius:.4g} {unit} does not fit: it leaves {left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or run.min_tool_radius</source>
+            <translation>une fraise hémisphérique de {radius:.4g} {unit} ne passe pas : elle laisse {left:.2g} et coupe {cut:.2g} {unit} de trop ; une plus petite, ou run.min_tool_radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings</source>
+            <translation>demande OpenCASCADE, que pip install 'freeform-lens-workbench[iges]' apporte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not turn the shape into IGES</source>
+            <translation>OpenCASCADE n'a pas pu convertir la forme en IGES</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not write the IGES file</source>
+            <translation>OpenCASCADE n'a pas pu écrire le fichier IGES</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE could not read the {ending} file again</source>
+            <translation>OpenCASCADE n'a pas pu relire le fichier {ending}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/iges.py" />
+            <source>OpenCASCADE finds no B-spline face in the IGES file that it wrote</source>
+            <translation>OpenCASCADE ne trouve aucune face B-spline dans le fichier IGES qu'il a écrit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/photometric.py" />
+            <source>no light leaves its {body}, so that it has no intensity</source>
+            <translation>aucune lumière ne quitte le {body}, il n'a donc pas d'intensité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/tessellation.py" />
+            <source>{largest:.3g} {unit} is finer than the numbers of this format; at least {least:.3g}</source>
+            <translation>{largest:.3g} {unit} est plus fin que les nombres de ce format ; au moins {least:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/tessellation.py" />
+            <source>{largest:.3g} {unit} takes {triangles:.0f} triangles, more than {most}; about {possible:.2g} is possible</source>
+            <translation>{largest:.3g} {unit} demande {triangles:.0f} triangles, plus de {most} ; environ {possible:.2g} est possible</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>the {face} face is flat, so it has no file</source>
+            <translation>la face « {face} » est plane, elle n'a donc pas de fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>{version} is of a newer Freeform Lens Workbench, at most {most} can be read here; update the program</source>
+            <translation>{version} vient d'un Freeform Lens Workbench plus récent, au plus {most} peut être lu ici ; mettez le programme à jour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>{count} are given; at most {most} are kept</source>
+            <translation>{count} sont donnés ; au plus {most} sont conservés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>cannot be kept as JSON: {error}</source>
+            <translation>ne peut pas être conservé en JSON : {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>takes {size} bytes; at most {most} are kept</source>
+            <translation>prend {size} octets ; au plus {most} sont conservés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/header.py" />
+            <source>is nested too deeply; at most {most} levels are kept</source>
+            <translation>est trop imbriqué ; au plus {most} niveaux sont conservés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/json_text.py" />
+            <source>is given twice; each field can be there once</source>
+            <translation>est donné deux fois ; chaque champ peut y être une fois</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds a value that is NaN or infinite; finite values are needed</source>
+            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds a value that is neither 0 nor 1; false or true is needed</source>
+            <translation>contient une valeur qui n'est ni 0 ni 1 ; il faut faux ou vrai</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>holds {dtype}; {kind} is needed</source>
+            <translation>contient {dtype} ; il faut {kind}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>has shape {found}; the scene needs {shape}</source>
+            <translation>est de forme {found} ; la scène demande {shape}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>is in Fortran order; C order is needed</source>
+            <translation>est dans l'ordre Fortran ; il faut l'ordre C</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>has {given} bytes of values; shape {shape} needs {size}</source>
+            <translation>a {given} octets de valeurs ; la forme {shape} en demande {size}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/npy.py" />
+            <source>is no .npy array: its header cannot be read</source>
+            <translation>n'est pas un tableau .npy : son en-tête est illisible</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is no scene: it has more than {most} bytes</source>
+            <translation>n'est pas une scène : plus de {most} octets</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>is neither a session nor a scene in UTF-8 text</source>
+            <translation>n'est ni une session ni une scène en texte UTF-8</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/scene.py" />
+            <source>{name!r} is no text and cannot be kept in one</source>
+            <translation>{name!r} n'est pas un texte et ne peut y être conservé</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>its text would have {size} bytes; at most {most} can be read</source>
+            <translation>son texte aurait {size} octets ; au plus {most} peuvent être lus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>is no session: it does not begin like a zip</source>
+            <translation>n'est pas une session : le début n'est pas celui d'un zip</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/session.py" />
+            <source>would hold {count} kept runs; at most {most}</source>
+            <translation>contiendrait {count} calculs conservés ; au plus {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} at z = {end:g}: that is no {body}</source>
+            <translation>{face} : z = {z:.5g} {unit} en x = {x:.4g}, y = {y:.4g}, non {limit} à z = {end:g} : il n'y a pas de {body}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>above {front}</source>
+            <translation>au-dessus de : {front}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>before the screen</source>
+            <translation>devant l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>above the screen and the source</source>
+            <translation>au-dessus de l'écran et de la source</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/body.py" />
+            <source>below all</source>
+            <translation>sous tout le reste</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/geometry/tool_path.py" />
+            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
+            <translation>{scallop:.2g} demande {moves:,} déplacements de cette fraise, plus de {most:,} ; une plus grande</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -7090,9 +7605,69 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{wavelength:g} est hors des données de {name} ; de {low:g} à {high:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>missing; '{file}' does not name its unit</source>
+            <translation>manque ; « {file} » ne nomme pas son unité</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>'{file}' gives the lens no light: {error}</source>
+            <translation>« {file} » ne donne pas de lumière à la lentille : {error}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/lamps.py" />
+            <source>'{file}' {reason}</source>
+            <translation>« {file} » {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>is no photometric file; {endings} is needed</source>
+            <translation>n'est pas un fichier photométrique ; il faut {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>a plus de {most} Mo, trop pour un tel fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/read.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>ne peut pas être utilisé : {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/read.py" />
+            <source>is no ray file; {endings} are known</source>
+            <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>does not exist; no file can have such a name</source>
+            <translation>n'existe pas ; aucun fichier ne peut avoir un tel nom</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>is a folder; a file is needed</source>
+            <translation>est un dossier ; il faut un fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>is a device or pipe; an ordinary file is needed</source>
+            <translation>est un périphérique ou un tube ; il faut un fichier ordinaire</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>does not exist; the name of a file is needed</source>
+            <translation>n'existe pas ; il faut le nom d'un fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/reading.py" />
+            <source>cannot be read: {problem}</source>
+            <translation>ne peut pas être lu : {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />
@@ -7353,11 +7928,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/targets/image.py" />
             <source>cannot be read: {why}</source>
             <translation>ne peut être lu : {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>holds a value that is NaN or infinite; finite values are needed</source>
-            <translation>contient une valeur NaN ou infinie ; il faut des valeurs finies</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />

@@ -5,11 +5,13 @@ import re
 from pathlib import Path
 
 import pytest
+import torch
 from matplotlib.figure import Figure
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
+import workbench
 import workbench.pictures
 import workbench.scene
 from ui.commands.language_choice import LANGUAGE
@@ -17,9 +19,12 @@ from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
 from ui.words import error_text, inside, later, speak, spoken, spoken_by_system, tr
+from workbench.design.loss import check_light
 from workbench.errors import Refused, RunFailed
+from workbench.files.session import open_design
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
+from workbench.optics.account import Account
 from workbench.said import Said
 
 
@@ -95,6 +100,45 @@ def test_a_run_that_fails_says_why_in_the_language_of_the_window(speaking):
     dark = "no light of this lens reaches the screen, so there is nothing to see"
     speaking("fr")
     assert error_text(RunFailed(Said(dark))).startswith("aucune lumière")
+
+
+def test_light_that_is_lost_is_named_in_the_language_of_the_window(make_scene, speaking):
+    account = Account(0.0, {"total_reflection": 0.9, "missed_lens": 0.1})
+    with pytest.raises(RunFailed) as failed:
+        check_light(torch.zeros(2, 2), account, make_scene({"lens.base": {"shape": "flat"}}))
+    assert error_text(failed.value) == str(failed.value)
+    assert "of the emitted light 10.0% misses the lens, 90.0% is totally refl" in str(failed.value)
+    speaking("de")
+    said = error_text(failed.value)
+    assert said.startswith("kein Licht erreicht den Schirm: vom ausgesandten Licht 10.0% verfehlt")
+    assert said.endswith("das weniger Ablenkung braucht, lässt es hinaus")
+
+
+def test_refusals_of_files_are_said_in_the_language_of_the_window(tmp_path, speaking):
+    with pytest.raises(Refused) as refused:
+        open_design(tmp_path / "none.json")
+    speaking("fr")
+    assert error_text(refused.value).endswith(
+        "n'existe pas ; il faut le nom d'un fichier".replace(" ;", "\u00a0;")
+    )
+
+
+# What only the command line says.
+_NO_WINDOW = re.compile(r"(cli|sweep|analysis/benchmark)/|analysis/mitsuba")
+
+
+def test_what_a_window_shows_of_refusals_has_words_and_values_apart():
+    root = Path(workbench.__file__).parent
+    found = [
+        f"{name}:{call.lineno}"
+        for file in sorted(root.rglob("*.py"))
+        if not _NO_WINDOW.match(name := file.relative_to(root).as_posix())
+        for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(call, ast.Call)
+        and getattr(call.func, "id", "") in ("Refused", "RunFailed")
+        and any(literals(call.args[-1]))
+    ]
+    assert not found, f"said in English alone: {found}; use `workbench.said.Said`"
 
 
 def test_labels_of_pictures_are_translated_and_units_stay(speaking):

@@ -18,6 +18,7 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.tool_path import Raster
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, of_equal, within
 
@@ -74,7 +75,7 @@ def tracing_cut(
     """
     optic = scene.optic
     if optic.onwards < 0:
-        raise Refused("mirror", "its cut is not traced; only that of an exit face is")
+        raise Refused("mirror", Said("its cut is not traced; only that of an exit face is"))
     images: list[list[Array]] = [[], []]
     for number in range(BATCHES):
         designed, train = (

@@ -16,6 +16,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.plan import Plan, device_of
+from workbench.said import Said
 from workbench.scene import Scene
 
 # Torch has one level of dual numbers for all threads together.
@@ -119,15 +120,20 @@ def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
     scene.check_one_image("derivative maps")
     for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
-            raise Refused(f"index[{axis}]", f"{i} is no control point; 0 to {count - 1}")
+            raise Refused(
+                f"index[{axis}]", Said("{i} is no control point; 0 to {last}", i=i, last=count - 1)
+            )
     if not scene.filter.smooth:
         raise Refused(
             "filter.kind",
-            f"'{scene.filter.kind}' counts rays by pixel, which has no derivative; 'gaussian'",
+            Said(
+                "'{kind}' counts rays by pixel, which has no derivative; 'gaussian'",
+                kind=scene.filter.kind,
+            ),
         )
     for axis, size in enumerate(scene.filter.size):
         if size == 1:
             raise Refused(
                 f"filter.size[{axis}]",
-                "1 counts rays by pixel, which has no derivative; 3 or more",
+                Said("1 counts rays by pixel, which has no derivative; 3 or more"),
             )

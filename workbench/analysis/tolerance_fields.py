@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Literal
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 if TYPE_CHECKING:
     from workbench.scene import Scene
@@ -59,15 +60,20 @@ class ToleranceField:
 
     def check(self, name: str, size: float, scene: "Scene") -> None:
         """Refuse an error of what a scene does not have, and what is no size of an error."""
-        shown, change = f"{size:g}", "changes"
-        if self.unit == "degrees":
-            shown, change = f"{math.degrees(size):g} degrees", "change"
+        angle = math.degrees(size)
         if size and not self.there(scene):
-            raise Refused(name, f"{shown} {change} nothing: {self.absent}; 0")
+            raise Refused(
+                name,
+                Said(
+                    "{angle:g} degrees change nothing: {absent}; 0", angle=angle, absent=self.absent
+                )
+                if self.unit == "degrees"
+                else Said("{size:g} changes nothing: {absent}; 0", size=size, absent=self.absent),
+            )
         if self.unit == "degrees" and not 0 <= size < math.pi / 4:
-            raise Refused(name, f"{shown}; at least 0, less than 45")
+            raise Refused(name, Said("{angle:g} degrees; at least 0, less than 45", angle=angle))
         if not 0 <= size < math.inf:
-            raise Refused(name, f"{shown}; a finite number from 0 is needed")
+            raise Refused(name, Said("{size:g}; a finite number from 0 is needed", size=size))
 
 
 def _tolerance(*about: Any, default: Any = 0.0, **more: Any) -> Any:
@@ -78,7 +84,7 @@ def _between_faces(scene: "Scene") -> bool:
     return scene.optic.most_faces > 1
 
 
-_ONE_FACE = "a mirror has no other face"
+_ONE_FACE = Said("a mirror has no other face")
 
 
 @dataclass(frozen=True)
@@ -141,7 +147,7 @@ class Tolerances:
         "index off by up to",
         "",
         there=lambda scene: scene.optic.index > 1,
-        absent="there is no glass",
+        absent=Said("there is no glass"),
     )
     distance: float = _tolerance(
         "Screen ±",
@@ -149,7 +155,7 @@ class Tolerances:
         "distance off by up to",
         "length",
         there=lambda scene: scene.receiver.at_distance,
-        absent="a far field is at no distance",
+        absent=Said("a far field is at no distance"),
     )
     source_tilt: float = _tolerance(
         "Source tilt",
@@ -157,7 +163,7 @@ class Tolerances:
         "source tilt up to",
         "degrees",
         there=lambda scene: scene.source.turns,
-        absent="this source lights the lens alike however it is turned",
+        absent=Said("this source lights the lens alike however it is turned"),
     )
     source_shift: float = _tolerance(
         "Source shift",
@@ -165,7 +171,7 @@ class Tolerances:
         "source shift up to",
         "length",
         there=lambda scene: scene.source.moves,
-        absent="even light from infinitely far is the same everywhere",
+        absent=Said("even light from infinitely far is the same everywhere"),
     )
     surface: tuple[float, float] = _tolerance(
         "Surface",
@@ -220,20 +226,28 @@ class Tolerances:
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic
         if self.index:
-            _check_room("index", self.index, optic.index - 1, "else there may be no glass")
+            _check_room("index", self.index, optic.index - 1, Said("else there may be no glass"))
         if self.distance:
             room = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
-            touch = f"else the screen may touch the {optic.called}"
+            touch = Said("else the screen may touch the {optic}", optic=optic.called)
             _check_room("distance", self.distance, room, touch)
         if self.source_shift:
             room = optic.front_z - scene.source.nearest_z
-            touch = f"else the source may touch the {optic.called}"
+            touch = Said("else the source may touch the {optic}", optic=optic.called)
             _check_room("source_shift", self.source_shift, room, touch)
         width = 2 * max(optic.half_width)
         for name in PAIRS:
             amplitude, scale = getattr(self, name)
             if amplitude > 0 and not FINEST * width <= scale <= width:
-                raise Refused(f"{name}[1]", f"{scale:g}; from {FINEST * width:g} to {width:g}")
+                raise Refused(
+                    f"{name}[1]",
+                    Said(
+                        "{scale:g}; from {least:g} to {width:g}",
+                        scale=scale,
+                        least=FINEST * width,
+                        width=width,
+                    ),
+                )
 
 
 ABOUT: Mapping[str, ToleranceField] = {
@@ -247,4 +261,12 @@ PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.de
 
 def _check_room(name: str, size: float, room: float, otherwise: str) -> None:
     if not size < room:
-        raise Refused(name, f"{size:g}; at least 0, less than {room:g}, {otherwise}")
+        raise Refused(
+            name,
+            Said(
+                "{size:g}; at least 0, less than {room:g}, {otherwise}",
+                size=size,
+                room=room,
+                otherwise=otherwise,
+            ),
+        )

@@ -19,6 +19,7 @@ from workbench.analysis.validation import validate
 from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.said import Said
 from workbench.scene import FreeformEntrance, Optic, Scene
 
 
@@ -262,8 +263,12 @@ def _check_faces(optic: Optic, heights: Mapping[str, Array], tolerances: Toleran
         if lower >= found.thinnest.bound / 2:  # each has half of the thickness to itself
             raise Refused(
                 name,
-                f"the exit face may come {lower:.3g} nearer to the entrance face, more than half "
-                f"of the least thickness {found.thinnest.bound:.3g}: less is needed",
+                Said(
+                    "the exit face may come {lower:.3g} nearer to the entrance face, "
+                    "more than half of the least thickness {half:.3g}: less is needed",
+                    lower=lower,
+                    half=found.thinnest.bound,
+                ),
             )
 
 

@@ -8,7 +8,11 @@ from torch import Tensor
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.optics.account import LOSSES, Account
+from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
+
+# Losses of a smaller part of the light are not worth to be named.
+_TOLD = 5e-4
 
 
 def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -75,9 +79,20 @@ def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
         return
     parts = {LOSSES[name]: flux / account.emitted for name, flux in account.lost.items()}
     most = max(parts, key=lambda loss: parts[loss])
-    went = ", ".join(f"{part:.1%} {loss.where}" for loss, part in parts.items() if part > 5e-4)
-    cure = most.cure_in(scene)
-    raise RunFailed(f"no light reaches the screen: of the emitted light {went}; {cure}")
+    named = {
+        f"loss_{number}": Said("{part:.1%} {where}", part=part, where=Said(loss.where))
+        for number, (loss, part) in enumerate(parts.items())
+        if part > _TOLD
+    }
+    went = Said(", ".join(f"{{{name}}}" for name in named), **named)
+    raise RunFailed(
+        Said(
+            "no light reaches the {receiver}: of the emitted light {went}; {cure}",
+            receiver=scene.receiver.called,
+            went=went,
+            cure=most.cure_in(scene),
+        )
+    )
 
 
 def check_finite(loss: Tensor, account: Account) -> None:
@@ -91,7 +106,11 @@ def check_finite(loss: Tensor, account: Account) -> None:
     if not torch.isfinite(loss):
         part = account.efficiency
         raise RunFailed(
-            f"the loss is {loss.item()} although {part:.0%} of the light is on the screen"
+            Said(
+                "the loss is {loss} although {part:.0%} of the light is on the screen",
+                loss=loss.item(),
+                part=part,
+            )
         )
 
 
@@ -106,5 +125,9 @@ def check_gradient(gradient: Tensor) -> None:
     bad = int((~torch.isfinite(gradient)).sum())
     if bad:
         raise RunFailed(
-            f"the gradient of the loss is not finite for {bad} of {gradient.numel()} parameters"
+            Said(
+                "the gradient of the loss is not finite for {bad} of {count} parameters",
+                bad=bad,
+                count=gradient.numel(),
+            )
         )

@@ -98,8 +98,14 @@ def run(
                 ended: str = end.value
                 break
             except RunFailed as error:
-                why = f"{error}{_cause(room, scene)}"
-                raise RunFailed(f"stopped at iteration {iteration}: {why}") from None
+                raise RunFailed(
+                    Said(
+                        "stopped at iteration {iteration}: {why}{cause}",
+                        iteration=iteration,
+                        why=error.args[0],
+                        cause=_cause(room, scene),
+                    )
+                ) from None
             state = step.state
             merit = state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.

@@ -16,6 +16,7 @@ from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.said import Said
 from workbench.scene import Scene, Unit
 
 LONGEST_NAME = 100
@@ -93,7 +94,12 @@ class KeptRun:
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= LONGEST_NAME:
             raise Refused(
-                "name", f"it has {len(self.name)} characters; 1 to {LONGEST_NAME} are needed"
+                "name",
+                Said(
+                    "it has {count} characters; 1 to {most} are needed",
+                    count=len(self.name),
+                    most=LONGEST_NAME,
+                ),
             )
 
 
@@ -255,11 +261,13 @@ def result_of(session: Session, name: str = "session") -> Result:
     if session.result is not None:
         return session.result
     if session.start is None:
-        raise Refused(name, "holds no lens yet; freeform design finds one")
+        raise Refused(name, Said("holds no lens yet; freeform design finds one"))
     raise Refused(
         name,
-        "its lens was designed for another task, which was edited afterwards; "
-        "freeform design goes on from it",
+        Said(
+            "its lens was designed for another task, which was edited "
+            "afterwards; freeform design goes on from it"
+        ),
     )
 
 

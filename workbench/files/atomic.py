@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 try:
     import fcntl
@@ -82,9 +83,11 @@ def _refusing(path: Path) -> Iterator[None]:
     try:
         yield
     except FileNotFoundError as error:
-        raise Refused(str(path), "cannot be written: its folder does not exist") from error
+        raise Refused(str(path), Said("cannot be written: its folder does not exist")) from error
     except OSError as error:
-        raise Refused(str(path), f"cannot be written: {error.strerror or error}") from error
+        raise Refused(
+            str(path), Said("cannot be written: {problem}", problem=error.strerror or error)
+        ) from error
 
 
 def _mode(target: Path) -> int | None:

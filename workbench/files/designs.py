@@ -18,6 +18,7 @@ from workbench.files.entries import Entries
 from workbench.files.figures import AccountFigures, Figures
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
+from workbench.said import Said
 from workbench.scene import DrawnTarget, Scene
 
 _TARGET = "target.npy"
@@ -143,7 +144,9 @@ def _read_target(entries: Entries, name: str, scene: Scene) -> Array:
     n_x, n_y = scene.receiver.pixels
     target = entries.array(name, (n_y, n_x))
     if target.min() < 0 or not target.any():
-        raise Refused(entries.where(name), "is dark or has negative values; some light is needed")
+        raise Refused(
+            entries.where(name), Said("is dark or has negative values; some light is needed")
+        )
     peak = float(target.max())
     return target if _TINY < peak < _HUGE else frozen(target / peak)
 
@@ -185,8 +188,15 @@ def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]
         i, j = np.unravel_index(away.argmax(), away.shape)
         raise Refused(
             f"{entries.where(name)}[{i}, {j}]",
-            f"{heights[i, j]:.5g} is no height of this {optic.called}; at most {farthest:g} "
-            f"{scene.unit} from {optic.front_called} are possible",
+            Said(
+                "{height:.5g} is no height of this {optic}; at most {farthest:g} "
+                "{unit} from {front} are possible",
+                height=heights[i, j],
+                optic=optic.called,
+                farthest=farthest,
+                unit=scene.unit,
+                front=optic.front_called,
+            ),
         )
     return heights
 
@@ -200,8 +210,12 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountF
         row, column = np.unravel_index(brightness.argmax(), irradiance.shape)
         raise Refused(
             f"{entries.where(name)}[{row}, {column}]",
-            f"{irradiance[row, column]:.5g} is more than all light of the source in this pixel; "
-            f"{most[row, column]:.5g} would be all of it",
+            Said(
+                "{value:.5g} is more than all light of the source in this pixel; "
+                "{most:.5g} would be all of it",
+                value=irradiance[row, column],
+                most=most[row, column],
+            ),
         )
     return irradiance
 
@@ -214,7 +228,11 @@ def _read_further(
     if len(given) != len(others):
         raise Refused(
             entries.where("session.json"),
-            f"has figures of {len(given)} further images; the scene has {len(others)}",
+            Said(
+                "has figures of {given} further images; the scene has {others}",
+                given=len(given),
+                others=len(others),
+            ),
         )
     return tuple(
         FurtherLight(
@@ -241,7 +259,11 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
     if list(starts) != sorted(starts) or not all(0 <= at <= figures.iterations for at in starts):
         raise Refused(
             entries.where(folder + _LOSS),
-            f"has {figures.iterations} losses; stages cannot have begun after {shown(starts)}",
+            Said(
+                "has {count} losses; stages cannot have begun after {starts}",
+                count=figures.iterations,
+                starts=shown(starts),
+            ),
         )
     state = LensState(
         heights=read_heights(entries, scene, _CONTROL_POINTS, folder),

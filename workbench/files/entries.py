@@ -11,6 +11,7 @@ from typing import BinaryIO
 from workbench.arrays import Array, Mask
 from workbench.errors import Refused, shown
 from workbench.files.npy import largest_size, read_array, read_mask
+from workbench.said import Said
 
 # What zipfile raises on damaged archives, besides OSError.
 _DAMAGE = (
@@ -58,26 +59,37 @@ class Entries:
         """Refuse a zip that holds anything else, anything twice, or more than its size."""
         for name in self._archive.namelist():
             if name not in needed:
-                raise Refused(self.where(shown(name)), "does not belong into this session")
+                raise Refused(self.where(shown(name)), Said("does not belong into this session"))
         if len(self._archive.namelist()) > len(self._names):
-            raise Refused(str(self._path), "holds an entry twice; each must be there once")
+            raise Refused(str(self._path), Said("holds an entry twice; each must be there once"))
         entries = self._archive.infolist()
         for info in entries:
             if info.header_offset + info.compress_size > self._size:
-                raise Refused(self.where(info.filename), "is cut off")
+                raise Refused(self.where(info.filename), Said("is cut off"))
         if sum(info.compress_size for info in entries) > self._size:
-            raise Refused(str(self._path), "holds entries that overlap; each has bytes of its own")
+            raise Refused(
+                str(self._path), Said("holds entries that overlap; each has bytes of its own")
+            )
 
     def content(self, name: str, largest: int) -> bytes:
         """The bytes of an entry, at most so many."""
         where = self.where(name)
         if name not in self:
-            raise Refused(where, "is missing; a session holds it")
+            raise Refused(where, Said("is missing; a session holds it"))
         info = self._archive.getinfo(name)
         if info.compress_type != zipfile.ZIP_STORED or info.compress_size != info.file_size:
-            raise Refused(where, "is compressed or encrypted; sessions store entries as they are")
+            raise Refused(
+                where, Said("is compressed or encrypted; sessions store entries as they are")
+            )
         if info.file_size > largest:
-            raise Refused(where, f"has {info.file_size} bytes; at most {largest} are possible")
+            raise Refused(
+                where,
+                Said(
+                    "has {size} bytes; at most {largest} are possible",
+                    size=info.file_size,
+                    largest=largest,
+                ),
+            )
         with self._whole():
             return self._archive.read(info)
 
@@ -96,4 +108,6 @@ class Entries:
         except _DAMAGE as error:
             # Some quote what they found, be it as long as the file.
             detail = shorten(str(error) or "it ends too soon", 100, placeholder=" ...")
-            raise Refused(str(self._path), f"is a damaged or incomplete zip: {detail}") from error
+            raise Refused(
+                str(self._path), Said("is a damaged or incomplete zip: {detail}", detail=detail)
+            ) from error

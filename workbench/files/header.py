@@ -11,6 +11,7 @@ from workbench.errors import Refused
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.json_text import check_fields_once
 from workbench.refusals import refusal
+from workbench.said import Said
 from workbench.scene import AutoNet, Part, Scene
 from workbench.scene.net import NetShape
 
@@ -76,8 +77,12 @@ def read_header(text: bytes, where: str) -> Header:
         if kind.version > VERSION:
             raise Refused(
                 f"{where}: version",
-                f"{kind.version} is of a newer Freeform Lens Workbench, at most {VERSION} can be "
-                "read here; update the program",
+                Said(
+                    "{version} is of a newer Freeform Lens Workbench, at most {most} "
+                    "can be read here; update the program",
+                    version=kind.version,
+                    most=VERSION,
+                ),
             )
         header = Header.model_validate_json(text)
     except ValidationError as error:
@@ -86,7 +91,10 @@ def read_header(text: bytes, where: str) -> Header:
     check_fields_once(text, f"{where}: ")
     runs = header.runs or ()
     if len(runs) > MOST_RUNS:
-        raise Refused(f"{where}: runs", f"{len(runs)} are given; at most {MOST_RUNS} are kept")
+        raise Refused(
+            f"{where}: runs",
+            Said("{count} are given; at most {most} are kept", count=len(runs), most=MOST_RUNS),
+        )
     plain_view(header.view, f"{where}: view")
     return header
 
@@ -124,12 +132,16 @@ def plain_view(view: Mapping[str, Any] | None, where: str) -> dict[str, Any] | N
         text = json.dumps(view, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
         size = len(text.encode())
     except (TypeError, ValueError, RecursionError) as error:
-        raise Refused(where, f"cannot be kept as JSON: {error}") from None
+        raise Refused(where, Said("cannot be kept as JSON: {error}", error=error)) from None
     if size > LARGEST_VIEW:
-        raise Refused(where, f"takes {size} bytes; at most {LARGEST_VIEW} are kept")
+        raise Refused(
+            where, Said("takes {size} bytes; at most {most} are kept", size=size, most=LARGEST_VIEW)
+        )
     plain: dict[str, Any] | None = json.loads(text)
     if _depth(plain) > _DEEPEST_VIEW:
-        raise Refused(where, f"is nested too deeply; at most {_DEEPEST_VIEW} levels are kept")
+        raise Refused(
+            where, Said("is nested too deeply; at most {most} levels are kept", most=_DEEPEST_VIEW)
+        )
     return plain
 
 

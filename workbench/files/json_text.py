@@ -6,6 +6,7 @@ from typing import Any
 
 from workbench.errors import Refused
 from workbench.refusals import field_name
+from workbench.said import Said
 
 
 class _Fields(list[tuple[str, Any]]):
@@ -32,7 +33,7 @@ def check_fields_once(text: str | bytes, before: str = "") -> None:
         text, object_pairs_hook=_Fields, parse_int=str, parse_float=str, parse_constant=str
     )
     for path in _twice(read, ""):
-        raise Refused(before + path, "is given twice; each field can be there once")
+        raise Refused(before + path, Said("is given twice; each field can be there once"))
 
 
 def _twice(value: object, path: str) -> Iterator[str]:

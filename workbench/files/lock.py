@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 if sys.platform == "win32":
     import msvcrt
@@ -37,7 +38,9 @@ def locked(path: Path, busy: str) -> Iterator[None]:
     except BlockingIOError as error:
         raise Refused(str(path.parent), busy) from error
     except OSError as error:
-        raise Refused(str(path), f"cannot be written: {error.strerror or error}") from error
+        raise Refused(
+            str(path), Said("cannot be written: {problem}", problem=error.strerror or error)
+        ) from error
     try:
         yield
     finally:

@@ -9,6 +9,7 @@ import numpy as np
 
 from workbench.arrays import Array, Mask
 from workbench.errors import Refused
+from workbench.said import Said
 
 _LONGEST_HEADER = 1024
 _HEADER_READERS = {
@@ -53,7 +54,9 @@ def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
     values = _values(content, shape, np.dtype("<f8"), where)
     array = np.frombuffer(values, dtype=np.float64).reshape(shape)
     if not np.isfinite(array).all():
-        raise Refused(where, "holds a value that is NaN or infinite; finite values are needed")
+        raise Refused(
+            where, Said("holds a value that is NaN or infinite; finite values are needed")
+        )
     return array
 
 
@@ -61,7 +64,7 @@ def read_mask(content: bytes, shape: tuple[int, ...], where: str) -> Mask:
     """Read an array of bool; else as `read_array`."""
     values = np.frombuffer(_values(content, shape, np.dtype("?"), where), dtype=np.uint8)
     if (values > 1).any():
-        raise Refused(where, "holds a value that is neither 0 nor 1; false or true is needed")
+        raise Refused(where, Said("holds a value that is neither 0 nor 1; false or true is needed"))
     return values.view(np.bool_).reshape(shape)
 
 
@@ -69,15 +72,25 @@ def _values(content: bytes, shape: tuple[int, ...], kind: np.dtype[Any], where: 
     file = io.BytesIO(content)
     found, fortran, dtype = _read_header(file, where)
     if dtype != kind:
-        raise Refused(where, f"holds {dtype}; {kind} is needed")
+        raise Refused(where, Said("holds {dtype}; {kind} is needed", dtype=dtype, kind=kind))
     if found != shape:
-        raise Refused(where, f"has shape {found}; the scene needs {shape}")
+        raise Refused(
+            where, Said("has shape {found}; the scene needs {shape}", found=found, shape=shape)
+        )
     if fortran:
-        raise Refused(where, "is in Fortran order; C order is needed")
+        raise Refused(where, Said("is in Fortran order; C order is needed"))
     values = file.read()
     size = kind.itemsize * math.prod(shape)
     if len(values) != size:
-        raise Refused(where, f"has {len(values)} bytes of values; shape {shape} needs {size}")
+        raise Refused(
+            where,
+            Said(
+                "has {given} bytes of values; shape {shape} needs {size}",
+                given=len(values),
+                shape=shape,
+                size=size,
+            ),
+        )
     return values
 
 
@@ -88,4 +101,4 @@ def _read_header(file: IO[bytes], where: str) -> tuple[tuple[int, ...], bool, np
             read = _HEADER_READERS[version]
             return read(file, max_header_size=_LONGEST_HEADER)
     except Exception as error:  # the header is a Python literal: whatever parsing one raises
-        raise Refused(where, "is no .npy array: its header cannot be read") from error
+        raise Refused(where, Said("is no .npy array: its header cannot be read")) from error

@@ -7,6 +7,7 @@ from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.json_text import check_fields_once
 from workbench.reading import opened
+from workbench.said import Said
 from workbench.scene import Scene
 
 LARGEST_TEXT = 1 << 20
@@ -34,11 +35,13 @@ def read_scene(path: Path) -> Scene:
     with opened(path) as file:
         content = file.read(LARGEST_TEXT + 1)
     if len(content) > LARGEST_TEXT:
-        raise Refused(str(path), f"is no scene: it has more than {LARGEST_TEXT} bytes")
+        raise Refused(
+            str(path), Said("is no scene: it has more than {most} bytes", most=LARGEST_TEXT)
+        )
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise Refused(str(path), "is neither a session nor a scene in UTF-8 text") from error
+        raise Refused(str(path), Said("is neither a session nor a scene in UTF-8 text")) from error
     try:
         scene = Scene.from_json(text)
         check_fields_once(text)
@@ -83,5 +86,7 @@ def _portable(field: str, file: Path, folder: Path) -> str:
     try:
         name.encode()
     except UnicodeEncodeError as error:
-        raise Refused(field, f"{name!r} is no text and cannot be kept in one") from error
+        raise Refused(
+            field, Said("{name!r} is no text and cannot be kept in one", name=name)
+        ) from error
     return name

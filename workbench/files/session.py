@@ -46,6 +46,7 @@ from workbench.files.scene import (
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.reading import opened
+from workbench.said import Said
 from workbench.scene import Scene
 
 HEADER = "session.json"
@@ -108,7 +109,12 @@ def write_session(session: Session, path: Path) -> str:
     text = _header(session, path).model_dump_json(indent=2, exclude_none=True).encode()
     if len(text) > LARGEST_TEXT:
         raise Refused(
-            str(path), f"its text would have {len(text)} bytes; at most {LARGEST_TEXT} can be read"
+            str(path),
+            Said(
+                "its text would have {size} bytes; at most {most} can be read",
+                size=len(text),
+                most=LARGEST_TEXT,
+            ),
         )
     arrays: dict[str, Array | Mask] = {
         **entries_of("", session.scene, session.target, session.result)
@@ -154,7 +160,7 @@ def read_session(path: Path) -> Session:
         If it cannot be read or is not, in every entry, what `write_session` writes.
     """
     if not is_session(path):
-        raise Refused(str(path), "is no session: it does not begin like a zip")
+        raise Refused(str(path), Said("is no session: it does not begin like a zip"))
     with opened(path) as file:
         entries = Entries(path, file)
         where = entries.where(HEADER)
@@ -210,7 +216,14 @@ def _pictures_of(session: Session) -> dict[str, bytes]:
 
 def _header(session: Session, path: Path) -> Header:
     if len(session.runs) > MOST_RUNS:
-        raise Refused(str(path), f"would hold {len(session.runs)} kept runs; at most {MOST_RUNS}")
+        raise Refused(
+            str(path),
+            Said(
+                "would hold {count} kept runs; at most {most}",
+                count=len(session.runs),
+                most=MOST_RUNS,
+            ),
+        )
     runs = [
         RunHeader(
             name=run.name,

@@ -12,6 +12,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
+from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
 # Faces that are so near, over the half-width, touch: meshes and solids cannot tell them apart.
@@ -62,25 +63,35 @@ def check_body(
     inside = outline_of(optic).contains(x[:, None], y)
     height, floor = (np.where(inside, z, z[middle]) for z in (height, floor))
     for room, limit in (
-        (height - floor, f"{below} at z = {{:g}}"),
-        (high - height, f"{above} at z = {high:g}"),
+        (height - floor, below),
+        (high - height, above),
     ):
         if room.min() <= gap:
             i, j = np.unravel_index(room.argmin(), room.shape)
             raise Refused(
                 optic.called,
-                f"its {optic.face_called} is at z = {height[i, j]:.5g} {scene.unit} at "
-                f"x = {x[i]:.4g}, y = {y[j]:.4g}, not {limit.format(floor[i, j])}: "
-                f"that is no {optic.body_called}",
+                Said(
+                    "its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} "
+                    "at z = {end:g}: that is no {body}",
+                    face=Said(optic.face_called),
+                    z=height[i, j],
+                    unit=scene.unit,
+                    x=x[i],
+                    y=y[j],
+                    limit=limit,
+                    end=floor[i, j] if limit is below else high,
+                    body=Said(optic.body_called),
+                ),
             )
 
 
-def _room(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, str, str]:
+def _room(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
     """What a face has to stay between, and what is there."""
     optic = scene.optic
     ends = [receiver.nearest_to(optic) for receiver in receivers]
     if optic.onwards > 0:
         place = optic.entrance_range[0] - optic.entrance_offsets[0]
-        return place, min(ends), f"above {optic.front_called}", "before the screen"
+        above = Said("above {front}", front=optic.front_called)
+        return place, min(ends), above, Said("before the screen")
     low = max(*ends, scene.source.nearest_z)
-    return low, math.inf, "above the screen and the source", "below all"
+    return low, math.inf, Said("above the screen and the source"), Said("below all")

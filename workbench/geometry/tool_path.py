@@ -18,6 +18,7 @@ from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
+from workbench.said import Said
 from workbench.watch import Steps, of_equal, within
 
 _NEWTON = 4  # steps to where the ball touches, from the lattice
@@ -179,8 +180,13 @@ class CutFace:
         if math.prod(counts) > most:
             raise Refused(
                 "scallop",
-                f"{scallop:.2g} takes {math.prod(counts):,} moves of this cutter, more than "
-                f"{most:,}; a larger one",
+                Said(
+                    "{scallop:.2g} takes {moves:,} moves of this cutter, more than "
+                    "{most:,}; a larger one",
+                    scallop=scallop,
+                    moves=math.prod(counts),
+                    most=most,
+                ),
             )
         (x_end, y_end), (m_x, m_y) = ends, counts
         x, y = np.linspace(-x_end, x_end, 2 * m_x - 1), np.linspace(-y_end, y_end, m_y)

@@ -13,6 +13,7 @@ from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
 from workbench.measured.rays.placed import PlacedRays, placed
 from workbench.reading import opened
+from workbench.said import Said
 from workbench.scene import (
     AreaSource,
     MeasuredSource,
@@ -50,7 +51,9 @@ def rays_of(source: RayFileSource) -> RaySet:
     """
     rays = _read(source, _rays)
     if rays.unit is None and source.file_unit is None:
-        raise Refused("source.file_unit", f"missing; '{source.file}' does not name its unit")
+        raise Refused(
+            "source.file_unit", Said("missing; '{file}' does not name its unit", file=source.file)
+        )
     return rays
 
 
@@ -71,7 +74,10 @@ def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
         face = (optic.half_width, optic.front_z)
         return _model(source, source.unit, rays_of(source), *face, points)
     except ValueError as error:
-        raise Refused("source.file", f"'{source.file}' gives the lens no light: {error}") from None
+        raise Refused(
+            "source.file",
+            Said("'{file}' gives the lens no light: {error}", file=source.file, error=error),
+        ) from None
 
 
 def of_known_size(source: Source, optic: Optic) -> Source:
@@ -131,7 +137,9 @@ def _read(
             return read(source.file, source.content, None)
         return read(source.file, None, _state(source.file))
     except Refused as refused:
-        raise Refused("source.file", f"'{refused.path}' {refused.reason}") from refused
+        raise Refused(
+            "source.file", Said("'{file}' {reason}", file=refused.path, reason=refused.reason)
+        ) from refused
 
 
 def _state(file: str) -> tuple[int, ...] | None:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 HTML, PDF = (".html", ".htm"), (".pdf",)
 
@@ -17,4 +18,6 @@ def check_ending(file: Path) -> None:
     """
     if file.suffix.lower() not in (*HTML, *PDF):
         known = ", ".join((*HTML, *PDF))
-        raise Refused(str(file), f"has no ending that tells a format; one of {known}")
+        raise Refused(
+            str(file), Said("has no ending that tells a format; one of {endings}", endings=known)
+        )

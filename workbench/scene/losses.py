@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
+from workbench.said import Said
+
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
@@ -29,10 +31,10 @@ class Loss(NamedTuple):
     cure: str
     always: bool = False
 
-    def cure_in(self, scene: "Scene") -> str:
+    def cure_in(self, scene: "Scene") -> Said:
         """The cure for a scene."""
-        flatter = "" if scene.optic.base.shape == "flat" else "a flatter base, "
-        return self.cure.format(receiver=scene.receiver.called, flatter=flatter)
+        flatter = Said("" if scene.optic.base.shape == "flat" else "a flatter base, ")
+        return Said(self.cure, receiver=scene.receiver.called, flatter=flatter)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,12 @@ class Cutting:
         radius, ridge = self.tool_radius, self.scallop
         if radius is not None and ridge is not None and ridge >= radius:
             raise Refused(
-                "scallop", f"{ridge:g}; less than the cutter's radius {radius:g} is needed"
+                "scallop",
+                Said(
+                    "{ridge:g}; less than the cutter's radius {radius:g} is needed",
+                    ridge=ridge,
+                    radius=radius,
+                ),
             )
 
 

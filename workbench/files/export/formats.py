@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 from workbench.errors import Refused
+from workbench.said import Said
 
 if TYPE_CHECKING:
     from workbench.files.export.design import Design, Deviation
@@ -119,4 +120,7 @@ def format_of(path: Path) -> Format:
     for found in reversed(FORMATS):
         if name.endswith(found.endings):
             return found
-    raise Refused(str(path), f"has no ending that tells a format; one of {', '.join(ENDINGS)}")
+    raise Refused(
+        str(path),
+        Said("has no ending that tells a format; one of {endings}", endings=", ".join(ENDINGS)),
+    )

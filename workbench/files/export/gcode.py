@@ -13,6 +13,7 @@ import numpy as np
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.tool_path import CutFace, Raster
+from workbench.said import Said
 from workbench.watch import Steps, finished
 
 _FINE = 1e-4  # height of ridges over the larger half-width
@@ -58,8 +59,15 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     if cut_off > _OFF * scallop or left > _LEFT * scallop:
         raise Refused(
             "tool_radius",
-            f"a ball cutter of {radius:.4g} {design.unit} does not fit: it leaves {left:.2g} and "
-            f"cuts off {max(cut_off, 0):.2g} {design.unit}; a smaller one, or run.min_tool_radius",
+            Said(
+                "a ball cutter of {radius:.4g} {unit} does not fit: it leaves "
+                "{left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or "
+                "run.min_tool_radius",
+                radius=radius,
+                unit=design.unit,
+                left=left,
+                cut=max(cut_off, 0),
+            ),
         )
     for line in _program(design, raster, scallop, plan.top):
         file.write(f"{line}\n".encode())

@@ -11,6 +11,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.files.export.design import METRES, Design, Deviation
 from workbench.files.export.step import write_step, write_step_face
+from workbench.said import Said
 
 _UNIT = {"mm": "MM", "cm": "CM", "m": "M", "inch": "INCH"}
 _PLACES = 33  # along each axis, where the face that has been written is measured
@@ -44,7 +45,8 @@ def _write(
         import OCP.IGESControl  # noqa: F401
     except ImportError as error:
         raise Refused(
-            ".iges", "needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings"
+            ".iges",
+            Said("needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings"),
         ) from error
     _be_quiet()
     with tempfile.TemporaryDirectory() as folder:
@@ -74,7 +76,7 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     solids = 1  # not faces alone, where there is one
     writer = IGESControl_Writer(unit, solids)
     if not writer.AddShape(_read(STEPControl_Reader(), step)):
-        raise RunFailed("OpenCASCADE could not turn the shape into IGES")
+        raise RunFailed(Said("OpenCASCADE could not turn the shape into IGES"))
     writer.ComputeModel()
     # Neither user nor time, so that the same lens gives the same file.
     model = writer.Model()
@@ -86,14 +88,16 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     header.SetLastChangeDate(Text("19700101.000000"))
     model.SetGlobalSection(header)
     if not writer.Write(str(iges)):
-        raise RunFailed("OpenCASCADE could not write the IGES file")
+        raise RunFailed(Said("OpenCASCADE could not write the IGES file"))
 
 
 def _read(reader: Any, path: Path) -> Any:
     from OCP.IFSelect import IFSelect_ReturnStatus
 
     if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise RunFailed(f"OpenCASCADE could not read the {path.suffix} file again")
+        raise RunFailed(
+            Said("OpenCASCADE could not read the {ending} file again", ending=path.suffix)
+        )
     reader.TransferRoots()
     return reader.OneShape()
 
@@ -102,7 +106,7 @@ def _face_error(faces: Sequence[Design], path: Path) -> float:
     """Largest distance, along z, of the B-spline faces in a file from those of the lens."""
     found = [_places(faces[0], surface) for surface in _spline_faces(path)]
     if not found:
-        raise RunFailed("OpenCASCADE finds no B-spline face in the IGES file that it wrote")
+        raise RunFailed(Said("OpenCASCADE finds no B-spline face in the IGES file that it wrote"))
     return max(min(_distance(face, places) for places in found) for face in faces)
 
 

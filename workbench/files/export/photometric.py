@@ -17,6 +17,7 @@ from workbench.files.export.design import Design, Deviation
 from workbench.files.export.leaving import LeavingRays, leaving
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.table import solid_angles, table_of
+from workbench.said import Said
 from workbench.scene import Optic
 
 _LUMENS = 1000.0  # of the source
@@ -91,8 +92,13 @@ def intensity_of_rays(rays: LeavingRays, optic: Optic) -> IntensityTable:
         If no ray leaves the optic.
     """
     if not len(rays.flux):
-        problem = f"no light leaves its {optic.body_called}, so that it has no intensity"
-        raise Refused("session", problem)
+        raise Refused(
+            "session",
+            Said(
+                "no light leaves its {body}, so that it has no intensity",
+                body=Said(optic.body_called),
+            ),
+        )
     x, y, z = rays.direction.T * np.array([[1.0], [optic.onwards], [optic.onwards]])
     angle = np.degrees(np.arctan2(np.hypot(x, y), z))
     gamma = _angles(angle, rays.flux)

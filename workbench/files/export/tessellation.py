@@ -13,6 +13,7 @@ from workbench.errors import Refused
 from workbench.files.export.design import Design
 from workbench.geometry.basis import local_basis
 from workbench.geometry.bounds import derivative_range
+from workbench.said import Said
 
 Indices = npt.NDArray[np.int64]
 
@@ -86,8 +87,13 @@ class Tessellation(NamedTuple):
         if largest < 2 * rounding:
             raise Refused(
                 "--chord-error",
-                f"{largest:.3g} {design.unit} is finer than the numbers of this format; "
-                f"at least {2 * rounding:.3g}",
+                Said(
+                    "{largest:.3g} {unit} is finer than the numbers of this format; at "
+                    "least {least:.3g}",
+                    largest=largest,
+                    unit=design.unit,
+                    least=2 * rounding,
+                ),
             )
         allowed = largest - rounding
         if not design.outline.whole:
@@ -252,8 +258,15 @@ def _check_cells(cells: float, design: Design) -> None:
         largest = design.largest_chord_error
         raise Refused(
             "--chord-error",
-            f"{largest:.3g} {design.unit} takes {2 * cells:.0f} triangles, more than "
-            f"{2 * _MOST_CELLS}; about {1.1 * largest * cells / _MOST_CELLS:.2g} is possible",
+            Said(
+                "{largest:.3g} {unit} takes {triangles:.0f} triangles, more than "
+                "{most}; about {possible:.2g} is possible",
+                largest=largest,
+                unit=design.unit,
+                triangles=2 * cells,
+                most=2 * _MOST_CELLS,
+                possible=1.1 * largest * cells / _MOST_CELLS,
+            ),
         )
 
 

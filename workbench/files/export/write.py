@@ -12,6 +12,7 @@ from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
+from workbench.said import Said
 
 
 class Written(NamedTuple):
@@ -78,7 +79,9 @@ def export(
     faces = result.state.heights.keys()
     for path, found in zip(paths, formats, strict=True):
         if found.face is not None and found.face not in faces:
-            raise Refused(str(path), f"the {found.face} face is flat, so it has no file")
+            raise Refused(
+                str(path), Said("the {face} face is flat, so it has no file", face=found.face)
+            )
         check_writable(path)
     for path, found in zip(paths, formats, strict=True):
         write = found.load()

@@ -8,6 +8,7 @@ from workbench.errors import Refused, visible
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
 from workbench.measured.photometry.table import IntensityTable
+from workbench.said import Said
 
 _READERS: Mapping[str, Callable[[bytes], IntensityTable]] = {".ies": read_ies, ".ldt": read_ldt}
 ENDINGS = tuple(_READERS)
@@ -32,11 +33,19 @@ def read_photometry(name: PurePath, file: BinaryIO) -> IntensityTable:
     """
     reader = _READERS.get(name.suffix.lower())
     if reader is None:
-        raise Refused(str(name), f"is no photometric file; {' or '.join(ENDINGS)} is needed")
+        raise Refused(
+            str(name),
+            Said("is no photometric file; {endings} is needed", endings=" or ".join(ENDINGS)),
+        )
     content = file.read(_LARGEST + 1)
     if len(content) > _LARGEST:
-        raise Refused(str(name), f"has more than {_LARGEST >> 20} MB, too many for such a file")
+        raise Refused(
+            str(name),
+            Said("has more than {most} MB, too many for such a file", most=_LARGEST >> 20),
+        )
     try:
         return reader(content)
     except ValueError as error:
-        raise Refused(str(name), f"cannot be used: {visible(str(error))}") from error
+        raise Refused(
+            str(name), Said("cannot be used: {problem}", problem=visible(str(error)))
+        ) from error

@@ -9,6 +9,7 @@ from workbench.measured.rays.opticstudio import read_dat
 from workbench.measured.rays.rayset import RaySet
 from workbench.measured.rays.table import read_csv
 from workbench.measured.rays.tm25 import read_tm25
+from workbench.said import Said
 
 _READERS: Mapping[str, Callable[[BinaryIO], RaySet]] = {
     ".tm25ray": read_tm25,
@@ -36,8 +37,12 @@ def read_rays(name: PurePath, file: BinaryIO) -> RaySet:
     """
     reader = _READERS.get(name.suffix.lower())
     if reader is None:
-        raise Refused(str(name), f"is no ray file; {', '.join(ENDINGS)} are known")
+        raise Refused(
+            str(name), Said("is no ray file; {endings} are known", endings=", ".join(ENDINGS))
+        )
     try:
         return reader(file)
     except ValueError as error:
-        raise Refused(str(name), f"cannot be used: {visible(str(error))}") from error
+        raise Refused(
+            str(name), Said("cannot be used: {problem}", problem=visible(str(error)))
+        ) from error
