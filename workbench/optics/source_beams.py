@@ -70,14 +70,18 @@ def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool
     nodes, cells, mirrored
         As for `between_origins`; an even number of cells.
     """
-    grids = _grids(nodes.hits.double(), _cells(cells, mirrored))
-    hits, flux = grids[:2], grids[2].sum((-2, -1))
+    grids = _grids(nodes.hits, _cells(cells, mirrored))
+    flux = grids[2].sum((-2, -1), dtype=torch.float64)
     middle = [0 if half else count // 2 for count, half in zip(cells, mirrored, strict=True)]
     x, y = middle
+
+    def hits(v: int, u: int) -> Tensor:
+        return grids[:2, ..., v, u].double()
+
     # From rim to rim of the source, or from its middle to one rim.
-    wide = (hits[..., y, -1] - hits[..., y, 0]) * (1 + mirrored[0])
-    high = (hits[..., -1, x] - hits[..., 0, x]) * (1 + mirrored[1])
-    here = hits[..., y, x]
+    wide = (hits(y, -1) - hits(y, 0)) * (1 + mirrored[0])
+    high = (hits(-1, x) - hits(0, x)) * (1 + mirrored[1])
+    here = hits(y, x)
     farthest = torch.zeros_like(flux)
     for axis in (1, 2):
         step = here.diff(dim=axis)
