@@ -105,7 +105,7 @@ def test_a_run_that_fails_says_why_in_the_language_of_the_window(speaking):
 def test_light_that_is_lost_is_named_in_the_language_of_the_window(make_scene, speaking):
     account = Account(0.0, {"total_reflection": 0.9, "missed_lens": 0.1})
     with pytest.raises(RunFailed) as failed:
-        check_light(torch.zeros(2, 2), account, make_scene({"lens.base": {"shape": "flat"}}))
+        check_light(torch.zeros(2, 2), account, make_scene())
     assert error_text(failed.value) == str(failed.value)
     assert "of the emitted light 10.0% misses the lens, 90.0% is totally refl" in str(failed.value)
     speaking("de")
@@ -123,8 +123,8 @@ def test_refusals_of_files_are_said_in_the_language_of_the_window(tmp_path, spea
     )
 
 
-# What only the command line says.
-_NO_WINDOW = re.compile(r"(cli|sweep|analysis/benchmark)/|analysis/mitsuba")
+# What only the command line and scripts are told.
+_NO_WINDOW = re.compile(r"(cli|sweep|analysis/benchmark)/|analysis/mitsuba|scene/further_image")
 
 
 def test_what_a_window_shows_of_refusals_has_words_and_values_apart():
