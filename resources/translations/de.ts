@@ -4519,6 +4519,16 @@
             <translation>Verschieben von {region}</translation>
         </message>
         <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>Mean curvature</source>
+            <translation>Mittlere Krümmung</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/screen_image_view.py" />
             <source>Draw a line</source>
             <translation>Eine Linie ziehen</translation>
@@ -5828,11 +5838,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>A flame-like logo on black.</source>
             <translation>Ein flammenähnliches Logo auf Schwarz.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Height</source>
-            <translation>Höhe</translation>
         </message>
         <message>
             <location filename="../../workbench" />

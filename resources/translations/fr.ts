@@ -4519,6 +4519,16 @@
             <translation>déplacement de {region}</translation>
         </message>
         <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>Height</source>
+            <translation>Hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/scene_contents.py" />
+            <source>Mean curvature</source>
+            <translation>Courbure moyenne</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/screen_image_view.py" />
             <source>Draw a line</source>
             <translation>Tracer une ligne</translation>
@@ -5828,11 +5838,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>A flame-like logo on black.</source>
             <translation>Un logo en forme de flamme sur fond noir.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Height</source>
-            <translation>Hauteur</translation>
         </message>
         <message>
             <location filename="../../workbench" />

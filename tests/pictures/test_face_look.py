@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.pictures import shapes
-from workbench.pictures.face_look import face_colours, lit_normals, mean_curvature
+from workbench.pictures.face_look import face_colours, lit_normals, mean_curvature, scale_of, top_of
 
 X, Y = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-1, 1, 31), indexing="ij")
 
@@ -14,7 +14,8 @@ def surface(z):
 
 
 def rgb(z, by):
-    return face_colours(surface(z), by, "#8fc1e8").reshape(41, 31, 3).astype(int)
+    top = top_of([surface(z)], by)
+    return face_colours(surface(z), by, "#8fc1e8", top).reshape(41, 31, 3).astype(int)
 
 
 def test_a_sphere_is_bent_alike_everywhere():
@@ -42,6 +43,16 @@ def test_bowls_are_red_and_humps_blue():
 @pytest.mark.parametrize("by", ["height", "curvature"])
 def test_a_plane_has_one_colour(by):
     assert np.ptp(rgb(0.5, by), axis=(0, 1)).max() == 0
+
+
+def test_faces_share_a_scale_that_ends_at_what_the_largest_needs():
+    low, high = surface(1 + 0.1 * X), surface(7 - 0.25 * X)
+    assert top_of([low, high], "height") == pytest.approx(1.0)
+    assert scale_of("height", 1.0, "mm") == ("viridis", 0.0, 1.0, "mm")
+    bowl = surface(5 - np.sqrt(25 - X**2 - Y**2))
+    assert top_of([low, bowl], "curvature") == pytest.approx(0.2, rel=0.02)
+    assert scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1/mm")
+    assert scale_of("material", 1.0, "mm") is None
 
 
 def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():

@@ -437,3 +437,29 @@ def test_relief_too_low_to_be_seen_is_lit_on_demand(make_scene, plotter, state):
 
     assert changed_share(False) < 0.001
     assert changed_share(True) > 0.005
+
+
+def test_colours_of_faces_have_a_scale_below_them(make_scene, plotter, state):
+    scene = make_scene()
+    picture = LensPicture(plotter, scene, np.ones((128, 128)))
+    picture.fit()
+    x, _ = np.meshgrid(*2 * [np.linspace(-1, 1, 17)], indexing="ij")
+    (surface,), paths, light = [*state(scene)[0].values()], *state(scene, rays=(1, 1))[1:]
+    bent = {"exit": surface + np.stack([0 * x, 0 * x, 0.02 * x**2], axis=-1)}
+    picture.update(bent, paths, light)
+    plain = drawn(plotter).astype(int)
+    picture.set_faces("height", False, "Height")
+    picture.update(bent, paths, light)
+    scaled = drawn(plotter).astype(int)
+    bottom = int(0.87 * plain.shape[0])
+    below = scaled[bottom:]
+    assert (below != plain[bottom:]).any(axis=-1).mean() > 0.05
+    # Its lowest colour is at the left, its highest one at the right.
+    dark, bright = (
+        np.argwhere(np.abs(below - colour).sum(axis=-1) < 30)[:, 1].mean()
+        for colour in ((68, 1, 84), (253, 231, 37))
+    )
+    assert dark < bright
+    picture.set_faces("material", False)
+    picture.update(bent, paths, light)
+    assert (drawn(plotter).astype(int)[bottom:] == plain[bottom:]).all()

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from ui.shown.frame import some_rays
 from ui.views.face_nets import FaceNets
 from ui.views.tools.tool import Tool
+from ui.words import later, tr
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from workbench.pictures.source_handles import SourceHandles
 
 _SPOT = 5.0  # pixels
+# What stands above the colours of faces.
+_SCALES = {"material": "", "height": later("Height"), "curvature": later("Mean curvature")}
 _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
 
@@ -124,7 +127,7 @@ class SceneContents:
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
         picture.set_colours(look.colours)
-        picture.set_faces(look.faces, look.exaggerated)
+        picture.set_faces(look.faces, look.exaggerated, tr(_SCALES[look.faces]))
         paths, lit = some_rays(frame.paths, look.rays), frame.state.irradiance
         further = [light.irradiance for light in frame.state.further]
         picture.update(frame.surfaces, paths, lit, frame.source, further)

@@ -4,6 +4,7 @@ Its relief, which is what a smooth surface does not have, may be lit as if it we
 face itself stays where it is, so that rays still meet it.
 """
 
+from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
@@ -25,7 +26,41 @@ _SEEN, _MOSTLY = 0.5, 0.95
 _WITHIN = 0.98
 
 
-def face_colours(surface: Array, by: FaceColours, material: str) -> npt.NDArray[np.uint8]:
+def top_of(surfaces: Iterable[Array], by: FaceColours) -> float:
+    """The end of the scale of colours that faces share.
+
+    Parameters
+    ----------
+    surfaces : iterable of ndarray, shape (m_u, m_v, 3)
+        Points of each face, u along x and v along y.
+    by : str
+        See `face_colours`.
+
+    Returns
+    -------
+    float
+        Of heights above the lowest place of a face, scene units, from 0; of mean curvatures, per
+        length, from as much below 0. 1 where there is none.
+    """
+    if by == "height":
+        tops = [float(np.ptp(surface[..., 2])) for surface in surfaces]
+    elif by == "curvature":
+        tops = [float(np.quantile(np.abs(mean_curvature(each)), _WITHIN)) for each in surfaces]
+    else:
+        tops = []
+    return max(tops, default=1.0) or 1.0
+
+
+def scale_of(by: FaceColours, top: float, unit: str) -> tuple[str, float, float, str] | None:
+    """Colours of `face_colours` by their name, the lowest and highest value, and their unit."""
+    if by == "height":
+        return _HEIGHTS, 0.0, top, unit
+    return (SIGNED, -top, top, f"1/{unit}") if by == "curvature" else None
+
+
+def face_colours(
+    surface: Array, by: FaceColours, material: str, top: float
+) -> npt.NDArray[np.uint8]:
     """Colours of a face.
 
     Parameters
@@ -37,6 +72,8 @@ def face_colours(surface: Array, by: FaceColours, material: str) -> npt.NDArray[
         face is bowl-shaped towards +z, blue where it is a hump; "material".
     material : str
         The colour of that.
+    top : float
+        End of the scale, see `top_of`; values beyond it have the last colour.
 
     Returns
     -------
@@ -47,11 +84,9 @@ def face_colours(surface: Array, by: FaceColours, material: str) -> npt.NDArray[
         return np.full((surface[..., 0].size, 3), (red, green, blue), dtype=np.uint8)
     if by == "height":
         height = surface[..., 2] - surface[..., 2].min()
-        part, name = height / (height.max() or 1.0), _HEIGHTS
+        part, name = height / top, _HEIGHTS
     else:
-        curvature = mean_curvature(surface)
-        scale = float(np.quantile(np.abs(curvature), _WITHIN)) or 1.0
-        part, name = 0.5 + 0.5 * curvature / scale, SIGNED
+        part, name = 0.5 + 0.5 * mean_curvature(surface) / top, SIGNED
     return np.asarray(colormaps[name](part, bytes=True)[..., :3].reshape(-1, 3))
 
 

@@ -29,8 +29,9 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.camera import FittedCamera, in_view, start_z
+from workbench.pictures.colour_scale import ColourScale
 from workbench.pictures.exploded import explode_paths, exploded
-from workbench.pictures.face_look import FaceColours, face_colours, lit_normals
+from workbench.pictures.face_look import FaceColours, face_colours, lit_normals, scale_of, top_of
 from workbench.pictures.images import LIGHT
 from workbench.pictures.lit_receiver import LitReceiver
 from workbench.scene import Scene, Source
@@ -98,10 +99,11 @@ class LensPicture:
         self._scene = exploded(scene) if explode else scene  # as it is drawn
         self._colours = LIGHT
         self._face_colours: FaceColours = "material"
-        self._exaggerated = False
+        self._exaggerated, self._title = False, ""
         self._dark = dark
         self._by_weight = by_weight
         self._lines: list[Any] = []
+        self._scale = ColourScale(plotter)
         self._camera = FittedCamera(plotter, self._scene, perspective=perspective)
         self._add_lens()
         self._add_receivers(target)
@@ -181,9 +183,12 @@ class LensPicture:
         """Take other colours of light, seen with the next update; see `to_colours`."""
         self._colours = name
 
-    def set_faces(self, by: FaceColours, exaggerated: bool) -> None:
-        """Colour and light freeform faces otherwise, seen with the next update; see `face_look`."""
-        self._face_colours, self._exaggerated = by, exaggerated
+    def set_faces(self, by: FaceColours, exaggerated: bool, title: str = "") -> None:
+        """Colour and light freeform faces otherwise, seen with the next update; see `face_look`.
+
+        The title stands above the scale of their colours.
+        """
+        self._face_colours, self._exaggerated, self._title = by, exaggerated, title
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -192,6 +197,7 @@ class LensPicture:
         self._plotter.set_background(bottom, top=top)
         for actor in self._lines:
             actor.prop.color = _INK[dark]
+        self._scale.recolour(_INK[dark])
         for actor in (self._source, self._glow):
             actor.prop.color = _LANDS[dark]
         self._colour_rays()
@@ -237,14 +243,16 @@ class LensPicture:
         for mesh in (self._walls, self._edges):
             mesh.points = walls
         m_u, m_v = surface.shape[:2]
+        by, material = self._face_colours, _MATERIALS[optic.called]
+        top = top_of(surfaces.values(), by)
+        self._scale.show(scale_of(by, top, self._scene.unit), self._title)
         for face, (mesh, net) in self._faces.items():
             mesh.points = net.points = surfaces[face].reshape(-1, 3)
             if (m_u, m_v) != self._samples:
                 mesh.faces = shapes.quads(m_u, m_v)
                 net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
                 net.verts = np.zeros(0, dtype=np.int64)
-            by, material = self._face_colours, _MATERIALS[optic.called]
-            mesh.point_data["colour"] = face_colours(surfaces[face], by, material)
+            mesh.point_data["colour"] = face_colours(surfaces[face], by, material, top)
             mesh.point_data.active_normals = lit_normals(surfaces[face], self._exaggerated)
         if (m_u, m_v) != self._samples:
             self._samples = (m_u, m_v)
