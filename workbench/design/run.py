@@ -98,14 +98,7 @@ def run(
                 ended: str = end.value
                 break
             except RunFailed as error:
-                raise RunFailed(
-                    Said(
-                        "stopped at iteration {iteration}: {why}{cause}",
-                        iteration=iteration,
-                        why=error.args[0],
-                        cause=_cause(room, scene),
-                    )
-                ) from None
+                raise _stopped(iteration, error, room, scene) from None
             state = step.state
             merit = state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
@@ -134,10 +127,17 @@ def run(
     return ended
 
 
-def _cause(room: Room, scene: Scene) -> str:
-    """What the first lens cannot meet, where that is why a run failed."""
+def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunFailed:
+    """What ends a run, with what the first lens cannot meet where that is why."""
     short = room.shortfall(room.begin)
-    return "" if short is None else f". {short.sentence(scene)}: {short.cure}"
+    return RunFailed(
+        Said(
+            "stopped at iteration {iteration}: {why}{cause}",
+            iteration=iteration,
+            why=error.args[0],
+            cause="" if short is None else f". {short.sentence(scene)}: {short.cure}",
+        )
+    )
 
 
 def _scene_notes(scene: Scene) -> tuple[str, ...]:
