@@ -1,10 +1,13 @@
 """Light of the middle of a source, blurred, stands for that of all of it."""
 
+import math
+
+import numpy as np
 import pytest
 import torch
 
 from workbench.design.blurred_plan import BlurredPlan
-from workbench.design.levels import even_blur_of
+from workbench.design.levels import even_blur_of, finest_image
 from workbench.extended.blur import Blur
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
@@ -108,3 +111,13 @@ def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
         for blur in (plate, found)
     )
     assert of_found < 0.8 * of_plate
+
+
+def test_the_image_of_a_run_tells_how_wide_its_blur_is(sun, heights, make_scene):
+    widths = {}
+    for name, source in (("sun", SUN["source"]), ("near", NEAR)):
+        scene = make_scene({**SUN, "source": source})
+        widths[name] = finest_image(scene, np.ones((32, 40)), heights).blur_widths
+    disc = 2 * (5.0 - heights["exit"].mean().item()) * math.tan(math.radians(1.5))
+    assert widths["sun"] == pytest.approx((disc / 2.4, disc / 2.4), rel=0.05)
+    assert widths["near"] == (0.0, 0.0)

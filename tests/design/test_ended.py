@@ -45,7 +45,7 @@ def test_auto_says_that_it_converged(make_scene, disc):
 
 
 def test_auto_ends_where_errors_fall_by_less_than_is_visible(make_scene, disc, monkeypatch):
-    monkeypatch.setattr(auto, "_UNSEEN", 0.5)
+    monkeypatch.setattr(auto, "_SHARP", auto._SHARP._replace(points=0.5))
     why = ended(run(make_scene({"run.iterations": 1000}), disc))
     assert why == "converged: error less than 50 percentage points lower in 8 iterations"
 

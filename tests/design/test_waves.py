@@ -5,6 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import torch
+from scipy.fft import dctn, idctn
 
 from workbench.design.waves import FaceWaves, Waves
 
@@ -56,3 +57,17 @@ def test_heights_of_two_faces_change_as_easily(rng):
     moved = {face: widths[face] * each for face, each in change.items()}
     assert torch.allclose(moved["entrance"], torch.full((4, 5), 4.0).double())
     assert torch.allclose(moved["exit"], torch.full(SHAPE, 4.0).double())
+
+
+def test_waves_that_a_blur_damps_are_of_one_size():
+    shape = 401, 61
+    every = torch.as_tensor(idctn(np.ones(shape), norm="ortho"))
+    sharp, blurred = (
+        dctn(Waves(shape, 1.25, (False, False), widths).eased(every).numpy(), norm="ortho")
+        for widths in ((0.0, 0.0), (0.1, 0.0))
+    )
+    # Along u, those of many periods within the blur; along v nothing is damped.
+    assert sharp[200, 0] > 5 * sharp[400, 0]
+    assert blurred[200, 0] == pytest.approx(blurred[400, 0], rel=0.02)
+    np.testing.assert_allclose(blurred[0], sharp[0], rtol=1e-9)
+    np.testing.assert_allclose(blurred[:2], sharp[:2], rtol=0.02)

@@ -34,6 +34,8 @@ class SeveralImages:
         Cells that are traced for all of them.
     blurred : bool
         Whether any is the light of a source whose size blurs it.
+    blur_widths : tuple[float, float]
+        The least of those of all images; see `WideImage`.
     """
 
     def __init__(self, images: Sequence[WideImage], wanted: Sequence[WantedImage]) -> None:
@@ -46,6 +48,8 @@ class SeveralImages:
         ]
         self.beams = sum(image.beams for image in images)
         self.blurred = any(image.blurred for image in images)
+        x, y = (min(widths) for widths in zip(*(i.blur_widths for i in images), strict=True))
+        self.blur_widths = x, y
 
     def compare(self, heights: Mapping[str, Tensor]) -> tuple[Tensor, Step]:
         """Errors of all images in a row, and the step to report; see `WideImage.compare`."""

@@ -51,6 +51,8 @@ class WideImage:
         Cells that are traced, those of all origins together.
     blurred : bool
         Whether it is the light of a source whose size blurs it.
+    blur_widths : tuple[float, float]
+        Widths of ``blur`` along x and y, parts of those of the receiver; 0 without one.
     """
 
     def __init__(
@@ -77,6 +79,8 @@ class WideImage:
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
         self.blurred = blur is not None or corners.origins > 1
+        x, y = blur.widths if blur else (0.0, 0.0)
+        self.blur_widths = x / n_x, y / n_y
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
