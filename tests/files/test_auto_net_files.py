@@ -54,7 +54,7 @@ def test_a_session_says_what_the_program_took(session, path):
     header = header_of(path)
     assert (header["version"], header["scene"]["version"]) == (2, 2)
     assert header["scene"]["lens"]["control_points"] == "auto"
-    assert header["control_points"] == [13, 10]
+    assert header["control_points"] == [20, 15]
     assert read_session(path).scene == session.scene
 
 
@@ -78,7 +78,7 @@ def test_kept_runs_keep_theirs(session, path, rng):
     scene, result = session.scene.with_net((10, 7)), result_on((10, 7), rng)
     write_session(replace(session, runs=(KeptRun("first", scene, session.target, result),)), path)
     again = read_session(path)
-    assert again.scene.lens.net_shape == (13, 10)
+    assert again.scene.lens.net_shape == (20, 15)
     assert again.runs[0].scene == scene
 
 

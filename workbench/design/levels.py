@@ -28,6 +28,9 @@ class Level:
     ----------
     per_pixel, per_control_point : float
         Cells along an axis for each pixel along it, and for each control point, at least.
+    enough : float
+        So many cells for each pixel are enough also for the control points of a fine net, as long
+        as there are `_SEEN` of them for each.
     thinning : float
         With which power of the number of origins of the light cells along an axis get fewer. In
         proportion would be 0.5; but all see the same face, and a descent has to see all of it.
@@ -35,13 +38,19 @@ class Level:
 
     per_pixel: float
     per_control_point: float
+    enough: float
     thinning: float
 
+    def cells(self, pixels: int, points: int) -> float:
+        """Cells along an axis of so many pixels and control points, for light of one origin."""
+        wanted = max(self.per_pixel * pixels, self.per_control_point * points)
+        return min(wanted, max(self.enough * pixels, _SEEN * points))
 
-COARSE = Level(per_pixel=1.5, per_control_point=1.2, thinning=0.5)
+
+COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, thinning=0.5)
 """Tells which of two first lenses is the better one."""
 
-FINE = Level(per_pixel=3.0, per_control_point=2.2, thinning=0.25)
+FINE = Level(per_pixel=3.0, per_control_point=2.1, enough=3.95, thinning=0.25)
 """All lenses of a run are judged by it, so that their losses can be compared."""
 
 _MOST_CELLS = 8192
@@ -65,9 +74,9 @@ _UNSEEN = 0.2
 # So few as 16 do not do for small blurs either: a letter of 64 × 64 pixels by an LED that blurs it
 # over 3 of them is 7.7 % off with 16 of them, of which the run sees 3.9 %; 6.3 % with 64.
 _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 64, 128
-# Cells of each of many origins for each control point along an axis, at least: waves of the face
-# between them are seen by none. A lens of 65 control points, which 64 origins saw by 50 cells, was
-# 5.4 % off where the run saw 0.4 %.
+# Cells for each control point along an axis, at least: waves of the face between them are seen by
+# none. A lens of 65 control points, which 64 origins saw by 50 cells, was 5.4 % off where the run
+# saw 0.4 %.
 _SEEN = 1.5
 # Cells of all origins together, at most.
 _MOST_BEAMS = 1 << 22
@@ -144,7 +153,7 @@ def cells_of(
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
     least = _SEEN if count > 1 else 0.0
     cells = [
-        max(max(level.per_pixel * pixels, level.per_control_point * points) * finer, least * points)
+        max(level.cells(pixels, points) * finer, least * points)
         for pixels, points in zip(scene.receiver.pixels, scene.optic.net_shape, strict=True)
     ]
     finest = max(1.0, math.sqrt(math.prod(cells) * count / _MOST_BEAMS)) if count > 1 else 1.0

@@ -30,8 +30,8 @@ def test_the_photograph_is_drawn_at_any_size_as_it_ships():
     np.testing.assert_allclose(same.target, shipped.target, atol=0.5 / 255 + 1e-9)
     assert same.scene == shipped.scene
     assert finer.target.shape == (512, 512) and finer.scene.screen.pixels == (512, 512)
-    assert same.scene.lens.net_shape == (416, 416)
-    assert finer.scene.lens.net_shape == (832, 832)
+    assert same.scene.lens.net_shape == (480, 480)
+    assert finer.scene.lens.net_shape == (960, 960)
 
 
 def test_the_cloud_has_detail_of_every_size():

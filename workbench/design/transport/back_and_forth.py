@@ -73,6 +73,7 @@ class Transport:
         value = _product(there, source) + _product(back, target)
         step, step_back = self._steps
         nearest, idle = math.inf, 0
+        best = there
         for _ in range(rounds):
             check_given_up()
             before = step, step_back
@@ -84,11 +85,12 @@ class Transport:
             distance = far + far_back
             nearer = distance < (1 - self._progress) * nearest
             idle = 0 if nearer or grows else idle + 1
-            nearest = min(nearest, distance)
+            if distance < nearest:
+                nearest, best = distance, there  # steps may be too long for a while
             if idle == _PATIENCE or distance * math.sqrt(source.size) < _NEAR:
                 step, step_back = before  # shorter ones are for what this grid cannot show
                 break
-        self._there, self._steps = there, (step, step_back)
+        self._there, self._steps = best, (step, step_back)
 
     def map(self) -> tuple[Array, Array]:
         """Where the middles of the source's cells go, in cells of the target along each axis."""

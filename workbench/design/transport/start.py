@@ -40,8 +40,9 @@ from workbench.scene import ExactMethod, PointSource, Scene
 
 Vector = tuple[Array, Array, Array]
 
-# Cells along each axis, of lens and screen alike; finer nets get more places for their slopes.
-CELLS = 256
+# Cells along each axis, of lens and screen alike; finer nets get more places for their slopes: at
+# least so many for each control point, in a number that can be halved often.
+CELLS, _PER_CONTROL_POINT, _STEP = 256, 1.62, 128
 # Light that leaves a face changes little from one of these cells to the next: each stands for so
 # many along an axis.
 _SHARED = 2
@@ -50,7 +51,7 @@ _ROUGH_FITS, _FITS, _NEAR_FITS = 1, 1, 2
 # Rounds of transport on the finest grid for a quick lens. Where the error of its image is less than
 # this, the descent does the rest sooner; else as many rounds follow as bring light nearer, and the
 # better one of both lenses is taken: each may be much better than the other.
-FEW_ROUNDS, _GOOD = 1, 0.06
+FEW_ROUNDS, _GOOD = 3, 0.06
 # Light that misses its places by more than this part of the receiver's width, where no net is too
 # coarse for them, is sent to places in other coordinates: so many times, as long as what is left of
 # the error each time is less than this part of it. A flame misses them by 0.0003.
@@ -133,7 +134,7 @@ class _Judged(NamedTuple):
 
 def cells_for(net: ControlNet) -> int:
     """Cells along each axis of a first lens on a net."""
-    return max(CELLS, 2 * max(net.shape))
+    return max(CELLS, _STEP * math.ceil(_PER_CONTROL_POINT * max(net.shape) / _STEP))
 
 
 def wanted_cells(scene: Scene, target: Array, cells: int) -> tuple[Array, tuple[float, float]]:
