@@ -9,6 +9,7 @@ from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
 from workbench.optics import beam_plan
 from workbench.optics.beams import beam_image
+from workbench.scene import Scene
 
 SOURCES = {
     "collimated": {"kind": "collimated", "rays": [64, 64]},
@@ -157,3 +158,24 @@ def test_the_first_lens_of_many_points_is_judged_by_few_beams_of_each(make_scene
     scene = make_scene({"source": source | {"rays": 10}, "screen.pixels": [256, 256]})
     assert transport_start(scene, np.ones((256, 256))) is not None
     assert 0 < max(seen) < 2 * (1.5 * 256) ** 2
+
+
+def test_a_mirror_that_leans_sends_light_to_its_places(corner):
+    scene = Scene.from_data(
+        {
+            "version": 2,
+            "mirror": {"half_width": [15.0, 15.0], "control_points": [48, 48]},
+            "source": SOURCES["collimated"],
+            "screen": {
+                "z": -60.0,
+                "center": [60.0, 0.0],
+                "tilt": [0.0, -45.0],
+                "half_width": [20.0, 20.0],
+                "pixels": [32, 32],
+            },
+            "target": {"builtin": "tophat"},
+        }
+    )
+    heights = transport_start(scene, corner)
+    found = validate(scene, corner, {"mirror": heights}, 200_000)
+    assert found.relative_l2 < 0.13

@@ -35,9 +35,10 @@ SlopesFor = Callable[[Pair, Pair], Pair]
 
 # Cells over which coordinates are smoothed: where light comes from is known to a cell.
 _SMOOTH = 1.0
-# Newton steps back from a coordinate to its cell, cells that each goes at most, and the least part
-# by which cells may be narrower there.
-_STEPS, _FAR, _NARROW = 12, 20.0, 0.1
+# Newton steps back from a coordinate to its cell, at most; the part of all cells that each goes at
+# most; the least part by which cells may be narrower there; and how many cells steps go on average
+# where they end.
+_STEPS, _FAR, _NARROW, _CLOSE = 12, 0.1, 0.1, 0.001
 
 
 class Chart(NamedTuple):
@@ -98,7 +99,7 @@ class Chart(NamedTuple):
 
     def _back(self, to_x: Array, to_y: Array) -> Pair:
         """The cells of the view at places of the chart."""
-        most = len(self.x) - 0.5
+        most, far = len(self.x) - 0.5, _FAR * len(self.x)
         (xx, xy), (yx, yy) = np.gradient(self.x), np.gradient(self.y)
         at: Pair = to_x, to_y
         for _ in range(_STEPS):
@@ -106,26 +107,28 @@ class Chart(NamedTuple):
             a, b, c, d = (between(np.asarray(f), at) for f in (xx, xy, yx, yy))
             area = np.maximum(a * d - b * c, _NARROW)
             step_x, step_y = (
-                (step / area).clip(-_FAR, _FAR)
+                (step / area).clip(-far, far)
                 for step in (d * off_x - b * off_y, a * off_y - c * off_x)
             )
             at = (at[0] - step_x).clip(-0.5, most), (at[1] - step_y).clip(-0.5, most)
+            if np.abs(step_x).mean() + np.abs(step_y).mean() < _CLOSE:
+                break
         return at
 
 
 def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins: Pair) -> Pair:
     """Slopes less a gradient of the place on the lens, in the scale of the view's coordinates.
 
-    What is left out is what would send all light to the middle, and what is linear in the place, so
-    that the rest differs as little as may be from the view's coordinates.
+    What is left out is linear in the place, so that the rest differs as little as may be from the
+    view's coordinates. It has to be a gradient exactly: the slopes that send all light to one place
+    are none on a face that leans, and with these left out light on a screen beside a mirror missed
+    its places by 0.7 % of the screen in place of 0.07 %.
     """
     from scipy.ndimage import gaussian_filter  # late: it takes long to import
 
     cells, half_width = len(wanted), view.scene.optic.half_width
     grid = view.grid(cells)
     needed = slopes_for(begins, view.at(grid, cells))
-    middle = tuple(np.full_like(wanted, float((f * wanted).sum())) for f in grid)
-    ahead = slopes_for(begins, view.at((middle[0], middle[1]), cells))
     scale = 0.0  # slopes for each step along the view's coordinates, from one place of the lens
     for axis, half in enumerate(view.half_extent):
         beside = grid[0] + (axis == 0), grid[1] + (axis == 1)
@@ -136,12 +139,10 @@ def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins
         for place, r in zip(begins, half_width, strict=True)
     )
     seen, none, one = view.seen(cells), np.zeros_like(x), np.ones_like(x)
-    gradients = np.array(
-        [[ahead[0], x, y, none, one, none], [ahead[1], none, x, y, none, one]]
-    )  # [2, 6, cells, cells]
+    gradients = np.array([[x, y, none, one, none], [none, x, y, none, one]])  # [2, 5, cells, cells]
     off = np.stack([s / scale - t for s, t in zip(needed, seen, strict=True)])
     share = np.sqrt(wanted)
-    rows = np.moveaxis(gradients * share, 1, -1).reshape(-1, 6)
+    rows = np.moveaxis(gradients * share, 1, -1).reshape(-1, 5)
     parts = np.linalg.lstsq(rows, (off * share).ravel(), rcond=1e-6)[0]
     off -= np.einsum("k,akxy->axy", parts, gradients)
     along_x, along_y = (

@@ -55,7 +55,7 @@ FEW_ROUNDS, _GOOD = 3, 0.06
 # Light that misses its places by more than this part of the receiver's width, where no net is too
 # coarse for them, is sent to places in other coordinates: so many times, as long as what is left of
 # the error each time is less than this part of it. A flame misses them by 0.0003.
-_STRAIGHT, _CHARTS, _LESS = 0.002, 4, 0.9
+_STRAIGHT, _CHARTS, _LESS = 0.001, 4, 0.9
 # Blocks along an axis within which what a net cannot follow cancels out.
 _BLOCKS = 16
 # Where no face could bend the light as wanted, the normal is kept along the axis by this part of
@@ -104,14 +104,15 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     transport.improve(flux)
     to = view.places(transport)
     best = min(first, _Judged.of(scene, target, faces.fitted(to, heights, fits)))
-    if best.error < _GOOD or faces.missed(to, best.heights) < _STRAIGHT:
-        return best.heights
     begins = transport.back()
     for _ in range(_CHARTS):
+        if best.error < _GOOD or faces.missed(to, best.heights) < _STRAIGHT:
+            break
         chart = Chart.of(view, wanted, faces.slopes_for(best.heights), begins)
         transport = chart.transport(light.flux_or(best.heights, flux), wanted)
         begins = chart.begins(transport)
-        heights = faces.fitted(chart.places(transport), best.heights, fits)
+        to = chart.places(transport)
+        heights = faces.fitted(to, best.heights, fits)
         before, best = best, min(best, _Judged.of(scene, target, heights))
         if best.error > _LESS * before.error:
             break

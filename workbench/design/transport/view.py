@@ -16,8 +16,9 @@ from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
 from workbench.scene import Scene
 
-# Samples of each cell along an axis for the light that is wanted there.
-_SAMPLES = 4
+# Samples along an axis for the light that is wanted in cells: for each pixel and for each cell, at
+# least.
+_PER_PIXEL, _PER_CELL = 6.0, 2
 
 
 class ReceiverView(NamedTuple):
@@ -90,7 +91,8 @@ class ReceiverView(NamedTuple):
         if not self.leans:
             into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
             return np.asarray(into_0 @ image @ into_1.T)
-        even = (np.arange(_SAMPLES * cells) + 0.5) / _SAMPLES - 0.5
+        samples = max(_PER_CELL, math.ceil(_PER_PIXEL * max(image.shape) / cells))
+        even = (np.arange(samples * cells) + 0.5) / samples - 0.5
         u, v, stretch = self._on_receiver(even[:, None], even[None, :], cells)
         left, right, bottom, top = self.scene.receiver.bounds
         columns = np.floor((u - left) / (right - left) * image.shape[0]).astype(np.int64)
@@ -100,7 +102,7 @@ class ReceiverView(NamedTuple):
         sample = 4 * self.half_extent[0] * self.half_extent[1] / inside.size
         light = np.zeros(inside.shape)
         light[inside] = image[columns[inside], rows[inside]] * stretch[inside] * (sample / pixel)
-        return np.asarray(light.reshape(cells, _SAMPLES, cells, _SAMPLES).sum((1, 3)))
+        return np.asarray(light.reshape(cells, samples, cells, samples).sum((1, 3)))
 
     @property
     def leans(self) -> bool:
