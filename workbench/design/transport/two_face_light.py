@@ -26,6 +26,9 @@ Vector = tuple[Array, Array, Array]
 
 # Steps of a search at most, and how near it comes on average, in cells.
 _MOST_STEPS, _NEAR = 40, 0.01
+# How far each step of one for places goes at most, in half-widths, and the least area of a cell
+# there, as a part of what it was.
+_FAR, _LEAST_AREA = 0.2, 1e-3
 # How fast a face is taken to fall away from a ray, for each length, at least: with less, Newton
 # steps of light that comes steeply to a steep face do not settle.
 _LEAST_FALL = 0.5
@@ -117,15 +120,8 @@ class TwoFaceLight:
         place : tuple of three ndarray
             Where that light meets it.
         """
-        # Beyond the last light the nearest counts.
-        off = self._in_half_widths(*map(torch.as_tensor, place[:2])) - self._own
-        cell, near = self._from[face], 2 * _NEAR / self._cells
-        for _ in range(_MOST_STEPS):
-            # What comes from a cell is off by about as much as what comes from beside it.
-            before = cell
-            cell = ((before + self._own - _between(off, before)) / 2).clamp(-1, 1)
-            if (cell - before).abs().mean() < near:
-                break
+        meets = self._in_half_widths(*map(torch.as_tensor, place[:2]))
+        cell = _whence(meets, self._own, self._from[face])
         self._from[face] = cell
         x, y = _between(torch.stack([*map(torch.as_tensor, values)]), cell).numpy()
         return x, y
@@ -159,6 +155,33 @@ class TwoFaceLight:
     def _lifted(self, place: Vector) -> Vector:
         x, y, z = place
         return x, y, z + self._path.datum
+
+
+def _whence(places: Tensor, wanted: Tensor, begin: Tensor) -> Tensor:
+    """Where places of even cells are wanted ones, all of them in half-widths, (2, n, m).
+
+    Newton steps, halved where they lead no nearer: where an image is dark, faces spread light over
+    many times the area that it comes from. Beyond the last light the nearest counts.
+    """
+    cells = places.shape[-1]
+    along_x, along_y = torch.gradient(places * (cells / 2), dim=(1, 2))
+    near = 2 * _NEAR / cells
+    known = torch.cat([places, along_x, along_y])
+    nearest, least = begin, torch.full_like(begin[0], torch.inf)
+    step, cell = torch.zeros_like(begin), begin
+    for _ in range(_MOST_STEPS):
+        found = _between(known, cell)
+        off, (x_x, y_x, x_y, y_y) = found[:2] - wanted, found[2:]
+        far = off.square().sum(0)
+        nearer = far < least
+        nearest, least = torch.where(nearer, cell, nearest), torch.minimum(far, least)
+        if least.sqrt().mean() < near:
+            break
+        area = (x_x * y_y - x_y * y_x).clamp_min(_LEAST_AREA)
+        newton = torch.stack([y_y * off[0] - x_y * off[1], x_x * off[1] - y_x * off[0]]) / area
+        step = torch.where(nearer, newton.clamp(-_FAR, _FAR), step / 2)
+        cell = (nearest - step).clamp(-1, 1)
+    return nearest
 
 
 def _between(values: Tensor, at: Tensor) -> Tensor:
