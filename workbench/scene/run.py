@@ -50,7 +50,7 @@ class Stage(Part):
     ] = None
     control_points: Annotated[
         tuple[NetSize, NetSize] | None,
-        Fallback("lens.net_shape"),
+        Fallback("optic.net_shape"),
         about(
             "Control points",
             "Numbers of control points along x and y in this stage. A coarse net moves light over "
