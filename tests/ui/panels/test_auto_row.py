@@ -22,7 +22,7 @@ def shown(forms):
 
 
 def test_the_row_shows_what_auto_comes_to(forms):
-    assert shown(forms) == (True, [("", "33"), ("", "26")])
+    assert shown(forms) == (True, [("", "49"), ("", "39")])
 
 
 def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
@@ -36,15 +36,15 @@ def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
 def test_an_empty_field_leaves_it_to_the_program_again(forms, document, qtbot):
     enter(qtbot, forms, f"{NET}[0]", "12")
     enter(qtbot, forms, f"{NET}[1]", "")
-    assert document.session.scene.lens.control_points == AutoNet((33, 26))
+    assert document.session.scene.lens.control_points == AutoNet((49, 39))
 
 
 def test_the_tick_takes_the_numbers_that_count_and_gives_them_back(forms, document, qtbot):
     row(forms, NET).box.click()
-    assert document.session.scene.lens.control_points == (33, 26)
-    assert editor(forms, f"{NET}[0]").text() == "33"
+    assert document.session.scene.lens.control_points == (49, 39)
+    assert editor(forms, f"{NET}[0]").text() == "49"
     row(forms, NET).box.click()
-    assert document.session.scene.lens.control_points == AutoNet((33, 26))
+    assert document.session.scene.lens.control_points == AutoNet((49, 39))
 
 
 def test_the_same_value_again_is_no_step(forms, document, qtbot):
@@ -55,16 +55,16 @@ def test_the_same_value_again_is_no_step(forms, document, qtbot):
 
 def test_an_edit_of_the_screen_changes_what_auto_comes_to(forms, document, qtbot):
     enter(qtbot, forms, "screen.pixels[0]", "40")
-    assert document.session.scene.lens.net_shape[0] == 65
+    assert document.session.scene.lens.net_shape[0] == 75
     assert np.shape(document.session.target) == (16, 40)
-    assert shown(forms)[1][0] == ("", "65")
+    assert shown(forms)[1][0] == ("", "75")
 
 
 def test_a_number_beside_one_that_is_refused_takes_the_tick_away_with_it(forms, document, qtbot):
     enter(qtbot, forms, f"{NET}[0]", "x")
     assert row(forms, NET).refusal
     enter(qtbot, forms, f"{NET}[1]", "7")
-    assert document.session.scene.lens.control_points == AutoNet((33, 26))
+    assert document.session.scene.lens.control_points == AutoNet((49, 39))
     enter(qtbot, forms, f"{NET}[0]", "9")
     assert document.session.scene.lens.control_points == (9, 7)
     assert not forms.refused
