@@ -75,7 +75,8 @@ def evaluation_peak(scene):
         torch.autograd.grad(error.square().sum(), list(given.values()))
 
     evaluate()  # what is loaded and kept once
-    return peak_of(evaluate)
+    # Threads that draw batches at the same time take the most, and do not always do so.
+    return max(peak_of(evaluate) for _ in range(5))
 
 
 @pytest.fixture(scope="module")
