@@ -39,9 +39,9 @@ def _newton(radius_ratio, depth, widening, apparent):  # type: ignore[no-untyped
     """One step towards the root of p (1 + t g) = 1."""
     one = type(radius_ratio)(1)
     g = one / np.sqrt(apparent * apparent + radius_ratio * radius_ratio * widening)
-    bent = apparent * g
+    apparent_g = apparent * g
     off = radius_ratio * (one + depth * g) - one
-    return radius_ratio - off / (one + depth * (bent * bent) * g)
+    return radius_ratio - off / (one + depth * (apparent_g * apparent_g) * g)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -82,9 +82,9 @@ def _see_points(across, i, up, j, optics, lanes, t):  # type: ignore[no-untyped-
     for lane in range(np.uintp(lanes)):
         radius_ratio = t[_RADIUS_RATIO + lane]
         enters2 = radius_ratio * radius_ratio * (away[lane] * away[lane] + away_y * away_y)
-        bent = t[_DEPTH + lane] / np.sqrt(c * c + optics.ratio2_minus_1 * enters2)
-        seen_x, rise_x = _seen(rim_from_point[lane], rim_from_place[lane], across.per_cell, bent)
-        seen_y, rise_y = _seen(up.rim_from_point[j], up.rim_from_place[j], up.per_cell, bent)
+        depth_g = t[_DEPTH + lane] / np.sqrt(c * c + optics.ratio2_minus_1 * enters2)
+        seen_x, rise_x = _seen(rim_from_point[lane], rim_from_place[lane], across.per_cell, depth_g)
+        seen_y, rise_y = _seen(up.rim_from_point[j], up.rim_from_place[j], up.per_cell, depth_g)
         t[_D_BRIGHT + lane] = t[_BRIGHT + lane] * (rise_x * seen_y + seen_x * rise_y)
         t[_BRIGHT + lane] *= seen_x * seen_y
 
@@ -125,14 +125,14 @@ def _absorbed(lanes, t):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def _seen(rim_from_point, rim_from_place, per_cell, bent):  # type: ignore[no-untyped-def]
+def _seen(rim_from_point, rim_from_place, per_cell, depth_g):  # type: ignore[no-untyped-def]
     """Part of a sample's cell that sees its point along one axis, and its slope by p.
 
-    ``bent`` is t g = 1/p − 1.
+    ``depth_g`` is t g = 1/p − 1.
     """
-    kind = type(bent)
-    one_by = kind(1) + bent
-    seen = kind(0.5) + (rim_from_place + rim_from_point * bent) * per_cell
+    kind = type(depth_g)
+    one_by = kind(1) + depth_g
+    seen = kind(0.5) + (rim_from_place + rim_from_point * depth_g) * per_cell
     partly = (seen > kind(0)) & (seen < kind(1))
     rise = -rim_from_point * one_by * one_by * per_cell if partly else kind(0)
     return min(max(seen, kind(0)), kind(1)), rise
@@ -184,11 +184,11 @@ def _refract(across, i, up, j, optics, spread, lanes, t):  # type: ignore[no-unt
         one_by_both = one / np.sqrt(both2)
         leaving = transmittance(optics.leaving, lean * one_by_both, q * one_by_both)
         weight = flux * leaving if passes else zero
-        reaches = passes & goes_on
+        arrives = passes & goes_on
         column = place[lane] + spread.per_x * (n * s_x - gamma * z_x) * path
         row = y + spread.per_y * (n * s_y - gamma * z_y) * path
-        t[COLUMN + lane] = column if reaches else kind(np.inf)
-        t[ROW + lane] = row if reaches else kind(np.inf)
+        t[COLUMN + lane] = column if arrives else kind(np.inf)
+        t[ROW + lane] = row if arrives else kind(np.inf)
         t[WEIGHT + lane] = weight
         t[_FLUX + lane] = flux
         t[_G + lane] = g
@@ -279,13 +279,14 @@ def _density(optics, depth, radius_ratio, g, cos, narrow, length2):  # type: ign
     enters_slope += glass_slope * cos / (n * n * cos_glass)
     cosines = cos * cos * cos * (one - optics.lambert + optics.lambert * cos)
     g2, radius_ratio_rise = g * g, -radius_ratio * g * narrow
-    bent = optics.apparent * optics.apparent * g2
-    spread_rise = bent * g + three * depth * bent * (one - bent) * g2 * narrow
+    apparent2_g2 = optics.apparent * optics.apparent * g2
+    spread_rise = apparent2_g2 * (g + three * depth * (one - apparent2_g2) * g2 * narrow)
     power = three + optics.lambert
     behind_rise = (one - cos * cos) * (power * enters + enters_slope * cos) * g * narrow
     by_radius_ratio = enters * (radius_ratio_rise - radius_ratio * narrow * spread_rise)
     density_rise = cosines * narrow * (behind_rise * radius_ratio + by_radius_ratio)
-    density, slope_rise = cosines * enters * radius_ratio * narrow, g * bent * radius_ratio_rise
+    density = cosines * enters * radius_ratio * narrow
+    slope_rise = g * apparent2_g2 * radius_ratio_rise
     return density, density_rise, slope_rise, radius_ratio_rise
 
 

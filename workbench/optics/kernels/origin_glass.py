@@ -186,12 +186,12 @@ def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type:
         enters2 = radius_ratio * radius_ratio * radius2
         g2 = one / (c * c + ratio2_minus_1 * enters2)
         g = np.sqrt(g2)
-        bent = c * c * g2 * g
-        narrow = one / (one + depth * bent)  # dρ_e/dρ
+        c2_g3 = c * c * g2 * g
+        narrow = one / (one + depth * c2_g3)  # dρ_e/dρ
         rise = -g * narrow  # dp/dt over p
         d_radius_ratio = radius_ratio * rise
         d_g = -g * g2 * ratio2_minus_1 * enters2 * rise
-        d_narrow = -narrow * narrow * (bent + three * depth * c * c * g2 * d_g)
+        d_narrow = -narrow * narrow * (c2_g3 + three * depth * c * c * g2 * d_g)
         behind, d_behind = _behind(points, medium.ratio, enters2, rise)
 
         slope = radius_ratio * g
@@ -244,9 +244,9 @@ def _find_radius_ratio(points, place, p_x, away_y, medium, lanes, t):  # type: i
             widening = ratio2_minus_1 * (away_x * away_x + away_y * away_y)
             radius_ratio = t[BRIGHT + lane]
             g = one / np.sqrt(c * c + radius_ratio * radius_ratio * widening)
-            bent = c * g
+            c_g = c * g
             off = radius_ratio * (one + depth * g) - one
-            t[BRIGHT + lane] = radius_ratio - off / (one + depth * (bent * bent) * g)
+            t[BRIGHT + lane] = radius_ratio - off / (one + depth * (c_g * c_g) * g)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -192,7 +192,7 @@ def evaluate(columns, w, count):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
-def evaluate_bends(columns, w, count):  # type: ignore[no-untyped-def]
+def evaluate_to_second_order(columns, w, count):  # type: ignore[no-untyped-def]
     """The same, and the second derivatives."""
     kind = w.dtype.type
     for row in (Z, Z_S, Z_T, Z_SS, Z_ST, Z_TT):

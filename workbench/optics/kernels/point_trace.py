@@ -38,7 +38,7 @@ from workbench.optics.kernels.point_patches import (
     Z,
     at,
     collect,
-    evaluate_bends,
+    evaluate_to_second_order,
     fill,
     make_columns,
     place,
@@ -181,7 +181,7 @@ def adjoint(net, table, glass, spread, bundle, depths, first, end, cotangent, d_
             w[at(STATE, ray)] = kind(MET) if met else kind(MET - 1)
         place(net, w, count, patch)
         fill(table, patch, count, columns)
-        evaluate_bends(columns, w, count)
+        evaluate_to_second_order(columns, w, count)
         if glass.absorption > kind(0):
             _absorb(glass, w, count)
         _hit(net, glass, spread, w, count)

@@ -50,7 +50,7 @@ def snell(ratio, ratio2_minus_1, critical, s_x, s_y, z_x, z_y):  # type: ignore[
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def snell_back(  # type: ignore[no-untyped-def]
-    ratio, ratio2_minus_1, s_x, s_y, z_x, z_y, bent, d_lean, d_o_x, d_o_y, d_o_z,
+    ratio, ratio2_minus_1, s_x, s_y, z_x, z_y, refracted, d_lean, d_o_x, d_o_y, d_o_z,
     d_cos_in, d_cos_out,
 ):  # fmt: skip
     """Adjoint of `snell`, for a ray that passes.
@@ -59,7 +59,7 @@ def snell_back(  # type: ignore[no-untyped-def]
     ----------
     ratio, ratio2_minus_1, s_x, s_y, z_x, z_y
         As there.
-    bent : tuple
+    refracted : tuple
         What it gave.
     d_lean, d_o_x, d_o_y, d_o_z, d_cos_in, d_cos_out : floating
         Cotangents of m, of the direction o and of the cosines.
@@ -70,7 +70,7 @@ def snell_back(  # type: ignore[no-untyped-def]
         Cotangents of the slopes of the ray, and of those of the face.
     """
     one, two, half = type(s_x)(1), type(s_x)(2), type(s_x)(0.5)
-    lean, q, gamma, by_both, _ = bent
+    lean, q, gamma, by_both, _ = refracted
     length2, face2 = one + s_x * s_x + s_y * s_y, one + z_x * z_x + z_y * z_y
     d_gamma = d_o_z - d_o_x * z_x - d_o_y * z_y
     shared = d_gamma * gamma / (q + ratio * lean)

@@ -28,7 +28,7 @@ from workbench.optics.kernels.point_patches import (
     STATE,
     at,
     collect,
-    evaluate_bends,
+    evaluate_to_second_order,
     fill,
     make_columns,
     place,
@@ -118,7 +118,7 @@ def _make_back(name: str, shine: Any) -> Any:
                     _met(depths, i, k * count + j, lanes, w)
                     place(net, w, lanes, patch)
                     fill(table, patch, lanes, columns)
-                    evaluate_bends(columns, w, lanes)
+                    evaluate_to_second_order(columns, w, lanes)
                     take(cotangent, i, k * count + j, lanes, t)
                     _take_rooms(d_rooms, i, k * count + j, lanes, t)
                     leave_back(net, body, landing, lanes, t, w)

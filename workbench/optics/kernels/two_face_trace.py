@@ -114,11 +114,11 @@ def _at_entrance(body, lane, t):  # type: ignore[no-untyped-def]
     law = body.law_in
     ratio2_minus_1 = law.ratio * law.ratio - t.dtype.type(1)
     s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
-    bent = snell(law.ratio, ratio2_minus_1, body.critical, s_x, s_y, z_x, z_y)
-    gamma = bent[2]
+    refracted = snell(law.ratio, ratio2_minus_1, body.critical, s_x, s_y, z_x, z_y)
+    gamma = refracted[2]
     o_x, o_y, o_z = law.ratio * s_x - gamma * z_x, law.ratio * s_y - gamma * z_y, law.ratio + gamma
-    enters = bent[4] & (o_z > t.dtype.type(_ONWARD))
-    return bent, o_x, o_y, o_z, enters
+    enters = refracted[4] & (o_z > t.dtype.type(_ONWARD))
+    return refracted, o_x, o_y, o_z, enters
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -128,8 +128,8 @@ def enter(body, x, y, areas, lanes, t, w, sums):  # type: ignore[no-untyped-def]
     zero, one = kind(0), kind(1)
     met_flux, entered, steep_x, steep_y = zero, zero, zero, zero
     for lane in range(np.uintp(lanes)):
-        bent, o_x, o_y, o_z, enters = _at_entrance(body, lane, t)
-        lean, q, _, by_both, _ = bent
+        refracted, o_x, o_y, o_z, enters = _at_entrance(body, lane, t)
+        lean, q, _, by_both, _ = refracted
         met = t[BRIGHT + lane] * lean * areas[lane] if lean > zero else zero
         transmitted = transmittance(body.law_in, abs(lean) * by_both, q * by_both)
         by_z = one / (o_z if enters else one)
@@ -178,8 +178,8 @@ def _at_exit(net, body, ray, t, w):  # type: ignore[no-untyped-def]
     room = max(room, kind(0)) if met else (kind(-1) if enters else kind(0))
     z_x, z_y = w[at(Z_S, ray)] * net.per_x, w[at(Z_T, ray)] * net.per_y
     ratio2_minus_1 = law.ratio * law.ratio - kind(1)
-    bent = snell(law.ratio, ratio2_minus_1, body.critical, a, b, z_x, z_y)
-    return x, y, z_x, z_y, bent, met, met & bent[4], room
+    refracted = snell(law.ratio, ratio2_minus_1, body.critical, a, b, z_x, z_y)
+    return x, y, z_x, z_y, refracted, met, met & refracted[4], room
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -204,8 +204,8 @@ def leave(net, body, landing, lanes, t, w, sums):  # type: ignore[no-untyped-def
     absorbed, met_flux, passed, left = zero, zero, zero, zero
     _fade(body, lanes, t, w)
     for lane in range(np.uintp(lanes)):
-        x, y, z_x, z_y, bent, met, passes, room = _at_exit(net, body, lane, t, w)
-        lean, q, gamma, by_both, _ = bent
+        x, y, z_x, z_y, refracted, met, passes, room = _at_exit(net, body, lane, t, w)
+        lean, q, gamma, by_both, _ = refracted
         n, a, b = body.law_out.ratio, w[at(SLOPE_X, lane)], w[at(SLOPE_Y, lane)]
         flux = w[at(FLUX, lane)] if met else zero
         arriving = flux * t[_FADE + lane]
@@ -237,8 +237,8 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
     zero, one = kind(0), kind(1)
     _fade(body, lanes, t, w)
     for lane in range(np.uintp(lanes)):
-        x, y, z_x, z_y, bent, _, passes, room = _at_exit(net, body, lane, t, w)
-        lean, q, gamma, by_both, _ = bent
+        x, y, z_x, z_y, refracted, _, passes, room = _at_exit(net, body, lane, t, w)
+        lean, q, gamma, by_both, _ = refracted
         n, a, b = body.law_out.ratio, w[at(SLOPE_X, lane)], w[at(SLOPE_Y, lane)]
         depth = w[at(DEPTH, lane)]
         deep = depth - t[FRONT + lane] - body.lift
@@ -259,7 +259,7 @@ def leave_back(net, body, landing, lanes, t, w):  # type: ignore[no-untyped-def]
         d_transmitted = d_weight * arriving
         ratio2_minus_1 = n * n - one
         d_a, d_b, d_z_x, d_z_y = snell_back(
-            n, ratio2_minus_1, a, b, z_x, z_y, bent, zero, d_o_x, d_o_y, d_o_z,
+            n, ratio2_minus_1, a, b, z_x, z_y, refracted, zero, d_o_x, d_o_y, d_o_z,
             d_transmitted * by_in, d_transmitted * by_out,
         )  # fmt: skip
         radius = _radius(body, x, y)
@@ -296,8 +296,8 @@ def enter_back(body, areas, lanes, t):  # type: ignore[no-untyped-def]
     zero, one = kind(0), kind(1)
     law = body.law_in
     for lane in range(np.uintp(lanes)):
-        bent, o_x, o_y, o_z, enters = _at_entrance(body, lane, t)
-        lean, q, _, by_both, _ = bent
+        refracted, o_x, o_y, o_z, enters = _at_entrance(body, lane, t)
+        lean, q, _, by_both, _ = refracted
         s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
         cos_in, cos_out = lean * by_both, q * by_both
         transmitted, bright = transmittance(law, abs(cos_in), cos_out), t[BRIGHT + lane]
@@ -308,7 +308,7 @@ def enter_back(body, areas, lanes, t):  # type: ignore[no-untyped-def]
         d_o_x, d_o_y = t[_D_A + lane] * by_z, t[_D_B + lane] * by_z
         d_o_z = -(d_o_x * o_x + d_o_y * o_y) * by_z
         d_s_x, d_s_y, d_z_x, d_z_y = snell_back(
-            law.ratio, law.ratio * law.ratio - one, s_x, s_y, z_x, z_y, bent,
+            law.ratio, law.ratio * law.ratio - one, s_x, s_y, z_x, z_y, refracted,
             d_flux * bright * transmitted, d_o_x, d_o_y, d_o_z,
             d_transmitted * by_in, d_transmitted * by_out,
         )  # fmt: skip
