@@ -1,21 +1,21 @@
 """How far an image is from the target, and what to say when that cannot be computed."""
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
 from workbench.optics.account import LOSSES, Account
 from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
-# Losses of a smaller part of the light are not worth to be named.
-_TOLD = 5e-4
+# Losses of a smaller part of the light are not named.
+_NAMED = 5e-4
 
 
-def share(target: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+def share(target: Array) -> Array:
     """The target as the part of the light that each pixel should get; sums to 1."""
     # Divided by its largest value first, so that neither tiny nor huge images lose their sum.
     scaled = target / target.max()
@@ -53,7 +53,7 @@ def paper_loss(flux: Tensor, target_share: Tensor, measure: Tensor | float = 1.0
     return loss
 
 
-def relative_error(state: LensState, target: npt.NDArray[np.float64]) -> float:
+def relative_error(state: LensState, target: Array) -> float:
     """Relative L2 error of a lens's image as the design sees it: ‖I − T‖ / ‖T‖."""
     return float(state.loss * target.size**0.5 / np.linalg.norm(share(target)))
 
@@ -82,7 +82,7 @@ def check_light(flux: Tensor, account: Account, scene: Scene) -> None:
     named = {
         f"loss_{number}": Said("{part:.1%} {where}", part=part, where=Said(loss.where))
         for number, (loss, part) in enumerate(parts.items())
-        if part > _TOLD
+        if part > _NAMED
     }
     went = Said(", ".join(f"{{{name}}}" for name in named), **named)
     raise RunFailed(

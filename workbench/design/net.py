@@ -119,13 +119,14 @@ def _worth_of_target(target: Array, axis: int) -> float:
     from scipy.fft import dct  # late: it takes long to import
 
     # Cosines do not mind that opposite borders differ.
-    waves = dct(target / target.max(), axis=axis, norm="ortho")
+    drawn = target / target.max()
+    waves = dct(drawn, axis=axis, norm="ortho")
     energy = np.square(waves).sum(1 - axis)
     beyond = np.cumsum(energy[::-1])[::-1]  # from each frequency on
     half_periods = np.count_nonzero(beyond > _LEFT_OUT**2 * beyond[0])
     pixels = len(energy)
     usual = min(_PER_PERIOD * int(half_periods) / 2, _PER_PIXEL * pixels)
-    return max(usual, pixels * _for_dark_places(target / target.max(), axis))
+    return max(usual, pixels * _for_dark_places(drawn, axis))
 
 
 def _for_dark_places(target: Array, axis: int) -> float:

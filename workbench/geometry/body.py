@@ -62,9 +62,9 @@ def check_body(
     middle = len(u) // 2, len(v) // 2
     inside = outline_of(optic).contains(x[:, None], y)
     height, floor = (np.where(inside, z, z[middle]) for z in (height, floor))
-    for room, limit in (
-        (height - floor, below),
-        (high - height, above),
+    for room, limit, end in (
+        (height - floor, below, floor),
+        (high - height, above, np.full_like(floor, high)),
     ):
         if room.min() <= gap:
             i, j = np.unravel_index(room.argmin(), room.shape)
@@ -79,7 +79,7 @@ def check_body(
                     x=x[i],
                     y=y[j],
                     limit=limit,
-                    end=floor[i, j] if limit is below else high,
+                    end=end[i, j],
                     body=Said(optic.body_called),
                 ),
             )
