@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from PIL import Image
 
 import resources
 from resources import drawings, lights, receivers, two_faces
 from resources.fields_page import fields_page
+from workbench.arrays import Array
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
 
@@ -75,7 +75,7 @@ def drawing(name: str) -> Image.Image:
     return _grey_image(DRAWINGS[name](DRAWING_SIZE))
 
 
-def _grey_image(light: npt.NDArray[np.float64]) -> Image.Image:
+def _grey_image(light: Array) -> Image.Image:
     return Image.fromarray(np.rint(255 * light).astype(np.uint8))
 
 

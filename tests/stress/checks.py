@@ -5,11 +5,11 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 import torch
 
 from tests.stress.scenes import Case, Heights
+from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.kernels.collimated import FusedCollimatedRays
@@ -31,7 +31,6 @@ from workbench.scene import (
     Source,
 )
 
-Array = npt.NDArray[np.float64]
 Make = Callable[[Scene], Tracer]
 Ways = Callable[[Case, torch.dtype], dict[str, list[Make]]]
 

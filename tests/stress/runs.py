@@ -3,10 +3,10 @@
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 
 from tests.stress.scenes import Case
+from workbench.arrays import Array
 from workbench.design import auto
 from workbench.design.limits import HeightLimits
 from workbench.design.run import run
@@ -16,7 +16,7 @@ from workbench.scene import Scene
 TARGETS = ("tophat", "one pixel", "line", "checkerboard", "noise", "denormal", "huge")
 
 
-def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
+def target(kind: str, scene: Scene) -> Array:
     """A target that is hard to reach."""
     n_x, n_y = scene.receiver.pixels
     rng = np.random.default_rng(1)
@@ -34,7 +34,7 @@ def target(kind: str, scene: Scene) -> npt.NDArray[np.float64]:
     return image
 
 
-def check_within(heights: npt.NDArray[np.float64], allowed: HeightLimits) -> None:
+def check_within(heights: Array, allowed: HeightLimits) -> None:
     """No height is beyond its ends by more than rounding."""
     lower, upper = allowed.lower, allowed.upper
     room = 1e-12 * (upper - lower).max() + 1e-15 * np.abs(upper).max()

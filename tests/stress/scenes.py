@@ -3,18 +3,17 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from hypothesis import strategies as st
 
 from tests.scenes import changed
 from tests.stress.lamps import LAMPS
+from workbench.arrays import Array
 from workbench.design.heights import HeightRange
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
-Array = npt.NDArray[np.float64]
 Heights = dict[str, torch.Tensor]
 LENGTHS = {
     "lens": ("half_width", "entrance_z", "height_range", "min_thickness"),

@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.panels.editors import Chooser
@@ -11,6 +10,7 @@ from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from ui.words import later, tr
 from workbench.analysis.manufacture_limits import Limits
+from workbench.arrays import Array
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
 from workbench.pictures.maps import Extent
 
@@ -58,7 +58,7 @@ class FaceContent:
         """Nothing changes within a picture."""
         return False
 
-    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> Array:
         """Those of the map."""
         return self._drawn
 

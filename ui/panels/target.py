@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Signal
 from PySide6.QtGui import QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
@@ -15,6 +14,7 @@ from ui.panels.fields import Row, TextRow
 from ui.panels.panel import PartPanel
 from ui.panels.rows import KindRow, Make
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish
@@ -104,7 +104,7 @@ class Thumbnail(QWidget):
         self.setToolTip(tr("The light that is wanted on the screen"))
         self.setAccessibleName(tr("Target image"))
 
-    def show_target(self, target: npt.NDArray[np.float64], aspect: float) -> None:
+    def show_target(self, target: Array, aspect: float) -> None:
         """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""
         # As much light of the monitor for each pixel as there is on the screen.
         greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")

@@ -2,11 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
+from workbench.arrays import Array
 from workbench.pictures.images import ErrorImage
 
 if TYPE_CHECKING:
@@ -33,7 +31,7 @@ class ErrorContent(OnScreen):
         """Show the error of a frame."""
         return self.image.update(frame.state.irradiance)
 
-    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> Array:
         """Those of the image, with their sign."""
         return self.image.values
 

@@ -9,7 +9,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider
@@ -24,6 +23,7 @@ from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
+from workbench.arrays import Array
 from workbench.design.session import verified_error
 
 if TYPE_CHECKING:
@@ -44,9 +44,9 @@ _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of
 class _TracedLight:
     """The light on the screen that is looked at, as far as it is traced."""
 
-    light: npt.NDArray[np.float64] | None = None
+    light: Array | None = None
 
-    def of(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def of(self, frame: "Frame") -> Array:
         return np.zeros_like(frame.session.target) if self.light is None else self.light
 
 

@@ -7,7 +7,6 @@ The wheel zooms about the pointer, dragging moves, a double click shows the whol
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
@@ -16,6 +15,7 @@ from ui.views.image_link import ImageLink, Part, Place
 from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.pictures.maps import Extent, pixel_at
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class ImageContent(Protocol):
     def change(self, frame: "Frame") -> bool:
         """Bring the image up to date; whether more than its artists changed."""
 
-    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> Array:
         """What the image shows, shape (n_y, n_x)."""
 
     def unit(self, session: "Session") -> str:
@@ -70,7 +70,7 @@ class ImageView(PlotView):
         self.setMinimumWidth(_NARROWEST)
         self._link = link or ImageLink(self)
         self._axes: Axes | None = None
-        self._values: npt.NDArray[np.float64] | None = None
+        self._values: Array | None = None
         self._pointed: Place | None = None
         self._grip: tuple[Place, Place] | None = None  # pixels and place where a drag began
         self._dragged = False

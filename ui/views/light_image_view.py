@@ -2,12 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.views.image_link import ImageLink
 from ui.views.screen_image_view import OnScreen, ScreenImageView
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.pictures.images import IrradianceImage
 
 if TYPE_CHECKING:
@@ -33,9 +31,7 @@ class LightContent(OnScreen):
 
     image: IrradianceImage
 
-    def __init__(
-        self, values: "Callable[[Frame], npt.NDArray[np.float64]]", name: str = ""
-    ) -> None:
+    def __init__(self, values: "Callable[[Frame], Array]", name: str = "") -> None:
         self._name, self._light = name, values
         self._look = (False, "")  # logarithmic, colours
 
@@ -49,7 +45,7 @@ class LightContent(OnScreen):
         """Show the flux of a frame."""
         return self.image.update(self._light(frame))
 
-    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> Array:
         """Those of the image, in the scene's unit."""
         return self.image.values
 

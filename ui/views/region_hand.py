@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.scene import PolygonRegion, RectangleRegion
 from workbench.scene.region import AnyRegion
 
@@ -132,9 +132,7 @@ def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, .
     return tuple(side for side, there in zip(held, beside, strict=True) if there)
 
 
-def _corners_at(
-    corners: npt.NDArray[np.float64], place: npt.NDArray[np.float64]
-) -> tuple[int, ...]:
+def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
     """The corner within 1 of a place, or both of the side that is; coordinates in margins."""
     far = np.linalg.norm(corners - place, axis=1)
     if far.min() <= 1:
@@ -147,7 +145,7 @@ def _corners_at(
     return (first, (first + 1) % len(corners)) if beside[first] <= 1 else ()
 
 
-def _within(place: Sequence[float] | npt.NDArray[np.float64]) -> Place:
+def _within(place: Sequence[float] | Array) -> Place:
     """A place on the receiver, with as many digits as are read."""
     x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
     return x, y

@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ class RegionMarks:
         self.artists = (*outlines, *self._texts)
         """Drawn over the image, which is drawn anew for each state of a run."""
 
-    def show_light(self, irradiance: npt.NDArray[np.float64]) -> None:
+    def show_light(self, irradiance: Array) -> None:
         """Write the share of the light, and how even it is, at each region."""
         if not self._texts:
             return

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import QObject
 
 from ui.shown.frame import some_rays
 from ui.views.face_nets import FaceNets
 from ui.views.tools.tool import Tool
 from ui.words import later, tr
+from workbench.arrays import Array
 from workbench.pictures.images import LIGHT
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ class SceneContents:
         self.handles: SourceHandles | None = None
         self.sight: Sight | None = None
         self._dots: Dots | None = None
-        self._marked: tuple[ControlHeights, npt.NDArray[np.float64]] | None = None
+        self._marked: tuple[ControlHeights, Array] | None = None
 
     def begin(
         self, plotter: Any, session: "Session", look: SceneLook, *, dark: bool
@@ -118,7 +118,7 @@ class SceneContents:
         self.sight = Sight(plotter)
         return self.picture
 
-    def mark(self, heights: "ControlHeights", places: npt.NDArray[np.float64]) -> None:
+    def mark(self, heights: "ControlHeights", places: Array) -> None:
         """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
         self._marked = heights, places
 

@@ -32,6 +32,7 @@ from ui.views.tools.tool import Pointer, Tool
 from ui.views.tools.tool_input import ToolInput
 from ui.views.view import View
 from ui.widgets.native import make_native
+from workbench.arrays import Array
 from workbench.design.limits import bounded
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ class SceneView(View):
         self._look = SceneLook()
         self._tool: Tool | None = None
         self._shown: Session | None = None
-        self._held: npt.NDArray[np.float64] | None = None  # what the camera was turned to
+        self._held: Array | None = None  # what the camera was turned to
         self._placement: dict[str, Any] | None = None  # of the camera, once the design is there
         self._closed = False
         self._tool_input = ToolInput(self)
@@ -215,7 +216,7 @@ class SceneView(View):
         self._look = replace(self._look, rays=rays)
         self._ask()
 
-    def show_spots(self, heights: "ControlHeights", places: npt.NDArray[np.float64]) -> None:
+    def show_spots(self, heights: "ControlHeights", places: Array) -> None:
         """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
         self._contents.mark(heights, places)
         self._ask()
@@ -330,7 +331,7 @@ class SceneView(View):
         if moved:
             picture.fit()
 
-    def _space(self, scene: "Scene") -> npt.NDArray[np.float64]:
+    def _space(self, scene: "Scene") -> Array:
         """What the picture of a scene has to hold."""
         from workbench.pictures.camera import space
         from workbench.pictures.exploded import exploded

@@ -2,14 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout
 
 from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from ui.words import tr
+from workbench.arrays import Array
 from workbench.pictures.maps import Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
@@ -46,7 +45,7 @@ class SurfaceContent:
         """Show the face of a frame."""
         return self.image.update(frame.state.heights[self._faces.face])
 
-    def values(self, frame: "Frame") -> npt.NDArray[np.float64]:
+    def values(self, frame: "Frame") -> Array:
         """Those of the map."""
         return self.image.values
 

@@ -2,13 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
-
 from ui.shown.frame import same_task
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
 from ui.words import later, tr
+from workbench.arrays import Array
 from workbench.pictures.images import target_irradiance
 
 if TYPE_CHECKING:
@@ -48,6 +46,6 @@ def _light(frame: "Frame") -> float:
     return frame.session.scene.receiver.total(frame.state.irradiance) or 1.0
 
 
-def _target(frame: "Frame") -> npt.NDArray[np.float64]:
+def _target(frame: "Frame") -> Array:
     session = frame.session
     return target_irradiance(session.scene, session.target, _light(frame))

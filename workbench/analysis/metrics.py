@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import gaussian_filter
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 
 # Window and constants of Wang et al. (2004): 11 × 11 pixels of a Gaussian.
 _SIGMA, _RADIUS = 1.5, 5
@@ -152,12 +152,12 @@ def correlation(image: Array, target: Array) -> float | None:
     return together / math.sqrt(deviations[0] * deviations[1])
 
 
-def lit(target: Array) -> npt.NDArray[np.bool_]:
+def lit(target: Array) -> Mask:
     """The lit region: pixels of at least half the target's peak."""
     return np.asarray(target >= _LIT * target.max())
 
 
-def black(target: Array) -> npt.NDArray[np.bool_]:
+def black(target: Array) -> Mask:
     """The black region: pixels of at most a hundredth of the target's peak."""
     return np.asarray(target <= _BLACK * target.max())
 

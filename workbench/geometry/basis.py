@@ -3,17 +3,14 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-import numpy.typing as npt
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Index
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Indices = npt.NDArray[np.intp]
 
-
-def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tuple[Indices, Array]:
+def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tuple[Index, Array]:
     """The ``degree + 1`` basis functions that do not vanish at each u.
 
     Parameters
@@ -43,7 +40,7 @@ def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tup
     return span - degree, _nonzero(knots, degree, u, span, derivative)
 
 
-def _nonzero(knots: Array, degree: int, u: Array, span: Indices, derivative: int) -> Array:
+def _nonzero(knots: Array, degree: int, u: Array, span: Index, derivative: int) -> Array:
     """Functions ``span - degree`` to ``span`` of the given degree, at each u."""
     if derivative > degree:
         return np.zeros((len(u), degree + 1))

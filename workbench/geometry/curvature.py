@@ -6,7 +6,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.geometry.basis import sparse_basis
-from workbench.geometry.surface import AnyArray, ControlNet
+from workbench.geometry.surface import ControlNet, Numeric
 
 _ORDERS = (0, 1, 2)
 
@@ -67,8 +67,8 @@ def local_shape(net: ControlNet, heights: Array, u: Array, v: Array) -> LocalSha
 
 
 def mean_and_gaussian(
-    p: AnyArray, q: AnyArray, r: AnyArray, s: AnyArray, t: AnyArray
-) -> tuple[AnyArray, AnyArray]:
+    p: Numeric, q: Numeric, r: Numeric, s: Numeric, t: Numeric
+) -> tuple[Numeric, Numeric]:
     """Mean and Gaussian curvature of z(x, y), of the shape of its derivatives.
 
     Parameters

@@ -16,7 +16,7 @@ from workbench.scene import Optic
 if TYPE_CHECKING:
     from torch import Tensor
 
-AnyArray = TypeVar("AnyArray", npt.NDArray[Any], "Tensor")
+Numeric = TypeVar("Numeric", npt.NDArray[Any], "Tensor")
 
 
 class Outline(Protocol):
@@ -37,7 +37,7 @@ class Outline(Protocol):
         """Whether it is all of its bounding rectangle."""
         ...
 
-    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
+    def contains(self, x: Numeric, y: Numeric) -> Numeric:
         """Whether places are inside it or on it; x and y broadcast."""
         ...
 
@@ -82,7 +82,7 @@ class Rectangle:
         """See `Outline`."""
         return 4 * self.half_width[0] * self.half_width[1]
 
-    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
+    def contains(self, x: Numeric, y: Numeric) -> Numeric:
         """See `Outline.contains`."""
         r_x, r_y = self.half_width
         return (abs(x) <= r_x) & (abs(y) <= r_y)
@@ -133,7 +133,7 @@ class Ellipse:
         """See `Outline`."""
         return float(np.pi * self.half_width[0] * self.half_width[1])
 
-    def contains(self, x: AnyArray, y: AnyArray) -> AnyArray:
+    def contains(self, x: Numeric, y: Numeric) -> Numeric:
         """See `Outline.contains`."""
         r_x, r_y = self.half_width
         return (x / r_x) ** 2 + (y / r_y) ** 2 <= 1

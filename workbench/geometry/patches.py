@@ -12,8 +12,8 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.arrays import Array
-from workbench.geometry.basis import Indices, local_basis
+from workbench.arrays import Array, Index
+from workbench.geometry.basis import local_basis
 from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
 
@@ -149,7 +149,7 @@ def _rises(values: Tensor, sites: Array, axis: int) -> Tensor:
     return values.diff(dim=axis) / (distance[:, None] if axis == 0 else distance)
 
 
-def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Indices]:
+def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Index]:
     """Power coefficients of the basis functions on each span, and which functions these are.
 
     Taylor's series at the middle of the span, where it loses the fewest digits: coefficient m is

@@ -6,9 +6,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
 from workbench.geometry.outlines import Outline, outline_of
@@ -19,11 +18,11 @@ if TYPE_CHECKING:
 
 _AT_ONCE = 1 << 15  # places at which basis functions are held at once
 # Evaluation is indexing and matrix products alone, so arrays and tensors go the same way.
-AnyArray = TypeVar("AnyArray", npt.NDArray[np.float64], "torch.Tensor")
+Numeric = TypeVar("Numeric", Array, "torch.Tensor")
 
 
 @dataclass(frozen=True)
-class GridBasis(Generic[AnyArray]):
+class GridBasis(Generic[Numeric]):
     """Basis values on a tensor grid; evaluation is two small matrix products.
 
     Attributes
@@ -34,12 +33,12 @@ class GridBasis(Generic[AnyArray]):
         The same along y, transposed.
     """
 
-    along_x: AnyArray
-    slope_x: AnyArray
-    along_y: AnyArray
-    slope_y: AnyArray
+    along_x: Numeric
+    slope_x: Numeric
+    along_y: Numeric
+    slope_y: Numeric
 
-    def evaluate(self, heights: AnyArray) -> tuple[AnyArray, AnyArray, AnyArray]:
+    def evaluate(self, heights: Numeric) -> tuple[Numeric, Numeric, Numeric]:
         """Height and slopes dz/dx, dz/dy on the grid.
 
         Parameters
@@ -56,7 +55,7 @@ class GridBasis(Generic[AnyArray]):
 
 
 @dataclass(frozen=True)
-class PointBasis(Generic[AnyArray]):
+class PointBasis(Generic[Numeric]):
     """Basis values at scattered points.
 
     Attributes
@@ -71,14 +70,14 @@ class PointBasis(Generic[AnyArray]):
         The same along y.
     """
 
-    index_x: AnyArray
-    index_y: AnyArray
-    along_x: AnyArray
-    slope_x: AnyArray
-    along_y: AnyArray
-    slope_y: AnyArray
+    index_x: Numeric
+    index_y: Numeric
+    along_x: Numeric
+    slope_x: Numeric
+    along_y: Numeric
+    slope_y: Numeric
 
-    def evaluate(self, heights: AnyArray) -> tuple[AnyArray, AnyArray, AnyArray]:
+    def evaluate(self, heights: Numeric) -> tuple[Numeric, Numeric, Numeric]:
         """Height and slopes dz/dx, dz/dy at the points, each of shape (m,)."""
         near = heights[self.index_x[:, :, None], self.index_y[:, None, :]]  # [m, p+1, q+1]
         by_row = (near * self.along_y[:, None, :]).sum(2)  # [m, p+1]
@@ -190,7 +189,7 @@ class ControlNet:
         z, slope_x, slope_y = found.reshape(3, *x.shape)
         return z, slope_x, slope_y
 
-    def shaping(self, outline: Outline) -> npt.NDArray[np.bool_]:
+    def shaping(self, outline: Outline) -> Mask:
         """Which control points bear on the face inside an outline, shape (n_u, n_v).
 
         The others move nothing but what of the aperture is no glass.

@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import BSpline, NdBSpline
 from scipy.sparse import csr_array
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Index
 from workbench.errors import Refused
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
@@ -113,7 +112,7 @@ class Raster:
         """Those of the moves along x, shape (m_x - 1, m_y)."""
         return np.asarray(np.diff(self.tip, axis=0) / (self.x[1] - self.x[0]))
 
-    def _move(self, x: Array) -> npt.NDArray[np.intp]:
+    def _move(self, x: Array) -> Index:
         """Numbers of the moves that pass places."""
         number = np.floor((x - self.x[0]) / (self.x[1] - self.x[0]))
         return np.asarray(number.clip(0, len(self.x) - 2), dtype=np.intp)

@@ -4,10 +4,9 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
@@ -32,7 +31,7 @@ class RayPaths(NamedTuple):
 
     points: Array
     weight: Array
-    on_screen: npt.NDArray[np.bool_]
+    on_screen: Mask
 
 
 def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]) -> RayPaths:

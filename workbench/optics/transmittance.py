@@ -7,12 +7,12 @@ A law is a few numbers, so that the reference, quadratures and compiled kernels
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-import numpy.typing as npt
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.scene import Lens
 
-Cosine = TypeVar("Cosine", Tensor, npt.NDArray[np.float64], float)
+Cosine = TypeVar("Cosine", Tensor, Array, float)
 
 
 class TransmittanceLaw(NamedTuple):

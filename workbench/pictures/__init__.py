@@ -10,6 +10,7 @@ from typing import BinaryIO
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.design.session import Session, result_of
 from workbench.system_libraries import keep_shaders_in_memory
 
@@ -68,7 +69,7 @@ PICTURES: dict[str, Callable[[Session, BinaryIO], None]] = {
 
 
 def lens_image(
-    session: Session, lights: Sequence[npt.NDArray[np.float64]], explode: bool = False
+    session: Session, lights: Sequence[Array], explode: bool = False
 ) -> npt.NDArray[np.uint8]:
     """Draw a designed lens with its rays.
 

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, BinaryIO, Protocol
 
 import numpy as np
-import numpy.typing as npt
 from matplotlib.figure import Figure
 
+from workbench.arrays import Array
 from workbench.pictures.images import LIGHT, full_scale
 from workbench.scene import Scene
 
@@ -36,14 +36,14 @@ class InFocus(Protocol):
         """Part of the flux on the screen."""
 
     @property
-    def irradiance(self) -> npt.NDArray[np.float64]:
+    def irradiance(self) -> Array:
         """The image."""
 
 
 def draw_focus(
     figure: "FigureBase",
     scene: Scene,
-    target: npt.NDArray[np.float64],
+    target: Array,
     series: Sequence[InFocus],
 ) -> None:
     """Draw up to twelve of the images on one scale, and the curves below them."""
@@ -79,9 +79,7 @@ def _draw_curves(axes: "Axes", scene: Scene, series: Sequence[InFocus]) -> None:
     axes.legend(loc="best", fontsize=_FONT)
 
 
-def write_focus(
-    file: BinaryIO, scene: Scene, target: npt.NDArray[np.float64], series: Sequence[InFocus]
-) -> None:
+def write_focus(file: BinaryIO, scene: Scene, target: Array, series: Sequence[InFocus]) -> None:
     """Draw `draw_focus` as a PNG file.
 
     Raises

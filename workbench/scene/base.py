@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict
 
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
@@ -30,7 +31,7 @@ class FlatBase(Part):
     shape: Literal["flat"] = "flat"
     height: _BaseHeight
 
-    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height f(x, y) of the base, scene units; x and y broadcast."""
         x, y = np.broadcast_arrays(x, y)
         return np.full(x.shape, self.height)
@@ -68,7 +69,7 @@ class SphereBase(Part):
         """Shallow enough for any lens or mirror that a flat base was good for."""
         return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
 
-    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height f(x, y) of the base, scene units; x and y broadcast."""
         r2 = np.square(x) + np.square(y)
         # R − √(R² − r²) without the cancellation of two large numbers.

@@ -3,10 +3,11 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
+
+from workbench.arrays import Array
 
 
-def turned(about: tuple[float, float]) -> npt.NDArray[np.float64]:
+def turned(about: tuple[float, float]) -> Array:
     """The matrix (3, 3) of a turn; its columns are where it takes x, y and z.
 
     Parameters

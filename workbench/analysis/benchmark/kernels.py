@@ -5,13 +5,12 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
 from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.validation import validate
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.design.loss import paper_loss, share
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan, device_of
@@ -50,7 +49,7 @@ class Descent:
         heights: Array,
         dtype: torch.dtype = torch.float32,
         threads: int | None = None,
-        still: npt.NDArray[np.bool_] | None = None,
+        still: Mask | None = None,
         plan_of: Callable[..., Plan | BeamPlan] = Plan,
         **options: Any,
     ) -> None:

@@ -9,10 +9,11 @@ from threading import Event
 import numpy as np
 
 from workbench.analysis.cells.grading import Grading
-from workbench.analysis.cells.triangles import Array, Canvas
+from workbench.analysis.cells.triangles import Canvas
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
+from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.scene import Scene
 from workbench.watch import Steps

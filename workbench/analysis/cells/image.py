@@ -10,11 +10,11 @@ import numpy as np
 from workbench.analysis.cells.drawing import Drawing
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.cells.spots import Spots
-from workbench.analysis.cells.triangles import Array
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
+from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.said import Said

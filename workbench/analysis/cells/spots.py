@@ -9,18 +9,15 @@ matters here.
 import math
 
 import numpy as np
-import numpy.typing as npt
 from scipy.ndimage import binary_dilation, binary_erosion
 
 from workbench.analysis.cells.drawing import Drawing
-from workbench.analysis.cells.triangles import Array, Canvas, fill_spots
+from workbench.analysis.cells.triangles import Canvas, fill_spots
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.sources.even import in_disc, pairs
 from workbench.analysis.tracing.train import OpticalTrain
-from workbench.arrays import Index
+from workbench.arrays import Array, Index, Mask
 from workbench.scene import Scene
-
-Lit = npt.NDArray[np.bool_]
 
 # Rays of a spot, to its middle and to the corners of a pentagon: six values make a quadratic map.
 _RAYS = 6
@@ -110,7 +107,7 @@ class Spots(Drawing):
         self._count(canvas, joined(found))
 
 
-def _parted(lit: Lit) -> tuple[Lit, Lit]:
+def _parted(lit: Mask) -> tuple[Mask, Mask]:
     """Cells of which no light is lost, and those of which only a part is, as far as rays tell.
 
     What is so next to a place may be so in its cell. Beyond the rim, all is lost.

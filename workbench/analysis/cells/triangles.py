@@ -7,11 +7,9 @@ pixels behind it; a sum along the row adds the latter at the end.
 """
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.compiled import jit
-
-Array = npt.NDArray[np.float64]
 
 # Triangles of less area, in pixels², are a point or a line: their light is in one pixel.
 _SMALLEST = 1e-9

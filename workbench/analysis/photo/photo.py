@@ -23,7 +23,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import OpticalTrain, Tally
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
@@ -210,7 +210,7 @@ def _apart(first: Scene, last: Scene, heights: Mapping[str, Array]) -> float:
     return float(np.quantile(distances, _PART)) if distances.size else 0.0
 
 
-def _hits(scene: Scene, heights: Mapping[str, Array]) -> tuple[Array, npt.NDArray[np.bool_]]:
+def _hits(scene: Scene, heights: Mapping[str, Array]) -> tuple[Array, Mask]:
     """Where some rays meet the receiver, in pixels (m, 2), and whether they do."""
     train = OpticalTrain.of(scene, heights, _PROBES, 0, Pose(), [scene.receiver])
     every = joined([rays for number in range(BATCHES) for rays in train.source.batch(number)])

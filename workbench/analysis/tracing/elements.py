@@ -9,8 +9,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from workbench.arrays import Array as Array  # to be had from here, too
-from workbench.arrays import Mask as Mask
+from workbench.arrays import Array, Mask
 
 
 class TracedRays(NamedTuple):

@@ -8,12 +8,10 @@ Huttenlocher 2012, Distance transforms of sampled functions).
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.optics.kernels import threads
-
-Array = npt.NDArray[np.float64]
 
 
 def c_transform(potential: Array, weight_0: float, weight_1: float) -> Array:

@@ -3,12 +3,10 @@
 import math
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.optics.kernels import threads
-
-Array = npt.NDArray[np.float64]
 
 # Most parts along an axis into which a cell is cut where the map stretches it.
 _MOST_PARTS = 8

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Index
 
 _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 
@@ -158,7 +157,7 @@ def _mirrored(c: Array, candela: Array) -> tuple[Array, Array]:
     return np.append(c, 2 * c[-1] - c[-2::-1]), np.vstack([candela, candela[-2::-1]])
 
 
-def _between(angles: Array, values: Array) -> tuple[npt.NDArray[np.intp], Array]:
+def _between(angles: Array, values: Array) -> tuple[Index, Array]:
     """The interval that each value is in, and how far it is through it, in 0 to 1."""
     index = np.clip(np.searchsorted(angles, values, side="right") - 1, 0, len(angles) - 2)
     part = (values - angles[index]) / (angles[index + 1] - angles[index])

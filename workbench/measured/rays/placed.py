@@ -4,10 +4,9 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from workbench import units
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.measured.rays.rayset import RaySet
 
 _METRES = units.METRES | {"feet": 12 * units.METRES["inch"]}
@@ -28,7 +27,7 @@ class PlacedRays(NamedTuple):
     direction: Array
     flux: Array
 
-    def onto(self, z: float) -> tuple[Array, Array, npt.NDArray[np.bool_]]:
+    def onto(self, z: float) -> tuple[Array, Array, Mask]:
         """Where rays cross a plane, shape (m,) each, and which of them do.
 
         Those that go away from it, or start behind it, do not; their places are 0.

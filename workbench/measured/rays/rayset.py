@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import Index, Mask
+
 Floats = npt.NDArray[np.float32]
 
 MOST_RAYS = 4_000_000
@@ -151,14 +153,12 @@ def _checked(table: Floats, columns: Columns, first: int) -> Floats:
     return flux
 
 
-def _refuse(wrong: npt.NDArray[np.bool_] | np.bool_, first: int, what: str) -> None:
+def _refuse(wrong: Mask | np.bool_, first: int, what: str) -> None:
     if wrong.any():
         raise ValueError(f"its ray {first + int(wrong.argmax()) + 1} {what}")
 
 
-def _drawn(
-    flux: Floats, run: int, generator: np.random.Generator
-) -> tuple[npt.NDArray[np.intp], Floats]:
+def _drawn(flux: Floats, run: int, generator: np.random.Generator) -> tuple[Index, Floats]:
     """Which ray of each run stands for it, and with which flux."""
     if run == 1:
         return np.arange(len(flux)), flux.copy()

@@ -7,8 +7,8 @@ derivatives by it are taken on the way.
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import Z
 from workbench.optics.kernels.rows import OWN
@@ -16,7 +16,6 @@ from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 
 Number = np.floating[Any]
-AnyArray = npt.NDArray[np.floating[Any]]
 
 _ONE = np.uintp(1)
 # Numbers of a batch: slopes of the light, its flux per area across the axis, and derivatives by z.

@@ -5,13 +5,12 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.geometry.basis import local_basis
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 # The numbers of a batch lie in one array, at fixed distances: the compiler then sees that they do
 # not overlap, and vectorises. These are the first three, height and slopes.
@@ -47,7 +46,7 @@ class Axis(NamedTuple):
 def make_axis(
     net: ControlNet,
     axis: int,
-    t: npt.NDArray[np.float64],
+    t: Array,
     kind: type[np.floating[Any]],
     share: AnyArray | None = None,
 ) -> Axis:

@@ -1,10 +1,10 @@
 """What `workbench.optics.kernels.mirror` runs: parallel light from the mirror to the receiver."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import Z_X, Z_Y, Z
 from workbench.optics.kernels.origin_receive import receive, receive_back
@@ -23,7 +23,7 @@ class Along(NamedTuple):
         Where they are, scene units, in the trace's float type.
     """
 
-    place: npt.NDArray[np.floating[Any]]
+    place: AnyArray
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -3,8 +3,8 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import Z
 from workbench.optics.kernels.origin_trace import D_O_X, D_O_Y, D_O_Z, D_P_Z, O_X, O_Y, O_Z
@@ -62,7 +62,7 @@ def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
     )
 
 
-def _triple(vector: npt.NDArray[np.float64], kind: type[Number]) -> Triple:
+def _triple(vector: Array, kind: type[Number]) -> Triple:
     x, y, z = map(kind, vector)
     return x, y, z
 

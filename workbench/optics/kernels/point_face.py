@@ -4,9 +4,9 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 import torch
 
+from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
@@ -15,8 +15,6 @@ from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.point_meet import FALLS_BY
 from workbench.optics.kernels.point_patches import make_net
 from workbench.optics.kernels.taps import FAST
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 
 class Bounds(NamedTuple):
@@ -107,7 +105,7 @@ def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray
 
 def heights_cotangent(
     d_tables: AnyArray, shape: tuple[int, int], powers: tuple[AnyArray, AnyArray]
-) -> npt.NDArray[np.float64]:
+) -> Array:
     """Cotangent of the control heights from those of tables, the adjoint of `make_table`.
 
     Parameters

@@ -1,16 +1,14 @@
 """The order in which rays of points are traced: those of a patch of the exit face side by side."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.intersection import Bundle
 from workbench.optics.kernels.point_meet import depth_of_side
 from workbench.optics.kernels.point_patches import Net, span_of
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 # Cells of the order are at least so many along each axis, so that rays of a large patch that
 # follow each other light the same part of the screen.

@@ -7,16 +7,14 @@ one thread draws them sooner than several would begin.
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.optics.kernels.beam_edge import add_edge, see_edge
 from workbench.optics.kernels.beam_raster import ROUNDING
-
-Array = npt.NDArray[np.float64]
 
 
 def compiled_drawn(

@@ -13,12 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST, Taps, fill_taps, make_taps
 from workbench.optics.receivers import Receiver
 from workbench.scene import Filter
-
-AnyArray = npt.NDArray[np.floating[Any]]
 
 # Rays that are dealt with at a time: all arrays of a batch fit into the first-level cache.
 BATCH = 256
@@ -105,7 +104,7 @@ def make_spread(receiver: Receiver, filter: Filter, kind: type[np.floating[Any]]
     )
 
 
-def make_canvases(spread: Spread, count: int) -> npt.NDArray[np.float64]:
+def make_canvases(spread: Spread, count: int) -> Array:
     """Dark canvases, one for each part of the rays, shape (count, rows, columns).
 
     In float64 whatever the trace: many rays in one pixel add less each than float32 can tell.
@@ -114,7 +113,7 @@ def make_canvases(spread: Spread, count: int) -> npt.NDArray[np.float64]:
     return np.zeros((count, n_y + 2 * m_y, n_x + 2 * m_x))
 
 
-def add_up(spread: Spread, canvases: npt.NDArray[np.float64]) -> AnyArray:
+def add_up(spread: Spread, canvases: Array) -> AnyArray:
     """The image (n_y, n_x) of all canvases."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
     canvas = canvases[0] if len(canvases) == 1 else canvases.sum(axis=0)

@@ -17,9 +17,9 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 from scipy.fft import dct
 
+from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 
 # No 'nnan' or 'ninf': rays that go nowhere have such numbers.
@@ -49,7 +49,7 @@ class Taps(NamedTuple):
 
     half_size: int
     alpha: np.floating[Any]
-    series: npt.NDArray[np.floating[Any]]
+    series: AnyArray
 
 
 def make_taps(alpha: float, size: int, kind: type[np.floating[Any]]) -> Taps:
@@ -62,7 +62,7 @@ def make_taps(alpha: float, size: int, kind: type[np.floating[Any]]) -> Taps:
 
 
 @lru_cache(maxsize=32)
-def _fit(alpha: float, half_size: int, eps: float) -> npt.NDArray[np.float64]:
+def _fit(alpha: float, half_size: int, eps: float) -> Array:
     if alpha > _STEEPEST:
         return np.zeros((half_size, 4, 0))
     angle = np.pi * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
@@ -79,7 +79,7 @@ def _fit(alpha: float, half_size: int, eps: float) -> npt.NDArray[np.float64]:
     return np.asarray(series[:, :, : max(SHORT, terms + terms % 2)])
 
 
-def _even_functions(o: npt.NDArray[np.float64], alpha: float, half_size: int) -> Any:
+def _even_functions(o: Array, alpha: float, half_size: int) -> Any:
     """E_k, F_k, G_k and H_k at offsets above 0, shape (half_size, 4, m); without cancellation."""
     k = np.arange(1, half_size + 1)[:, None]
     rim2 = (half_size + 0.5) ** 2

@@ -6,7 +6,8 @@ from typing import Literal
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, Crossings, TracedRays
+from workbench.analysis.tracing.elements import Crossings, TracedRays
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.scene import Lens
 

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from workbench.analysis.tracing.elements import Array, Mask, TracedRays
+from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
+from workbench.arrays import Array, Mask
 from workbench.compiled import jit
 from workbench.scene import Optic, Screen
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from workbench.analysis.tracing.elements import Array, Crossings, FaceLight, TracedRays
+from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedRays
+from workbench.arrays import Array
 from workbench.compiled import jit
 from workbench.geometry.outlines import Outline
 

@@ -4,11 +4,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from workbench.arrays import Array
 from workbench.compiled import jit
-
-Array = npt.NDArray[np.float64]
 
 # Looks for a change of sign per knot span, along rays that may meet the face more than once.
 _LOOKS = 16
