@@ -3090,8 +3090,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/total_reflection.py" />
-            <source>{where}, as marked in the 3D scene. {cure}.</source>
-            <translation>{where}, wie in der 3D-Szene markiert. {cure}.</translation>
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, wie in der 3D-Szene markiert: {cure}.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/total_reflection.py" />
@@ -7126,8 +7126,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
-            <source>stopped at iteration {iteration}: {why}{cause}</source>
-            <translation>angehalten bei Iteration {iteration}: {why}{cause}</translation>
+            <source>{why}. {limit}</source>
+            <translation>{why}. {limit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>stopped at iteration {iteration}: {why}</source>
+            <translation>angehalten bei Iteration {iteration}: {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -7143,6 +7148,101 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/session.py" />
             <source>its lens was designed for another task, which was edited afterwards; freeform design goes on from it</source>
             <translation>die Linse wurde für eine andere Aufgabe entworfen, die danach bearbeitet wurde; freeform design macht von ihr aus weiter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>widen the height range, or leave it out</source>
+            <translation>den Höhenbereich erweitern oder weglassen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>thicker stock, or a smaller minimal thickness, lets the lens bend more</source>
+            <translation>mit einem dickeren Rohteil oder einer kleineren Mindestdicke kann die Linse stärker ablenken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>a higher base or a smaller minimal thickness gives it room</source>
+            <translation>eine höhere Basis oder eine kleinere Mindestdicke schafft Platz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>move the screen away from the lens</source>
+            <translation>den Schirm von der Linse wegrücken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>widen the entrance range</source>
+            <translation>den Eintrittsbereich erweitern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
+            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres Bereichs von {range} {unit} und würde in einem weiteren mehr vom Licht ablenken</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an der Mindestdicke von {thinnest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{range} {unit} is allowed</source>
+            <translation>erlaubt sind {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at an end of their range; {allowed}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an einem Ende ihres Bereichs; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The lens needs {range} {unit}; {allowed}</source>
+            <translation>Die Linse braucht {range} {unit}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The mirror needs {range} {unit}; {allowed}</source>
+            <translation>Der Spiegel braucht {range} {unit}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>the screen leaves room for {thickest:.3g} {unit}</source>
+            <translation>der Schirm lässt Platz für {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>the stock allows {thickest:.3g} {unit}</source>
+            <translation>das Rohteil erlaubt {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at the largest thickness; {allowed}</source>
+            <translation>{part:.0f} % der Kontrollhöhen liegen an der größten Dicke; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The lens needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>Die Linse müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The mirror needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>Der Spiegel müsste {needed:.3g} {unit} dick sein; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{sentence}: {cure}</source>
+            <translation>{sentence}: {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>±{high:.3g}</source>
+            <translation>±{high:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{low:.3g} to {high:.3g}</source>
+            <translation>{low:.3g} bis {high:.3g}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
@@ -7645,9 +7745,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/account.py" />
+            <source>Only {part:.1f} % of the light lands {place}; {lost:.0f} % {where}: {cure}.</source>
+            <translation>Nur {part:.1f} % des Lichts kommen {place} an; {lost:.0f} % {where}: {cure}.</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/total_reflection.py" />
+            <source>{part:.2g} % of the light is totally reflected at the {face}, most of it around x = {x:.3g}, y = {y:.3g} {unit}</source>
+            <translation>{part:.2g} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x:.3g}, y = {y:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />
@@ -7798,6 +7908,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/scene/limits.py" />
             <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
             <translation>{length:g} ist zu lang neben einer halben Breite von {half:g}; höchstens {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/losses.py" />
+            <source>a flatter base, </source>
+            <translation>eine flachere Basis, </translation>
         </message>
         <message>
             <location filename="../../workbench/scene/measured_source.py" />

@@ -3090,8 +3090,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/total_reflection.py" />
-            <source>{where}, as marked in the 3D scene. {cure}.</source>
-            <translation>{where}, comme marqué dans la scène 3D. {cure}.</translation>
+            <source>{where}, as marked in the 3D scene: {cure}.</source>
+            <translation>{where}, comme marqué dans la scène 3D : {cure}.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/total_reflection.py" />
@@ -7126,8 +7126,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
-            <source>stopped at iteration {iteration}: {why}{cause}</source>
-            <translation>arrêté à l'itération {iteration} : {why}{cause}</translation>
+            <source>{why}. {limit}</source>
+            <translation>{why}. {limit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>stopped at iteration {iteration}: {why}</source>
+            <translation>arrêté à l'itération {iteration} : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -7143,6 +7148,101 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/session.py" />
             <source>its lens was designed for another task, which was edited afterwards; freeform design goes on from it</source>
             <translation>sa lentille a été conçue pour une autre tâche, modifiée depuis ; freeform design repart d'elle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>widen the height range, or leave it out</source>
+            <translation>élargir la plage de hauteur, ou l'omettre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>thicker stock, or a smaller minimal thickness, lets the lens bend more</source>
+            <translation>un brut plus épais, ou une épaisseur minimale plus petite, permet à la lentille de dévier davantage</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>a higher base or a smaller minimal thickness gives it room</source>
+            <translation>une base plus haute ou une épaisseur minimale plus petite donne de la place</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>move the screen away from the lens</source>
+            <translation>éloigner l'écran de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>widen the entrance range</source>
+            <translation>élargir la plage d'entrée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
+            <translation>La face d'entrée remplit {part:.0f} % de sa plage de {range} {unit}, et dévierait davantage de lumière dans une plage plus large</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
+            <translation>{part:.0f} % des hauteurs de contrôle sont à l'épaisseur minimale de {thinnest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{range} {unit} is allowed</source>
+            <translation>la limite est de {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at an end of their range; {allowed}</source>
+            <translation>{part:.0f} % des hauteurs de contrôle sont à une extrémité de leur plage ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The lens needs {range} {unit}; {allowed}</source>
+            <translation>La lentille a besoin de {range} {unit} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The mirror needs {range} {unit}; {allowed}</source>
+            <translation>Le miroir a besoin de {range} {unit} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>the screen leaves room for {thickest:.3g} {unit}</source>
+            <translation>l'écran laisse de la place pour {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>the stock allows {thickest:.3g} {unit}</source>
+            <translation>le brut permet {thickest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{part:.0f} % of the control heights are at the largest thickness; {allowed}</source>
+            <translation>{part:.0f} % des hauteurs de contrôle sont à la plus grande épaisseur ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The lens needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>La lentille devrait avoir une épaisseur de {needed:.3g} {unit} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The mirror needs to be {needed:.3g} {unit} thick; {allowed}</source>
+            <translation>Le miroir devrait avoir une épaisseur de {needed:.3g} {unit} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{sentence}: {cure}</source>
+            <translation>{sentence} : {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>±{high:.3g}</source>
+            <translation>±{high:.3g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{low:.3g} to {high:.3g}</source>
+            <translation>{low:.3g} à {high:.3g}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/snapshot.py" />
@@ -7645,9 +7745,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/account.py" />
+            <source>Only {part:.1f} % of the light lands {place}; {lost:.0f} % {where}: {cure}.</source>
+            <translation>Seulement {part:.1f} % de la lumière arrive {place} ; {lost:.0f} % {where} : {cure}.</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/total_reflection.py" />
+            <source>{part:.2g} % of the light is totally reflected at the {face}, most of it around x = {x:.3g}, y = {y:.3g} {unit}</source>
+            <translation>{part:.2g} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x:.3g}, y = {y:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />
@@ -7798,6 +7908,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/scene/limits.py" />
             <source>{length:g} is too long beside a half-width of {half:g}; at most {most:g}</source>
             <translation>{length:g} est trop long pour une demi-largeur de {half:g} ; au plus {most:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/losses.py" />
+            <source>a flatter base, </source>
+            <translation>une base plus plate, </translation>
         </message>
         <message>
             <location filename="../../workbench/scene/measured_source.py" />

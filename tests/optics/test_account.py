@@ -95,7 +95,7 @@ def test_advice_names_the_largest_loss_before_the_screen_and_its_cure(make_scene
     scene = make_scene()
     account = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1)
     assert account.advice(scene) == (
-        "Only 10.0 % of the light lands on the screen; 60 % leaves by the side. A thinner lens, or "
+        "Only 10.0 % of the light lands on the screen; 60 % leaves by the side: a thinner lens, or "
         "a source farther away or nearer to the axis, keeps it."
     )
     assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice(scene)
@@ -109,7 +109,7 @@ def test_a_flatter_base_is_no_advice_where_the_base_is_flat(make_scene, shape):
     advice = account_of(1.0, 0.1, 0.1, 0.1, 0.0, 0.6, 0.1, 0.0).advice(scene)
     assert "60 % is totally reflected" in advice
     assert ("flatter" in advice) == (shape == "sphere")
-    assert "hicker stock" in advice
+    assert "thicker stock" in advice
 
 
 def test_the_advice_names_the_receiver(make_scene):

@@ -3,6 +3,7 @@
 import ast
 import re
 from pathlib import Path
+from typing import get_args
 
 import pytest
 import torch
@@ -20,6 +21,7 @@ from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
 from ui.words import error_text, inside, later, speak, spoken, spoken_by_system, tr
 from workbench.design.loss import check_light
+from workbench.design.shortfall import Cause, Shortfall
 from workbench.errors import Refused, RunFailed
 from workbench.files.session import open_design
 from workbench.jobs import JOBS
@@ -112,6 +114,37 @@ def test_light_that_is_lost_is_named_in_the_language_of_the_window(make_scene, s
     said = error_text(failed.value)
     assert said.startswith("kein Licht erreicht den Schirm: vom ausgesandten Licht 10.0% verfehlt")
     assert said.endswith("das weniger Ablenkung braucht, lässt es hinaus")
+
+
+def test_advice_on_lost_light_is_said_in_the_language_of_the_window(make_scene, speaking):
+    lost = {"missed_lens": 0.1, "total_reflection": 0.8}
+    advice = Account(0.1, lost).advice(make_scene())
+    speaking("de")
+    assert tr(advice) == (
+        "Nur 10.0 % des Lichts kommen auf dem Schirm an; 80 % wird totalreflektiert: dickeres "
+        "Material, ein kleinerer Brechungsindex oder ein Ziel, das weniger Ablenkung braucht, "
+        "lässt es hinaus."
+    )
+
+
+@pytest.mark.parametrize("cause", get_args(Cause))
+@pytest.mark.parametrize("needed", [None, (-1.0, 3.4)])
+def test_limits_that_are_too_narrow_are_said_in_the_language_of_the_window(
+    make_scene, speaking, cause, needed
+):
+    short, scene = Shortfall(cause, needed, (-0.2, 0.3), 0.4), make_scene()
+    said = short.in_full(scene)
+    speaking("de")
+    assert not re.search(r"\b(the|of|to|is|are|range|lens)\b", tr(said), re.IGNORECASE)
+    assert str(short.cure) in said and tr(short.cure) in tr(said)
+
+
+def test_a_narrow_height_range_has_its_numbers_in_other_languages(make_scene, speaking):
+    short = Shortfall("height_range", (-2.2, 2.2), (-0.2, 0.3), 0.4)
+    speaking("fr")
+    assert tr(short.sentence(make_scene())) == (
+        "La lentille a besoin de ±2.2 cm\N{NO-BREAK SPACE}; la limite est de -0.2 à 0.3 cm"
+    )
 
 
 def test_refusals_of_files_are_said_in_the_language_of_the_window(tmp_path, speaking):

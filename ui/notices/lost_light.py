@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject
 
 from ui.document.document import Document
 from ui.widgets.message_bar import MessageBar
+from ui.words import tr
 
 if TYPE_CHECKING:
     from ui.run.control import RunControl
@@ -34,7 +35,8 @@ class LostLightNotice(QObject):
     def say(self) -> None:
         """Say it of the lens that the document has."""
         scene, result = self._document.session.scene, self._document.session.result
-        self._text = "" if result is None else result.state.account.advice(scene)
+        advice = None if result is None else result.state.account.advice(scene)
+        self._text = "" if advice is None else tr(advice)
         if self._text and not self._messages.text:
             self._messages.warn(self._text)
 

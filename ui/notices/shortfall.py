@@ -101,11 +101,10 @@ class ShortfallNotice(QObject):
         return None
 
     def _sentence(self, shortfall: Shortfall) -> str:
-        sentence = shortfall.sentence(self._document.session.scene)
-        if shortfall.cause == "height_range":
-            return f"{sentence}."
-        cure = shortfall.cure
-        return f"{sentence}. {cure[0].upper()}{cure[1:]}."
+        scene = self._document.session.scene
+        if shortfall.cause == "height_range":  # the cure is offered as a button
+            return f"{tr(shortfall.sentence(scene))}."
+        return f"{tr(shortfall.in_full(scene))}."
 
     def _stop_and_widen(self, shortfall: Shortfall) -> None:
         self._stopped_for = shortfall

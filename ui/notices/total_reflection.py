@@ -11,6 +11,7 @@ from ui.threads.failure import sentence_of
 from ui.views.scene_view import SceneView
 from ui.words import tr
 from workbench.optics.account import LOSSES
+from workbench.said import Said
 
 if TYPE_CHECKING:
     from ui.run.control import RunControl
@@ -57,12 +58,12 @@ class TotalReflectionNotice(QObject):
         if found is None or heights is None:
             return
         self._view.show_spots(heights, found.places)
-        cure = LOSSES["total_reflection"].cure_in(session.scene)
-        self.said.emit(
-            tr("{where}, as marked in the 3D scene. {cure}.").format(
-                where=found.sentence(session.scene), cure=cure[0].upper() + cure[1:]
-            )
+        said = Said(
+            "{where}, as marked in the 3D scene: {cure}.",
+            where=found.sentence(session.scene),
+            cure=LOSSES["total_reflection"].cure_in(session.scene),
         )
+        self.said.emit(tr(said))
 
     def _give_up(self, session: "Session", error: Exception) -> None:
         self.said.emit(sentence_of(error, tr("search for total reflection")))

@@ -67,8 +67,7 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     if result is not None:
         _print(result, session.scene.receiver.place, as_json)
         if result.state.shortfall is not None:
-            shortfall = result.state.shortfall
-            print(f"{shortfall.sentence(session.scene)}: {shortfall.cure}", file=sys.stderr)
+            print(result.state.shortfall.in_full(session.scene), file=sys.stderr)
         elif advice := result.state.account.advice(session.scene):
             print(advice, file=sys.stderr)
         if not as_json and not interruption.asked:

@@ -129,15 +129,10 @@ def run(
 
 def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunFailed:
     """What ends a run, with what the first lens cannot meet where that is why."""
-    short = room.shortfall(room.begin)
-    return RunFailed(
-        Said(
-            "stopped at iteration {iteration}: {why}{cause}",
-            iteration=iteration,
-            why=error.args[0],
-            cause="" if short is None else f". {short.sentence(scene)}: {short.cure}",
-        )
-    )
+    why, short = error.args[0], room.shortfall(room.begin)
+    if short is not None:
+        why = Said("{why}. {limit}", why=why, limit=short.in_full(scene))
+    return RunFailed(Said("stopped at iteration {iteration}: {why}", iteration=iteration, why=why))
 
 
 def _scene_notes(scene: Scene) -> tuple[str, ...]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from workbench.errors import Refused
+from workbench.said import Said
 from workbench.scene import Scene
 
 Cause = Literal["height_range", "max_thickness", "min_thickness", "screen", "entrance_range"]
@@ -12,12 +13,12 @@ Interval = tuple[float, float]
 # Entrance ranges that are tried, times the one before.
 _WIDER = 2.0, 1.5, 1.25, 1.1
 
-_CURES: dict[Cause, str] = {
-    "height_range": "widen the height range, or leave it out",
-    "max_thickness": "thicker stock, or a smaller minimal thickness, lets the lens bend more",
-    "min_thickness": "a higher base or a smaller minimal thickness gives it room",
-    "screen": "move the screen away from the lens",
-    "entrance_range": "widen the entrance range",
+_CURES: dict[Cause, Said] = {
+    "height_range": Said("widen the height range, or leave it out"),
+    "max_thickness": Said("thicker stock, or a smaller minimal thickness, lets the lens bend more"),
+    "min_thickness": Said("a higher base or a smaller minimal thickness gives it room"),
+    "screen": Said("move the screen away from the lens"),
+    "entrance_range": Said("widen the entrance range"),
 }
 
 
@@ -45,29 +46,67 @@ class Shortfall:
     allowed: Interval
     share: float
 
-    def sentence(self, scene: Scene) -> str:
+    def sentence(self, scene: Scene) -> Said:
         """What is needed and what is allowed by a scene."""
-        called, unit = scene.optic.called, scene.unit
-        thinnest, thickest = self.allowed
-        if self.cause == "height_range":
-            allowed = f"{_offsets(self.allowed)} {unit} is allowed"
-            if self.needed is not None:
-                return f"The {called} needs {_offsets(self.needed)} {unit}; {allowed}"
-            return f"{self._ends} an end of their range; {allowed}"
         if self.cause == "entrance_range":
-            return (
-                f"The entrance face fills {100 * self.share:.0f} % of its range of "
-                f"{_offsets(self.allowed)} {unit}, and would bend more of the light in a wider one"
+            return Said(
+                "The entrance face fills {part:.0f} % of its range of {range} {unit}, and would "
+                "bend more of the light in a wider one",
+                part=100 * self.share,
+                range=_offsets(self.allowed),
+                unit=scene.unit,
             )
         if self.cause == "min_thickness":
-            return f"{self._ends} the minimal thickness of {thinnest:.3g} {unit}"
-        limit = (
-            "the stock allows" if self.cause == "max_thickness" else "the screen leaves room for"
+            return Said(
+                "{part:.0f} % of the control heights are at the minimal thickness of "
+                "{thinnest:.3g} {unit}",
+                part=100 * self.share,
+                thinnest=self.allowed[0],
+                unit=scene.unit,
+            )
+        return self._in_range(scene) if self.cause == "height_range" else self._in_stock(scene)
+
+    def _in_range(self, scene: Scene) -> Said:
+        unit = scene.unit
+        allowed = Said("{range} {unit} is allowed", range=_offsets(self.allowed), unit=unit)
+        if self.needed is None:
+            return Said(
+                "{part:.0f} % of the control heights are at an end of their range; {allowed}",
+                part=100 * self.share,
+                allowed=allowed,
+            )
+        return Said(
+            "The {optic} needs {range} {unit}; {allowed}",
+            optic=scene.optic.called,
+            range=_offsets(self.needed),
+            unit=unit,
+            allowed=allowed,
         )
-        if self.needed is not None:
-            needed = f"The {called} needs to be {self.needed[1]:.3g} {unit} thick"
-            return f"{needed}; {limit} {thickest:.3g} {unit}"
-        return f"{self._ends} the largest thickness; {limit} {thickest:.3g} {unit}"
+
+    def _in_stock(self, scene: Scene) -> Said:
+        unit, thickest = scene.unit, self.allowed[1]
+        allowed = (
+            Said("the screen leaves room for {thickest:.3g} {unit}", thickest=thickest, unit=unit)
+            if self.cause == "screen"
+            else Said("the stock allows {thickest:.3g} {unit}", thickest=thickest, unit=unit)
+        )
+        if self.needed is None:
+            return Said(
+                "{part:.0f} % of the control heights are at the largest thickness; {allowed}",
+                part=100 * self.share,
+                allowed=allowed,
+            )
+        return Said(
+            "The {optic} needs to be {needed:.3g} {unit} thick; {allowed}",
+            optic=scene.optic.called,
+            needed=self.needed[1],
+            unit=unit,
+            allowed=allowed,
+        )
+
+    def in_full(self, scene: Scene) -> Said:
+        """The sentence, and what helps."""
+        return Said("{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure)
 
     def scaled(self, factor: float) -> "Shortfall":
         """The same in another unit of length, of which ``factor`` make the one before."""
@@ -75,13 +114,9 @@ class Shortfall:
         return replace(self, needed=needed, allowed=_times(self.allowed, factor))
 
     @property
-    def cure(self) -> str:
+    def cure(self) -> Said:
         """What helps."""
         return _CURES[self.cause]
-
-    @property
-    def _ends(self) -> str:
-        return f"{100 * self.share:.0f} % of the control heights are at"
 
 
 def wider_entrance(scene: Scene) -> Interval | None:
@@ -114,8 +149,8 @@ def _times(interval: Interval, factor: float) -> Interval:
     return interval[0] * factor, interval[1] * factor
 
 
-def _offsets(interval: Interval) -> str:
+def _offsets(interval: Interval) -> Said:
     low, high = interval
     if abs(low + high) <= 0.005 * (high - low):
-        return f"±{high:.3g}"
-    return f"{low:.3g} to {high:.3g}"
+        return Said("±{high:.3g}", high=high)
+    return Said("{low:.3g} to {high:.3g}", low=low, high=high)

@@ -7,6 +7,7 @@ an element finds it. Dock, report, figures and files take all they say of it fro
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from workbench.said import Said
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
 from workbench.scene.losses import Loss
 
@@ -84,21 +85,22 @@ class Account:
         """Flux of rays that came to the screen's plane, on the screen or beside it."""
         return self.on_screen + self.lost["off_screen"]
 
-    def advice(self, scene: Scene) -> str:
-        """Where most light goes before the receiver, and what would help, in two sentences.
+    def advice(self, scene: Scene) -> Said | None:
+        """Where most light goes before the receiver, and what would help, in a sentence.
 
-        Empty if at least half of the light comes there: what is beside it is for a run to bring
+        None if at least half of the light comes there: what is beside it is for a run to bring
         back.
         """
         if self.arrived >= 0.5 * self.emitted:
-            return ""
+            return None
         most = max((name for name in self.lost if name != "off_screen"), key=self.lost.__getitem__)
-        where, receiver = LOSSES[most].where, scene.receiver
-        cure = LOSSES[most].cure_in(scene)
-        part = self.lost[most] / self.emitted
-        return (
-            f"Only {100 * self.efficiency:.1f} % of the light lands {receiver.place}; "
-            f"{100 * part:.0f} % {where}. {cure[0].upper()}{cure[1:]}."
+        return Said(
+            "Only {part:.1f} % of the light lands {place}; {lost:.0f} % {where}: {cure}.",
+            part=100 * self.efficiency,
+            place=Said(scene.receiver.place),
+            lost=100 * self.lost[most] / self.emitted,
+            where=Said(LOSSES[most].where),
+            cure=LOSSES[most].cure_in(scene),
         )
 
     def to_data(self) -> dict[str, float]:

@@ -9,6 +9,7 @@ import torch
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
+from workbench.said import Said
 from workbench.scene import Scene
 
 _NAME = "total_reflection"  # in the light account
@@ -51,12 +52,17 @@ class TotalReflection:
             float(np.average(y[here], weights=self.flux[here])),
         )
 
-    def sentence(self, scene: Scene) -> str:
+    def sentence(self, scene: Scene) -> Said:
         """How much it is, and where there is most of it."""
         x, y = self.middle
-        return (
-            f"{100 * self.share:.2g} % of the light is totally reflected at the "
-            f"{scene.optic.face_called}, most of it around x = {x:.3g}, y = {y:.3g} {scene.unit}"
+        return Said(
+            "{part:.2g} % of the light is totally reflected at the {face}, most of it around "
+            "x = {x:.3g}, y = {y:.3g} {unit}",
+            part=100 * self.share,
+            face=Said(scene.optic.face_called),
+            x=x,
+            y=y,
+            unit=scene.unit,
         )
 
 

@@ -33,7 +33,7 @@ class Loss(NamedTuple):
 
     def cure_in(self, scene: "Scene") -> Said:
         """The cure for a scene."""
-        flatter = Said("" if scene.optic.base.shape == "flat" else "a flatter base, ")
+        flatter = Said("") if scene.optic.base.shape == "flat" else Said("a flatter base, ")
         return Said(self.cure, receiver=scene.receiver.called, flatter=flatter)
 
 

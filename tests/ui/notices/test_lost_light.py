@@ -23,7 +23,7 @@ LOST = Account(
     },
 )
 SAID = (
-    "Only 8.0 % of the light lands on the screen; 57 % leaves by the side. A thinner lens, or a "
+    "Only 8.0 % of the light lands on the screen; 57 % leaves by the side: a thinner lens, or a "
     "source farther away or nearer to the axis, keeps it."
 )
 

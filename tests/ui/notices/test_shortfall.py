@@ -108,8 +108,8 @@ def test_too_thin_stock_is_reported_with_its_own_cure(desk, qtbot):
     desk.fall_short(THIN)
     design(desk, qtbot)
     assert desk.messages.text == (
-        "The lens needs to be 0.9 cm thick; the stock allows 0.6 cm. "
-        "Thicker stock, or a smaller minimal thickness, lets the lens bend more."
+        "The lens needs to be 0.9 cm thick; the stock allows 0.6 cm: "
+        "thicker stock, or a smaller minimal thickness, lets the lens bend more."
     )
     assert offers(desk) == []
 
@@ -151,7 +151,7 @@ def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
     design(desk, qtbot)
     assert desk.messages.text == (
         "The entrance face fills 90 % of its range of ±0.01 cm, and would bend more of the light "
-        "in a wider one. Widen the entrance range."
+        "in a wider one: widen the entrance range."
     )
     assert offers(desk) == []
 

@@ -61,7 +61,7 @@ def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
     assert (
         "% of the light is totally reflected at the exit face, most of it around x = " in sentence
     )
-    assert "as marked in the 3D scene. Thicker stock" in sentence
+    assert "as marked in the 3D scene: thicker stock" in sentence
     ((heights, places),) = desk.view.spots
     assert heights == desk.document.session.heights and places[:, 0].min() > 0.1
 
