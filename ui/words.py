@@ -9,6 +9,7 @@ it is shown. So does what the engine says of itself.
 `resources.translations` collects all of it.
 """
 
+import unicodedata
 from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
@@ -84,6 +85,19 @@ def inside(text: str) -> str:
     if _spoken in _NOUNS_ARE_LARGE or text[1:2].isupper():
         return text
     return text[:1].lower() + text[1:]
+
+
+def begun(text: str) -> str:
+    """A text as it stands at the beginning of a sentence; symbols as λ stay small.
+
+    Parameters
+    ----------
+    text : str
+        Translated.
+    """
+    if not (text and unicodedata.name(text[0], "").startswith("LATIN")):
+        return text
+    return text[0].upper() + text[1:]
 
 
 def spoken() -> str:

@@ -6870,6 +6870,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Konvexe Krümmung</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>finer cells would take too long</source>
+            <translation>feinere Zellen würden zu lange dauern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>that needs more rays</source>
+            <translation>das braucht mehr Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>off by up to {off:.2g} %, not {wanted:.2g} %: {why}</source>
+            <translation>bis zu {off:.2g} % daneben, nicht {wanted:.2g} %: {why}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/cells/image.py" />
             <source>no light of this lens reaches the screen, so there is no image to judge</source>
             <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es kein Bild zu beurteilen</translation>
@@ -6903,6 +6918,36 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/photo/photo.py" />
             <source>no light of this lens reaches the screen, so there is nothing to see</source>
             <translation>kein Licht dieser Linse erreicht den Schirm, also gibt es nichts zu sehen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>region {name}</source>
+            <translation>Region {name}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, least / mean {even}</source>
+            <translation>{part:.3f} % des Lichts, kleinste / mittlere {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}</source>
+            <translation>{part:.3f} % des Lichts, kleinste / mittlere {even}, größte / mittlere {most:.3f}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
+            <translation>{part:.3f} % des Lichts, {lumens}, im Mittel {mean}, mindestens {least}, höchstens {most}, kleinste / mittlere {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/shading.py" />
+            <source>{part:.3g} % of the light</source>
+            <translation>{part:.3g} % des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/shading.py" />
+            <source>{share}, most around ({x:.4g}, {y:.4g})</source>
+            <translation>{share}, das meiste um ({x:.4g}, {y:.4g})</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
@@ -7783,6 +7828,26 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/reading.py" />
             <source>cannot be read: {problem}</source>
             <translation>lässt sich nicht lesen: {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{off}, {times:.2f} times their noise</source>
+            <translation>{off}, das {times:.2f}-Fache ihres Rauschens</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{rays:,} rays, 95 % confidence</source>
+            <translation>{rays:,} Strahlen, 95 % Konfidenz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{low} to {high}</source>
+            <translation>{low} bis {high}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{figure}; {remark}</source>
+            <translation>{figure}; {remark}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />

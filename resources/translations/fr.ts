@@ -6870,6 +6870,21 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Courbure convexe</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>finer cells would take too long</source>
+            <translation>des cellules plus fines prendraient trop de temps</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>that needs more rays</source>
+            <translation>cela demande plus de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/by_cells.py" />
+            <source>off by up to {off:.2g} %, not {wanted:.2g} %: {why}</source>
+            <translation>jusqu'à {off:.2g} % d'écart, et non {wanted:.2g} % : {why}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/cells/image.py" />
             <source>no light of this lens reaches the screen, so there is no image to judge</source>
             <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a pas d'image à juger</translation>
@@ -6903,6 +6918,36 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/photo/photo.py" />
             <source>no light of this lens reaches the screen, so there is nothing to see</source>
             <translation>aucune lumière de cette lentille n'atteint l'écran : il n'y a rien à voir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>region {name}</source>
+            <translation>région {name}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, least / mean {even}</source>
+            <translation>{part:.3f} % de la lumière, minimum / moyenne {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}</source>
+            <translation>{part:.3f} % de la lumière, minimum / moyenne {even}, maximum / moyenne {most:.3f}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/regions.py" />
+            <source>{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}</source>
+            <translation>{part:.3f} % de la lumière, {lumens}, moyenne {mean}, minimum {least}, maximum {most}, minimum / moyenne {even}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/shading.py" />
+            <source>{part:.3g} % of the light</source>
+            <translation>{part:.3g} % de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/shading.py" />
+            <source>{share}, most around ({x:.4g}, {y:.4g})</source>
+            <translation>{share}, surtout autour de ({x:.4g}, {y:.4g})</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
@@ -7783,6 +7828,26 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/reading.py" />
             <source>cannot be read: {problem}</source>
             <translation>ne peut pas être lu : {problem}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{off}, {times:.2f} times their noise</source>
+            <translation>{off}, {times:.2f} fois leur bruit</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{rays:,} rays, 95 % confidence</source>
+            <translation>{rays:,} rayons, confiance de 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{low} to {high}</source>
+            <translation>{low} à {high}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/report/figures.py" />
+            <source>{figure}; {remark}</source>
+            <translation>{figure} ; {remark}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/base.py" />

@@ -8,6 +8,7 @@ import pytest
 
 from workbench.design.task import begin
 from workbench.jobs import JOBS
+from workbench.jobs.far_field import StreetLight
 from workbench.jobs.led import LedRectangle
 from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.prospect import prospecting
@@ -125,3 +126,9 @@ def test_a_wall_that_light_grazes_is_said():
     near = figures_at_once(WallWasher(**EVEN, wall_distance=400.0, above=2200.0))
     assert near["Light on the screen"].warns and "grazes" in near["Light on the screen"].meaning
     assert "Light on the screen" not in figures_at_once(WallWasher(**EVEN))
+
+
+def test_angles_have_their_sign_without_a_space():
+    said = figures_at_once(StreetLight())
+    assert said["Diffraction"].value.endswith("°")
+    assert not [figure.value for figure in said.values() if " °" in figure.value]

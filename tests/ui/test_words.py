@@ -19,7 +19,7 @@ from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.views.plot_words import LABELS, translate
-from ui.words import error_text, inside, later, speak, spoken, spoken_by_system, tr
+from ui.words import begun, error_text, inside, later, speak, spoken, spoken_by_system, tr
 from workbench.design.loss import check_light
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.errors import Refused, RunFailed
@@ -211,6 +211,20 @@ def test_labels_stand_in_the_pictures_of_the_engine():
 def test_titles_are_small_inside_of_sentences_but_for_german(speaking, language, title, expected):
     speaking(language)
     assert inside(title) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("light grazes the wall", "Light grazes the wall"),
+        ("étendue", "Étendue"),
+        ("λ / width of the lens", "λ / width of the lens"),
+        ("√(λ · distance)", "√(λ · distance)"),
+        ("", ""),
+    ],
+)
+def test_a_sentence_begins_with_a_large_letter_but_symbols_stay(text, expected):
+    assert begun(text) == expected
 
 
 def test_tables_stay_as_they_are():

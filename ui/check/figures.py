@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from ui.check.checking import RAYS, CheckedLens
 from ui.words import inside, later, tr
+from workbench.said import Said
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -262,4 +263,9 @@ def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tu
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),
         *((row, inside(tr(name)), tip) for row, (name, tip) in zip(parts, titles, strict=True)),
     ]
-    return [(row._replace(name=name), tr(tip)) for row, name, tip in rows]
+    return [(row._replace(name=name, value=_value(row.value)), tr(tip)) for row, name, tip in rows]
+
+
+def _value(value: str) -> str:
+    """A figure as it is, or what is said of it in the language of the window."""
+    return tr(value) if isinstance(value, Said) else value

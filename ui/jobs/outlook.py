@@ -11,7 +11,7 @@ from ui.panels.editors import Wrapped
 from ui.panels.target import Thumbnail
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
-from ui.words import tr
+from ui.words import begun, tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -136,8 +136,7 @@ class Outlook(QWidget):
     def _add(self, row: int, figure: "Figure") -> None:
         name = QLabel(tr(figure.name))
         mark = "\N{WARNING SIGN} " if figure.warns else ""
-        meaning = tr(figure.meaning)
-        sentence = f"{meaning[:1].upper()}{meaning[1:]}"
+        sentence = begun(tr(figure.meaning))
         said = QLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}", wordWrap=True)
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         self._figures.addWidget(said, row, 1)

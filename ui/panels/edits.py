@@ -10,6 +10,7 @@ from workbench.errors import Refused
 from workbench.quantity import read_number
 from workbench.said import Said
 from workbench.scene import Measure, Part, Scene, Unit
+from workbench.units import sized
 
 _STEP = re.compile(r"[^.\[\]]+")
 _INDEX = re.compile(r"\[\d+\]$")
@@ -104,7 +105,8 @@ class Edit:
             old, new = old[:1], new[:1]
         between = f" {self.between} ".replace(" ,", ",")
         unit = self.measure.sign_in(after.unit)
-        return f"{self.name or self.text} {between.join(old)} → {between.join(new)} {unit}".rstrip()
+        change = sized(f"{between.join(old)} → {between.join(new)}", unit)
+        return f"{self.name or self.text} {change}".rstrip()
 
 
 def _numbers(value: object) -> list[str]:

@@ -17,6 +17,7 @@ from ui.views.plot_view import PlotView
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.maps import Extent, pixel_at
+from workbench.units import sized
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -164,7 +165,7 @@ class ImageView(PlotView):
         (x, y), extent = self._pointed, self._content.extent(self._shown)
         pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is not None:
-            value = f"{self._values[pixel]:.4g} {self._content.unit(self._shown)}"
+            value = sized(f"{self._values[pixel]:.4g}", self._content.unit(self._shown))
             if np.isnan(self._values[pixel]):
                 value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
             whole = tr("{value} at {x}, {y}").format(

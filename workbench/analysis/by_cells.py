@@ -11,6 +11,7 @@ from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.arrays import Array
+from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 from workbench.watch import Steps, within
 
@@ -119,14 +120,19 @@ class ByCells:
         return f"{BATCHES} independent images of {self.independent.rays:,} random rays together"
 
     @property
-    def less_exact(self) -> str | None:
+    def less_exact(self) -> Said | None:
         """That the error is less exact than was asked for, and why; None where it is not."""
-        off, why = self.bound, "finer cells would take too long"
+        off, why = self.bound, Said("finer cells would take too long")
         if self.independent is not None:
-            off, why = self.independent.unscattered.off, "that needs more rays"
+            off, why = self.independent.unscattered.off, Said("that needs more rays")
         if off <= self.wanted:
             return None
-        return f"off by up to {100 * off:.2g} %, not {100 * self.wanted:.2g} %: {why}"
+        return Said(
+            "off by up to {off:.2g} %, not {wanted:.2g} %: {why}",
+            off=100 * off,
+            wanted=100 * self.wanted,
+            why=why,
+        )
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from workbench.arrays import Array
 from workbench.measured.light_unit import IN_PARTS, LightUnit
+from workbench.said import Said
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.coverage import coverage
 
@@ -47,22 +48,34 @@ class RegionLight:
         return self.least / self.mean
 
     @property
-    def title(self) -> str:
+    def title(self) -> Said:
         """What stands before its figures."""
-        return f"region {self.name}"
+        return Said("region {name}", name=self.name)
 
     @property
-    def words(self) -> str:
+    def words(self) -> Said:
         """How much light it gets, and how even that is."""
-        share = f"{100 * self.share:.3f} % of the light"
-        even = "–" if self.uniformity is None else f"{self.uniformity:.3f}"
+        part, even = 100 * self.share, "–" if self.uniformity is None else f"{self.uniformity:.3f}"
         if self.least is None or self.most is None or not self.mean:
-            return f"{share}, least / mean {even}"
+            return Said("{part:.3f} % of the light, least / mean {even}", part=part, even=even)
         if self.unit.lumens is None:
-            return f"{share}, least / mean {even}, most / mean {self.most / self.mean:.3f}"
+            return Said(
+                "{part:.3f} % of the light, least / mean {even}, most / mean {most:.3f}",
+                part=part,
+                even=even,
+                most=self.most / self.mean,
+            )
         mean, least, most = map(self.unit.density_in_words, (self.mean, self.least, self.most))
-        lumens = self.unit.flux_in_words(self.share)
-        return f"{share}, {lumens}, mean {mean}, least {least}, most {most}, least / mean {even}"
+        return Said(
+            "{part:.3f} % of the light, {lumens}, mean {mean}, least {least}, most {most}, "
+            "least / mean {even}",
+            part=part,
+            lumens=self.unit.flux_in_words(self.share),
+            mean=mean,
+            least=least,
+            most=most,
+            even=even,
+        )
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON."""

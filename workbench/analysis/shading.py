@@ -15,6 +15,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
+from workbench.said import Said
 from workbench.scene import Scene
 
 SHADED = "meets the face again", "comes through the screen"
@@ -44,12 +45,19 @@ class Shading:
     through_receiver: float
 
     @property
-    def figures(self) -> dict[str, str]:
+    def figures(self) -> dict[str, Said]:
         """What there is to say, by the names of `SHADED`; nothing where nothing is in the way."""
         parts = dict(zip(SHADED, (self.meets_again, self.through_receiver), strict=True))
-        said = {name: f"{100 * part:.3g} % of the light" for name, part in parts.items() if part}
+        said = {
+            name: Said("{part:.3g} % of the light", part=100 * part)
+            for name, part in parts.items()
+            if part
+        }
         if self.at is not None:
-            said[SHADED[0]] += ", most around ({:.4g}, {:.4g})".format(*self.at)
+            x, y = self.at
+            said[SHADED[0]] = Said(
+                "{share}, most around ({x:.4g}, {y:.4g})", share=said[SHADED[0]], x=x, y=y
+            )
         return said
 
     def to_data(self) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import even_counts, freeform_nets
+from workbench.units import sized
 
 # Places of a map along the longer side of the lens.
 _PLACES = 513
@@ -84,13 +85,13 @@ def _print_face(found: FaceFigures, unit: str) -> None:
     print(_line("convex radius", found.tightest_convex, unit))
     print(_line("ball cutter up to", found.tool_radius, unit))
     print(f"{'sag range':<18}{found.sag_range:.5g} {unit}")
-    print(f"{'draft':<18}{found.draft:.5g} °")
+    print(f"{'draft':<18}{found.draft:.5g}°")
 
 
 def _line(name: str, extreme: Extreme, unit: str) -> str:
     if math.isinf(extreme.value):
         return f"{name:<18}-"
-    value, bound = (f"{n:.5g} {unit}" for n in (extreme.value, extreme.bound))
+    value, bound = (sized(f"{n:.5g}", unit) for n in (extreme.value, extreme.bound))
     x, y = extreme.place
     return f"{name:<18}{value:<14}{bound:<14}{x:.4g}, {y:.4g}"
 

@@ -15,6 +15,7 @@ from workbench.jobs.proposals import blur_widths, diffraction
 from workbench.jobs.slopes import Slopes, needed_slopes
 from workbench.said import Said
 from workbench.scene import Scene
+from workbench.units import sized
 
 _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
 _ALL = 0.995  # more light than this is all of it
@@ -111,7 +112,7 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
         )
     else:
         same = abs(x - y) < 0.01 * max(x, y)
-        value = f"{x:.3g} {unit}" if same else f"{x:.3g} × {y:.3g} {unit}"
+        value = sized(f"{x:.3g}" if same else f"{x:.3g} × {y:.3g}", unit)
         parts = Said("{count:.0f} details fit side by side into the image.", count=wide / max(x, y))
         blur = Figure(Said("Blur of the light"), value, parts, 10 * max(x, y) > wide)
     law = Said("√(λ · distance)") if scene.receiver.at_distance else Said("λ / width of the lens")
@@ -119,7 +120,7 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
         blur,
         Figure(
             Said("Diffraction"),
-            f"{spread:.2g} {unit}",
+            sized(f"{spread:.2g}", unit),
             Said("{law}: finer details cannot be sharp, and no ray tracer shows that.", law=law),
             20 * spread > wide,
         ),

@@ -14,6 +14,7 @@ from workbench.extended.bound import Bound
 from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.report.content import Fact
+from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 from workbench.units import sized
 
@@ -57,13 +58,18 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     if found is None:
         return ()
     columns, rows = found.cells
-    times = _or_dash(found.difference_over_noise, ".2f", " times their noise")
+    off, over_noise = percent(found.difference), found.difference_over_noise
     return (
         Fact("verified error", percent(found.relative_l2_corrected)),
         Fact("it is surely", _interval(found.relative_l2_corrected_interval)),
-        Fact("cells", "; ".join(filter(None, (f"{columns} × {rows}", found.less_exact)))),
+        Fact("cells", _with(f"{columns} × {rows}", found.less_exact)),
         *_independent_rows(found.independent),
-        Fact("random rays are off by", f"{percent(found.difference)}, {times}"),
+        Fact(
+            "random rays are off by",
+            f"{off}, –"
+            if over_noise is None
+            else Said("{off}, {times:.2f} times their noise", off=off, times=over_noise),
+        ),
     )
 
 
@@ -71,7 +77,8 @@ def _independent_rows(found: IndependentError | None) -> tuple[Fact, ...]:
     """What has the error where cells do not tell it as exactly."""
     if found is None:
         return ()
-    return (Fact("error by independent images", f"{found.rays:,} rays, 95 % confidence"),)
+    said = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
+    return (Fact("error by independent images", said),)
 
 
 def bound_rows(found: Bound) -> tuple[Fact, ...]:
@@ -167,8 +174,12 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     return f"{value} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
 
 
-def _interval(ends: tuple[float, float]) -> str:
-    return f"{percent(ends[0])} to {percent(ends[1])}"
+def _interval(ends: tuple[float, float]) -> Said:
+    return Said("{low} to {high}", low=percent(ends[0]), high=percent(ends[1]))
+
+
+def _with(figure: str, remark: Said | None) -> str:
+    return figure if remark is None else Said("{figure}; {remark}", figure=figure, remark=remark)
 
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:

@@ -9,6 +9,7 @@ from tests.scene.test_further_image import SECOND
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
 from ui.check.figures import CheckFigures
+from ui.words import speak
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
 from workbench.design.task import begin
@@ -182,3 +183,23 @@ def test_the_figures_begin_with_the_error_without_random_rays(settings, designed
     assert interval.startswith("It is surely\t")
     assert cells.startswith("Cells\t")
     assert apart.endswith(" times their noise")
+
+
+@pytest.mark.parametrize(
+    ("language", "interval", "noise"), [("de", " % bis ", "Rauschens"), ("fr", " % à ", "bruit")]
+)
+def test_figures_are_said_in_the_language_of_the_window(
+    settings, designed, qapp, qtbot, language, interval, noise
+):
+    lens = designed.result.state.heights
+    found = validate(designed.scene, designed.target, lens, RAYS, accuracy=0.1)
+    speak(qapp, language)
+    try:
+        widget = CheckFigures(settings, QAction("Check lens"))
+        qtbot.addWidget(widget)
+        widget.show_check(CheckedLens(designed, lens), found, 0.01)
+        _, low_to_high, _, apart = widget.text.splitlines()[:4]
+    finally:
+        speak(qapp, "en")
+    assert interval in low_to_high
+    assert apart.endswith(noise)

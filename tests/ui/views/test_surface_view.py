@@ -52,7 +52,7 @@ def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilte
         qtbot.mouseMove(view._canvas, QPoint(round(i), round(view._canvas.height() - j)))
         return view._readout.text()
 
-    qtbot.waitUntil(lambda: reading().startswith("45 ° at x = 0.2"))
+    qtbot.waitUntil(lambda: reading().startswith("45° at x = 0.2"))
 
 
 def test_nothing_is_computed_while_hidden(view, tilted, monkeypatch, qtbot):
