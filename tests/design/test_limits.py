@@ -55,6 +55,13 @@ def test_a_surface_is_placed_about_the_undesigned_lens(limits_of, bowl):
     assert placed.max() + placed.min() == pytest.approx(2 * 1.5)
 
 
+def test_a_surface_is_placed_at_a_rise_above_the_undesigned_lens_that_has_room(limits_of, bowl):
+    limits = limits_of({"lens.base.height": 1.5, "lens.height_range": [-1.4, 1.4]})
+    risen = limits.placed(bowl, 0.1)
+    assert risen - limits.placed(bowl) == pytest.approx(0.1)
+    assert limits.hold(limits.placed(bowl, 10.0))
+
+
 def test_a_surface_keeps_away_from_an_end_that_is_near(limits_of, bowl):
     placed = limits_of({"lens.height_range": None}).placed(bowl)
     assert placed.min() == pytest.approx(0.05 + 0.25 * np.ptp(bowl))

@@ -114,6 +114,19 @@ def test_the_first_lens_goes_along_lines_through_all_images(at_two_distances):
     assert shots[-1].state.loss < 0.8 * shots[1].state.loss
 
 
+def test_an_automatic_entrance_range_does_as_well_as_one_that_is_given(
+    at_two_distances, make_scene, tmp_path
+):
+    data = at_two_distances.scene.to_data()
+    del data["lens"]["entrance"]["height_range"]
+    automatic = last_of(begin(type(at_two_distances.scene).from_data(data), tmp_path)).state
+    given = last_of(at_two_distances).state
+    assert automatic.loss < 1.1 * given.loss
+    # The exit face rises with the entrance face, and the glass stays about as thick as it was.
+    apart = automatic.heights["exit"].mean() - automatic.heights["entrance"].mean()
+    assert apart > 0.9 * BOTH["lens.base"]["height"]
+
+
 def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
     np.save(tmp_path / "wanted.npy", np.eye(8) + 0.1)
     image = {**SECOND, "target": {"image": str(tmp_path / "wanted.npy")}}

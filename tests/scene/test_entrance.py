@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tests.scene.test_further_image import SECOND
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
@@ -69,6 +70,17 @@ def test_an_automatic_entrance_face_rises_by_no_more_than_half_the_way_from_the_
     assert automatic.floor == pytest.approx(0.1 + 0.05)
     own = {**FREEFORM, "height_range": [-0.1, 0.3]}
     assert bounded(make_scene({"lens.entrance": own, **near})).entrance_range == (-0.1, 0.3)
+
+
+def test_an_automatic_entrance_face_has_half_of_thick_glass_for_several_images(make_scene):
+    thick = {"lens.entrance": FREEFORM, "lens.height_range": None, "lens.base.height": 1.05}
+    assert bounded(make_scene(thick)).entrance_range == pytest.approx((0.0, 0.25))
+    several = bounded(make_scene({**thick, "further_images": [SECOND]}))
+    assert several.entrance_range == pytest.approx((0.0, 0.5))
+    assert several.floor == pytest.approx(0.5 + 0.05)
+    near = {"source": {"kind": "point", "position": [0, 0, -0.8]}}
+    near_range = bounded(make_scene({**thick, **near, "further_images": [SECOND]})).entrance_range
+    assert near_range == pytest.approx((0.0, 0.4))
 
 
 @pytest.mark.parametrize("entrance", [FREEFORM, {**FREEFORM, "height_range": [-0.2, 0.3]}])

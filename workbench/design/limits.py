@@ -106,8 +106,8 @@ class HeightLimits:
         inside = heights.clip(self.lower, self.upper)
         return inside if locked is None else np.where(locked, heights, inside)
 
-    def placed(self, heights: Array) -> Array:
-        """A surface moved along z to where the undesigned lens is, as far as the limits allow.
+    def placed(self, heights: Array, rise: float = 0.0) -> Array:
+        """A surface moved along z to a rise above the undesigned lens, as far as the limits allow.
 
         One that does not fit anywhere is beyond the limits by as much above as below.
         """
@@ -116,7 +116,7 @@ class HeightLimits:
             return np.asarray(heights + (least + most) / 2)
         off = (heights - self.undesigned)[self.shaping]
         apart = min(_APART * (off.max() - off.min()), (most - least) / 2)
-        shift = np.clip(-(off.max() + off.min()) / 2, least + apart, most - apart)
+        shift = np.clip(rise - (off.max() + off.min()) / 2, least + apart, most - apart)
         return np.asarray(heights + shift)
 
     def nearest(self, heights: Array) -> Array:
@@ -152,4 +152,4 @@ def bounded(scene: Scene) -> Optic:
     optic = scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
     nearest = min(ends, key=lambda z: optic.onwards * z)
-    return optic.bounded(scene.source.nearest_z, nearest)
+    return optic.bounded(scene.source.nearest_z, nearest, bool(scene.further_images))

@@ -21,7 +21,11 @@ from workbench.scene.optic import Optic, relative
 from workbench.scene.part import NonNegative, Positive
 
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
-# An automatic entrance face may rise by this part of the lens's half-width.
+# An automatic entrance face may rise by this part of the lens's half-width, and for several images
+# by half of the glass too: light of an image at two distances is moved between the faces alone. In
+# 100 mm of glass 100 mm wide they rise by 36 mm. The example *Photograph at two distances* with an
+# automatic range is 0.8 % off, and 5.8 and 5.3 % with a quarter of the half-width. For one image a
+# wide range gains nothing, and light of near sources leaves by the side before a face far in it.
 _RISE = 0.25
 # And by this part of the way from a source to it: what it may rise is glass that the exit face
 # stands on, in which light of near sources spreads. An LED 10 mm before a lens 120 mm wide, error
@@ -289,9 +293,11 @@ class Lens(Optic):
     def _room_at_entrance(self) -> float:
         """How far a freeform entrance face may rise where nobody says so.
 
-        Half of what both faces share at most, so that the exit face has as much.
+        Half of what both faces share at most, so that the exit face has as much: the glass between
+        their places, and where that is thin, half of the lens's half-width.
         """
-        shared = [2 * _RISE * max(self.half_width)]
+        glass = self.base.extent(self.half_width)[0] - self.entrance_z - self.min_thickness
+        shared = [max(2 * _RISE * max(self.half_width), glass)]
         if self.max_thickness is not None:
             shared.append(self.max_thickness - self.min_thickness)
         if self.height_range is not None:
@@ -341,13 +347,16 @@ class Lens(Optic):
         """The stock, or the screen."""
         return "screen" if self.max_thickness is None else "max_thickness"
 
-    def bounded(self, source_z: float, receiver_z: float) -> Self:
+    def bounded(self, source_z: float, receiver_z: float, several: bool = False) -> Self:
         """The exit face stays in the nearer half of the way to the receiver, if nothing else says.
 
         Where the receiver is infinitely far, it stays below some widths of the lens. An automatic
-        entrance face rises by no more than a part of the way from the source.
+        entrance face rises by no more than a part of the way from the source, and for one image by
+        no more than a part of the lens's half-width.
         """
         rise = min(self._room_at_entrance, _NEAR_RISE * (self.entrance_z - source_z))
+        if not several:
+            rise = min(rise, _RISE * max(self.half_width))
         entrance = self.entrance.within(self.entrance.offsets(rise))
         lens = self.model_copy(update={"entrance": entrance})
         if self.height_range is not None or self.max_thickness is not None:

@@ -128,13 +128,15 @@ class Optic(Part):
         """What keeps its face below, if no height range does."""
 
     @abstractmethod
-    def bounded(self, source_z: float, receiver_z: float) -> Self:
+    def bounded(self, source_z: float, receiver_z: float, several: bool = False) -> Self:
         """The optic with all that limits its heights.
 
         Parameters
         ----------
         source_z, receiver_z : float
             Where its source and its receiver are nearest to it; infinite if they are.
+        several : bool
+            Whether it makes several images.
         """
 
     def ranged(self, low: float, high: float) -> Self:

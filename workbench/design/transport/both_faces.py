@@ -68,6 +68,9 @@ class BothFaces:
             face: np.full(net.shape, float(self._limits[face].undesigned.mean()))
             for face, net in nets.items()
         }
+        x, y = nets["exit"].positions
+        base = scene.optic.base.height_at(x[:, None], y[None, :])
+        self._thickness = float(base.mean()) - scene.optic.datum
         self.collimated = self._light.collimated
 
     def heights(
@@ -119,7 +122,7 @@ class BothFaces:
                     traced = self._light.through(heights)
                 entrance = self._entrance(traced, goal, fraction)
                 traced = self._light.through({**heights, "entrance": entrance})
-                heights = {"entrance": entrance, "exit": self._exit(traced, goal)}
+                heights = {"entrance": entrance, "exit": self._exit(traced, goal, entrance)}
         return heights
 
     def _entrance(self, traced: LightInLens, goal: Goal, fraction: float) -> Array:
@@ -137,11 +140,16 @@ class BothFaces:
             fraction *= _LESS * (extent - lacks) / extent
         return limits.nearest(heights)
 
-    def _exit(self, traced: LightInLens, goal: Goal) -> Array:
-        """The exit face that turns light into its way behind the lens."""
+    def _exit(self, traced: LightInLens, goal: Goal, entrance: Array) -> Array:
+        """The exit face that turns light into its way behind the lens.
+
+        It rises with the entrance face where glass would be thinner than between their places: the
+        thinner it is, the more both faces have to bend the light to move it as far.
+        """
         slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
         heights = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
-        return self._limits["exit"].placed(heights)
+        between = float(self._plate["exit"].mean() - entrance.mean())
+        return self._limits["exit"].placed(heights, max(self._thickness - between, 0.0))
 
 
 def cells_for(nets: Mapping[str, ControlNet]) -> int:

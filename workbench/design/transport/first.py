@@ -87,7 +87,9 @@ def first_of_several(
     alone : callable
         For a lens of one face, the first one for an image as if there were no other.
     """
-    images = scene.images(target)
+    # The lens has the limits that all images leave it together.
+    optic = bounded(scene)
+    images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.images(target)]
     found: dict[str, Mapping[str, Array]] = {}
     two_faces = "entrance" in freeform_nets(scene.optic)
     if two_faces and (both := line_start(scene, target)) is not None:
