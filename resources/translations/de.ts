@@ -3825,7 +3825,7 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are told of each</source>
+            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are given for each</source>
             <translation>Wie weit das Bild vom Ziel entfernt ist, wie der Entwurf es sieht (relatives L2), und wie viel Licht ankommt, wo es gewünscht ist: auf dem Schirm oder im Fernfeld. Bei mehreren Bildern beides für jedes</translation>
         </message>
         <message>
@@ -5531,7 +5531,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All light that the emitter gives. With it, light on a screen is told in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
+            <source>All light that the emitter gives. With it, light on a screen is given in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
             <translation>Alles Licht, das der Strahler abgibt. Damit wird Licht auf einem Schirm in Lux und Lumen angegeben; leer: in Teilen des ganzen Lichts. Die Linse hängt nicht davon ab.</translation>
         </message>
         <message>
@@ -5956,7 +5956,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Parts of the screen, or of the angles of the far field, whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
+            <source>Parts of the screen, or of the angles of the far field, whose light is stated by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
             <translation>Teile des Schirms oder der Winkel des Fernfelds, deren Licht für sich angegeben wird, etwa auf einem Tisch oder einer Fahrspur: wie viel es ist und wie gleichmäßig; bei mehreren Bildern dieselben Teile von jedem. Sie ändern die Linse nicht.</translation>
         </message>
         <message>
@@ -6281,7 +6281,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; left empty, in parts of all light.</source>
+            <source>All light of the lamp, as its data sheet says. With it, light is given in lux and lumen; left empty, in parts of all light.</source>
             <translation>Alles Licht der Lampe, wie im Datenblatt. Damit wird Licht in Lux und Lumen angegeben; bleibt es leer, in Teilen des ganzen Lichts.</translation>
         </message>
         <message>

@@ -3825,7 +3825,7 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are told of each</source>
+            <source>How far the image is from the target, as the design sees it (relative L2), and how much of the light lands where it is wanted: on the screen, or in the far field. Of several images, both are given for each</source>
             <translation>L'écart de l'image à la cible, tel que la conception le voit (L2 relatif), et la part de lumière qui arrive où elle est voulue : sur l'écran, ou dans le champ lointain. De plusieurs images, les deux pour chacune</translation>
         </message>
         <message>
@@ -5531,7 +5531,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All light that the emitter gives. With it, light on a screen is told in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
+            <source>All light that the emitter gives. With it, light on a screen is given in lux and lumen; left empty, in parts of all light. The lens does not depend on it.</source>
             <translation>Toute la lumière que donne l'émetteur. Avec elle, la lumière sur un écran est dite en lux et lumens ; vide : en parts de toute la lumière. La lentille n'en dépend pas.</translation>
         </message>
         <message>
@@ -5956,7 +5956,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Parts of the screen, or of the angles of the far field, whose light is told by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
+            <source>Parts of the screen, or of the angles of the far field, whose light is stated by itself, as on a desk or a lane: how much there is, and how even it is; of several images, the same parts of each. They do not change the lens.</source>
             <translation>Parties de l'écran ou des angles du champ lointain dont la lumière est indiquée à part, comme sur un bureau ou une voie : sa quantité et son uniformité ; de plusieurs images, les mêmes parties de chacune. Elles ne changent pas la lentille.</translation>
         </message>
         <message>
@@ -6281,7 +6281,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; left empty, in parts of all light.</source>
+            <source>All light of the lamp, as its data sheet says. With it, light is given in lux and lumen; left empty, in parts of all light.</source>
             <translation>Toute la lumière de la lampe, selon sa fiche technique. Avec elle, la lumière est indiquée en lux et en lumens ; sans elle, en parties de toute la lumière.</translation>
         </message>
         <message>

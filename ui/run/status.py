@@ -64,7 +64,7 @@ class RunStatus:
             tr(
                 "How far the image is from the target, as the design sees it (relative "
                 "L2), and how much of the light lands where it is wanted: on the screen, "
-                "or in the far field. Of several images, both are told of each"
+                "or in the far field. Of several images, both are given for each"
             ),
             tr(_LIGHT).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
         )

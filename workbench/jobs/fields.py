@@ -36,7 +36,7 @@ LampFlux = Annotated[
     Measure("lm", "lumen"),
     about(
         "Luminous flux",
-        "All light of the lamp, as its data sheet says. With it, light is told in lux and lumen; "
+        "All light of the lamp, as its data sheet says. With it, light is given in lux and lumen; "
         "left empty, in parts of all light.",
         le=1e9,
     ),

@@ -48,7 +48,7 @@ class AreaSource(WideSource):
         Measure("lm", "lumen"),
         about(
             "Luminous flux",
-            "All light that the emitter gives. With it, light on a screen is told in lux and "
+            "All light that the emitter gives. With it, light on a screen is given in lux and "
             "lumen; left empty, in parts of all light. The lens does not depend on it.",
             le=1e9,
         ),

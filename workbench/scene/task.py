@@ -122,7 +122,7 @@ class Scene(Part):
         SINCE_2,
         about(
             "Regions",
-            "Parts of the screen, or of the angles of the far field, whose light is told by "
+            "Parts of the screen, or of the angles of the far field, whose light is stated by "
             "itself, as on a desk or a lane: how much there is, and how even it is; of several "
             "images, the same parts of each. They do not change the lens.",
         ),
