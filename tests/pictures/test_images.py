@@ -202,3 +202,15 @@ def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("H (°)", "V (°)")
     assert axes.child_axes[0].get_ylabel() == "flux / sr"
     assert image.artists[0].get_label() == "intensity"
+
+
+def test_numbers_beside_the_bar_stay_written_out_when_the_scale_changes(make_scene):
+    scene = make_scene({"screen.half_width": [1000.0, 1000.0]})
+    axes = Figure().subplots()
+    image = IrradianceImage(axes, scene, np.ones((32, 32)))
+    bar = axes.child_axes[0].yaxis
+    for logarithmic in (False, True, False):
+        image.set_logarithmic(logarithmic)
+        axes.figure.draw_without_rendering()
+        assert bar.get_offset_text().get_text() == ""
+    assert not [text.get_text() for text in bar.get_ticklabels() if "e" in text.get_text()]

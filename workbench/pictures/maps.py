@@ -138,11 +138,19 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
     bar.set_label(unit, fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
-    if isinstance(bar.formatter, ScalarFormatter):  # a power of ten above would be cut off
-        bar.formatter.set_useOffset(False)
-        bar.formatter.set_scientific(False)
+    write_out(bar)
     bar.outline.set_linewidth(0.6)
     return bar
+
+
+def write_out(bar: Any) -> None:
+    """Numbers of an even scale in full: a power of ten above it would be cut off.
+
+    A bar forgets that when its image gets another norm.
+    """
+    if isinstance(bar.formatter, ScalarFormatter):
+        bar.formatter.set_useOffset(False)
+        bar.formatter.set_scientific(False)
 
 
 def ticks() -> MaxNLocator:
