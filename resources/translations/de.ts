@@ -241,7 +241,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Phone torch</source>
-            <translation>Telefonlampe</translation>
+            <translation>Handy-Taschenlampe</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -251,7 +251,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>LED to a rectangle</source>
-            <translation>LED auf Rechteck</translation>
+            <translation>LED auf ein Rechteck</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -396,7 +396,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Photograph from a thin plate</source>
-            <translation>Fotografie aus einer dünnen Platte</translation>
+            <translation>Fotografie mit einer dünnen Platte</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -406,7 +406,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Wide angle: disc from a near point</source>
-            <translation>Weitwinkel: Scheibe aus nahem Punkt</translation>
+            <translation>Weitwinkel: Scheibe aus einem nahen Punkt</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -1146,7 +1146,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
-            <translation>Ausschnitte auf den Bildern des Lichts zeichnen oder ihre Ränder verschieben: ein Rechteck ziehen, oder die Ecken eines Vielecks anklicken und doppelklicken. Esc beendet das</translation>
+            <translation>Ausschnitte auf den Bildern des Lichts zeichnen oder ihre Ränder verschieben: ein Rechteck ziehen, oder die Ecken eines Polygons anklicken und doppelklicken. Esc beendet das</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -2371,12 +2371,12 @@
         <message>
             <location filename="../../ui/jobs/outlook.py" />
             <source>At best</source>
-            <translation>Bestenfalls</translation>
+            <translation>Bestmöglich</translation>
         </message>
         <message>
             <location filename="../../ui/jobs/outlook.py" />
             <source>Computing what can be expected…</source>
-            <translation>Berechnung, was zu erwarten ist …</translation>
+            <translation>Ermittle, was zu erwarten ist …</translation>
         </message>
         <message>
             <location filename="../../ui/jobs/page.py" />
@@ -5992,12 +5992,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Polygon</source>
-            <translation>Vieleck</translation>
+            <translation>Polygon</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>A polygon, whose corners are drawn on an image.</source>
-            <translation>Ein Vieleck, dessen Ecken auf ein Bild gezeichnet werden.</translation>
+            <translation>Ein Polygon, dessen Ecken auf ein Bild gezeichnet werden.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6287,7 +6287,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Lamp to lens</source>
-            <translation>Lampe bis Linse</translation>
+            <translation>Von der Lampe zur Linse</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6357,12 +6357,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Lamp to wall</source>
-            <translation>Lampe bis Wand</translation>
+            <translation>Von der Lampe zur Wand</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>From the lamp straight to the wall.</source>
-            <translation>Von der Lampe gerade zur Wand.</translation>
+            <translation>Auf kürzestem Weg von der Lampe zur Wand.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6562,7 +6562,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>is absorbed by the glass</source>
-            <translation>absorbiert das Glas</translation>
+            <translation>wird vom Glas absorbiert</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6582,7 +6582,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>is absorbed by the mirror</source>
-            <translation>absorbiert der Spiegel</translation>
+            <translation>wird vom Spiegel absorbiert</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6922,7 +6922,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/analysis/regions.py" />
             <source>region {name}</source>
-            <translation>Region {name}</translation>
+            <translation>Ausschnitt {name}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
@@ -7707,7 +7707,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>Error at best</source>
-            <translation>Fehler bestenfalls</translation>
+            <translation>Kleinstmöglicher Fehler</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />

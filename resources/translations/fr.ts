@@ -251,7 +251,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>LED to a rectangle</source>
-            <translation>LED vers rectangle</translation>
+            <translation>LED vers un rectangle</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -6262,12 +6262,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Torch or phone</source>
-            <translation>Torche ou téléphone</translation>
+            <translation>Lampe torche ou téléphone</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>The light of a telephone or a torch throws a picture onto a wall.</source>
-            <translation>La lumière d'un téléphone ou d'une torche projette une image sur un mur.</translation>
+            <translation>La lumière d'un téléphone ou d'une lampe torche projette une image sur un mur.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6287,7 +6287,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Lamp to lens</source>
-            <translation>Lampe à lentille</translation>
+            <translation>De la lampe à la lentille</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6312,7 +6312,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Full width and height of the LED's bright face.</source>
-            <translation>Largeur et hauteur totales de la face brillante de la LED.</translation>
+            <translation>Largeur et hauteur totales de la face lumineuse de la LED.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6357,12 +6357,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Lamp to wall</source>
-            <translation>Lampe au mur</translation>
+            <translation>De la lampe au mur</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>From the lamp straight to the wall.</source>
-            <translation>De la lampe tout droit au mur.</translation>
+            <translation>De la lampe au mur, par le plus court chemin.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6982,7 +6982,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
             <source>a far field is at no distance</source>
-            <translation>un champ lointain n'est à aucune distance</translation>
+            <translation>un champ lointain n'a pas de distance</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/tolerance_fields.py" />
@@ -7892,7 +7892,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/far_field.py" />
             <source>is at no distance; a screen is needed</source>
-            <translation>n'est à aucune distance ; il faut un écran</translation>
+            <translation>n'a pas de distance ; il faut un écran</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/further_image.py" />
