@@ -159,3 +159,18 @@ def test_a_mirror_is_seen_from_its_reflecting_side(plotter, make_scene):
         assert plotter.camera.direction[2] > 0.1  # it looks towards +z, as the light comes
         lens.fit(view)
         assert plotter.camera.direction[2] < -0.1
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+@pytest.mark.parametrize("high", [0.0, 0.6])
+def test_a_mirror_is_seen_whole_beside_its_screen(plotter, make_scene, high, perspective):
+    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    aside = {"z": -5.0, "half_width": [1, 1], "pixels": [32, 32], "center": [5.0, 0.0]}
+    scene = make_scene({"lens": None, "mirror": mirror, "screen": aside})
+    camera = FittedCamera(plotter, scene, perspective=perspective)
+    camera.top = high
+    camera.fit("")
+    back = scene.optic.flat_z(np.array(high))
+    left, low, right, top = outline(Sight(plotter), (1.0, 1.0), (0.0, high, back))
+    width, height = plotter.window_size
+    assert left > 0 and low > 0 and right < width and top < height

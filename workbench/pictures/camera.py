@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene import Scene
+from workbench.scene import Optic, Scene
 
 VIEWS = {
     "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
@@ -57,7 +57,7 @@ class FittedCamera:
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
         self.view = ""
-        self.top = scene.optic.base.extent(scene.optic.half_width)[1]
+        self.top = first_top(scene.optic)
 
     def fit(self, view: str) -> None:
         """Turn the camera and fit everything, or a part of it, into what it sees.
@@ -151,12 +151,11 @@ class FittedCamera:
 
     def _corners(self, view: str) -> Array:
         """What a view has to hold, (n, 3)."""
-        lens = self._scene.optic
         if view in ("lens", "entrance"):
-            return _corners(lens.half_width, lens.front_z, self.top)
+            return _on_optic(self._scene.optic, self.top)
         if view == "screen":
             return _on_receiver(self._scene)
-        return space(self._scene)
+        return np.concatenate([space(self._scene), _on_optic(self._scene.optic, self.top)])
 
     def _oblique(self, view: str) -> Array:
         """Unit vector towards a camera beside the axis and above it, where the light goes.
@@ -289,10 +288,21 @@ def space(scene: Scene) -> Array:
     """What a picture has to hold: corners of the source, of the lens and of the screen, (n, 3)."""
     optic, source = scene.optic, scene.source
     before = optic.front_z - 0.5 * max(optic.half_width)
-    corners = [_corners(optic.half_width, before), _on_receiver(scene)]
+    corners = [_corners(optic.half_width, before), _on_optic(optic, first_top(optic))]
+    corners.append(_on_receiver(scene))
     if in_view(scene):
         corners.append(source.seen((2, 2)))
     return np.concatenate(corners)
+
+
+def first_top(optic: Optic) -> float:
+    """Greatest z of the exit face where it begins."""
+    return optic.base.extent(optic.half_width)[1]
+
+
+def _on_optic(optic: Optic, top: float) -> Array:
+    """Corners of a lens, or of a mirror with its plate, whose exit face comes up to ``top``."""
+    return _corners(optic.half_width, optic.front_z, top, optic.flat_z(np.array(top)))
 
 
 def _on_receiver(scene: Scene) -> Array:
