@@ -52,6 +52,10 @@ def do(job: str, hand: Hand) -> dict[str, float]:
         still = 0 if hand.having(follows) or hand.having(designing) else still + 1
     reported["good lens"] = time.monotonic() - begun
     hand.picture("5-good")
+    hand.focus(_WINDOW)
+    hand.press("F8")
+    hand.until(lambda: hand.find(tr("Figures of the check")), "figures of the check", _PATIENCE)
+    hand.picture("6-checked")
     return reported
 
 

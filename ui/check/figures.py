@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -102,6 +102,26 @@ _OF_REGION = later(
 )
 
 
+class _NarrowTable(QTableWidget):
+    """Names and values side by side, both wrapped so that nothing is cut off at the right."""
+
+    def __init__(self, rows: int, columns: int) -> None:
+        super().__init__(rows, columns)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+
+    def share_width(self) -> None:
+        """Give names the width that they need, but at most half; values get the rest."""
+        names, most = self.sizeHintForColumn(0), self.viewport().width() // 2
+        self.setColumnWidth(0, min(names, most))
+        self.resizeRowsToContents()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Wrap for the width of now."""
+        super().resizeEvent(event)
+        self.share_width()
+
+
 class CheckFigures(QWidget):
     """Keeps the figures when another lens is shown, and tells that they are of the one before.
 
@@ -125,7 +145,7 @@ class CheckFigures(QWidget):
         self._settings = settings
         self._hint = QLabel(tr(_NOTHING), wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
-        self._table = QTableWidget(0, 2)
+        self._table = _NarrowTable(0, 2)
         self._table.hide()  # until there is something in it
         self._table.setAccessibleName(tr("Figures of the check"))
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -135,10 +155,6 @@ class CheckFigures(QWidget):
         self._table.setFrameShape(QTableWidget.Shape.NoFrame)
         self._table.horizontalHeader().hide()
         self._table.verticalHeader().hide()
-        self._table.horizontalHeader().setStretchLastSection(True)
-        contents = QHeaderView.ResizeMode.ResizeToContents
-        self._table.horizontalHeader().setSectionResizeMode(0, contents)
-        self._table.verticalHeader().setSectionResizeMode(contents)
         copy = QAction(tr("Copy"), self._table)
         copy.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
         copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
@@ -242,6 +258,7 @@ class CheckFigures(QWidget):
                 item = QTableWidgetItem(text)
                 item.setToolTip(f"<p>{tip}</p>")
                 self._table.setItem(number, column, item)
+        self._table.share_width()
 
     def _choose(self) -> None:
         self._settings.setValue(_KEY, self.rays)

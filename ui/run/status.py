@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from ui.run.pace import Pace
+from ui.run.status_room import StatusRoom
 from ui.widgets.elided_label import ElidedLabel
 from ui.words import later, tr
 
@@ -28,7 +29,7 @@ class RunStatus:
         self._state = ElidedLabel()
         self._read = QTimer(bar)
         self._read.setSingleShot(True)
-        self._read.timeout.connect(lambda: self._state.setText(self._text))
+        self._read.timeout.connect(lambda: self._say(self._text))
         bar.addWidget(self._state, 1)
         self._progress = QProgressBar()
         self._progress.setFixedWidth(150)
@@ -81,6 +82,11 @@ class RunStatus:
             tr(_AT_MOST).format(time="00:00"),
         )
         self._pace = Pace()
+        self._room = StatusRoom(
+            bar,
+            (self._iteration, self._light, self._loss, self._elapsed, self._left),
+            (self._loss, self._elapsed, self._iteration),
+        )
 
     @property
     def text(self) -> str:
@@ -91,17 +97,17 @@ class RunStatus:
         """Say what goes on; a sentence shown before is of a state that is over."""
         self._text = text
         self._read.stop()
-        self._state.setText(text)
+        self._say(text)
 
     def go_on(self, text: str) -> None:
         """Say how far that is which goes on, once a sentence shown before has been read."""
         self._text = text
         if not self._read.isActive():
-            self._state.setText(text)
+            self._say(text)
 
     def tell(self, sentence: str) -> None:
         """Say something else for the time it takes to read it."""
-        self._state.setText(sentence)
+        self._say(sentence)
         self._read.start(_READ_MS)
 
     def show_frame(self, frame: "Frame", running: bool) -> None:
@@ -133,32 +139,42 @@ class RunStatus:
         may_stop = scene.run.method == "auto"
         words = tr(_AT_MOST) if may_stop else tr("{time} left")
         self._left.setText("" if left is None else words.format(time=clock(left)))
+        self._room.share()
 
     def show_verified(self, figures: str) -> None:
         """Show what checks say of a run; empty for nothing."""
         self._verified.setText(figures)
         self._verified.setVisible(bool(figures))
+        self._room.share()
 
     def show_check(self, figures: str) -> None:
         """Show what a check says of the lens on show; empty for nothing."""
         self._check.setText(figures)
         self._check.setVisible(bool(figures))
+        self._room.share()
 
     def show_bound(self, figures: str, sentence: str) -> None:
         """Show what no lens can be better than, the sentence as a tip; empty for nothing."""
         self._bound.setText(figures)
         self._bound.setToolTip(f"<p>{sentence}</p>")
         self._bound.setVisible(bool(figures))
+        self._room.share()
 
     def show_nothing(self) -> None:
         """There is no lens to show figures of."""
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
             figure.clear()
+        self._room.share()
 
     def settle(self) -> None:
         """The run has ended: nothing is in progress any more."""
         self._progress.hide()
         self._left.clear()
+        self._room.share()
+
+    def _say(self, text: str) -> None:
+        self._state.setText(text)
+        self._room.share()
 
 
 def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:

@@ -203,3 +203,17 @@ def test_figures_are_said_in_the_language_of_the_window(
         speak(qapp, "en")
     assert interval in low_to_high
     assert apart.endswith(noise)
+
+
+@pytest.mark.parametrize("width", [270, 400])
+def test_no_figure_is_cut_off_in_a_narrow_dock(figures, designed, found, qtbot, width):
+    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0321)
+    figures.resize(width, 380)
+    table = figures._table
+    columns = table.columnWidth, table.viewport().width
+    qtbot.waitUntil(lambda: columns[0](0) + columns[0](1) == columns[1]())
+    assert table.columnWidth(1) >= columns[1]() // 2
+    for row in range(table.rowCount()):
+        for column in range(2):
+            needed = table.sizeHintForIndex(table.model().index(row, column))
+            assert needed.height() <= table.rowHeight(row)

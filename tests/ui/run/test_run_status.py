@@ -110,8 +110,9 @@ def test_message_is_whole_in_its_tip_and_is_replaced_by_the_next_state(bar, qtbo
     status = RunStatus(bar)
     status.show_state("Designing…")
     bar.show()
-    bar.resize(bar.minimumSizeHint().width() + 100, bar.height())
     status.tell(said := "Saved pendant.freeform, with the best lens so far, after 176 iterations")
+    qtbot.waitUntil(lambda: bar.minimumSizeHint().width() < 200)  # figures take no room
+    bar.resize(300, bar.height())
     qtbot.waitUntil(lambda: status._state.toolTip() == said)
     assert status._state.shown.endswith("…") and status.text == said
     status._read.timeout.emit()
@@ -119,3 +120,23 @@ def test_message_is_whole_in_its_tip_and_is_replaced_by_the_next_state(bar, qtbo
     status.tell(said)
     status.show_state("Stopping…")
     assert status.text == "Stopping…" and not status._read.isActive()
+
+
+def test_why_a_run_ended_can_be_read_in_a_narrow_window(bar, qtbot, session, snapshots):
+    status = RunStatus(bar)
+    bar.resize(1280, bar.sizeHint().height())
+    bar.show()
+    status.show_frame(frame(session, snapshots(53, 300)), running=False)
+    status.show_check("Checked error 3.19 %")
+    status.show_bound("at best 2.31 %", "")
+    status.show_state(
+        said := "Converged: error less than 0.015 percentage points lower in 5 iterations"
+    )
+    qtbot.waitUntil(lambda: status._state.shown == said)
+    assert not status._light.isHidden() and not status._check.isHidden()
+    status.show_state(longer := f"{said}; of both faces it was 0.5 times that of one")
+    qtbot.waitUntil(lambda: status._state.shown == longer)
+    assert status._loss.isHidden() and not status._light.isHidden()
+    bar.resize(2560, bar.height())
+    qtbot.waitUntil(lambda: not status._loss.isHidden())
+    assert status._loss.minimumWidth() > 0
