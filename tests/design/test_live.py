@@ -134,6 +134,30 @@ def test_a_design_can_continue_from_the_last_lens(designed):
     assert present.state.heights == designed.result.state.heights
 
 
+def test_light_goes_where_it_went_when_all_but_the_target_is_edited(designed):
+    error = relative_error(designed.result.state, designed.target)
+    edited = moved(designed, 5.5)
+    live = LiveDesign()
+    present, first = (
+        snapshot
+        for snapshot, _ in zip(live.snapshots(edited, before=designed), range(2), strict=False)
+    )
+    assert (present.iteration, first.iteration) == (0, 1)
+    assert relative_error(present.state, edited.target) > 2 * error
+    assert first.best
+    assert relative_error(first.state, edited.target) < 1.2 * error
+    assert first.seconds > present.seconds
+
+
+def test_another_target_is_no_reason_to_send_light_where_it_went(designed):
+    spy = Spy()
+    other = replace(designed, target=designed.target[::-1] + 0.1, result=None)
+    for _ in zip(LiveDesign(spy).snapshots(other, before=designed), range(3), strict=False):
+        pass
+    asked = [start for _, start, _ in spy.asked]
+    assert asked == [other.heights, None] or asked == [None]
+
+
 def test_locked_control_points_stay_however_large_the_edit_is(designed):
     locked = np.zeros((16, 16), dtype=bool)
     locked[:3] = True

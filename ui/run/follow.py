@@ -191,7 +191,7 @@ class Follow(QObject):
             self._chain = False
             self.rest()
         elif asks_for_another_lens(before, after):
-            self._begin(after, self._chain and alone)
+            self._begin(after, self._chain and alone, before=before)
         elif alone and self._wanted is not None:
             self._begin(after, patient=True)  # the lens under way is wanted as before
         else:
@@ -203,6 +203,7 @@ class Follow(QObject):
         session: "Session",
         goes_on: bool = False,
         *,
+        before: "Session | None" = None,
         own_step: bool = False,
         patient: bool = False,
     ) -> None:
@@ -213,7 +214,7 @@ class Follow(QObject):
             return
         self._chain = True
         self._wanted, self._control.followed = session, True
-        job = RunJob(session, generate=lambda *_: self._snapshots(session, goes_on))
+        job = RunJob(session, generate=lambda *_: self._snapshots(session, goes_on, before))
         self._next = _Design(session, job, own_step, patient)
         self._background.begin(partial(work, job), self._next)
         if self._design is None:
@@ -222,9 +223,11 @@ class Follow(QObject):
             self._design.job.gate.stop()
         self._say(tr(_UNDER_WAY))
 
-    def _snapshots(self, session: "Session", goes_on: bool) -> "Generator[Snapshot, None, str]":
+    def _snapshots(
+        self, session: "Session", goes_on: bool, before: "Session | None"
+    ) -> "Generator[Snapshot, None, str]":
         """Meant for the thread, which alone touches the lenses of before."""
-        return (yield from self._live.snapshots(session, goes_on))
+        return (yield from self._live.snapshots(session, goes_on, before))
 
     def _take_next(self) -> None:
         """The thread has begun with what was next, or rests."""

@@ -190,6 +190,11 @@ class AnyReceiver(Part):
         u, v = u - mid_u, v - mid_v
         return (u + r_u) * (n_x / (2 * r_u)), (r_v - v) * (n_y / (2 * r_v))
 
+    def from_pixels(self, column: Any, row: Any) -> tuple[Any, Any]:
+        """Places on the receiver of continuous image coordinates; the inverse of `to_pixels`."""
+        (r_u, r_v), (n_x, n_y), (mid_u, mid_v) = self.half_extent, self.pixels, self.middle
+        return mid_u - r_u + column * (2 * r_u / n_x), mid_v + r_v - row * (2 * r_v / n_y)
+
     def contains(self, u: Any, v: Any) -> Any:
         """Whether places in its coordinates are on it; numpy arrays or torch tensors."""
         return self.covers(*self.to_pixels(u, v))

@@ -133,3 +133,11 @@ def test_all_light_is_accounted_for_and_both_tracers_agree(make_scene, receiver,
     assert flux.sum() == pytest.approx(account.on_screen, abs=2e-3)
     difference = np.linalg.norm(light.flux.numpy() - flux) / np.linalg.norm(flux)
     assert difference < 0.03
+
+
+@each_receiver
+def test_places_of_image_coordinates_undo_those_of_places(receiver, make_scene, rng):
+    receiver = make_scene(receiver).receiver
+    u, v = rng.uniform(-1, 1, (2, 20))
+    back = receiver.from_pixels(*receiver.to_pixels(u, v))
+    assert np.allclose(back, (u, v), rtol=0, atol=1e-12)

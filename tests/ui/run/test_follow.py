@@ -54,9 +54,8 @@ class Desk:
         self.document, self.engine, self._qtbot = Document(session, "small"), engine, qtbot
         self.control = RunControl(self.document, self.document)
         self.control.runner._generate = engine
-        self.follow = Follow(
-            self.document, self.control, self.document, LiveDesign(engine), patience_ms
-        )
+        live = LiveDesign(engine, refit=lambda *_: None)
+        self.follow = Follow(self.document, self.control, self.document, live, patience_ms)
         self.frames, self.settled, self.gave_up, self.failed = [], [], [], []
         self.control.runner.frame_ready.connect(self.frames.append)
         self.follow.settled.connect(lambda: self.settled.append(self.document.session))
@@ -198,7 +197,9 @@ def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, de
     starts = []
     live = desk.follow._live
     snapshots = live.snapshots
-    live.snapshots = lambda session, goes_on: starts.append(goes_on) or snapshots(session, goes_on)
+    live.snapshots = lambda session, goes_on, before: (
+        starts.append(goes_on) or snapshots(session, goes_on, before)
+    )
     for settled, z in enumerate((6, 7, 8), 1):
         desk.edit(z, key="drag")
         desk.wait(settled)
@@ -417,7 +418,7 @@ def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monk
         raise ZeroDivisionError("nothing there")
         yield
 
-    desk.follow._live = LiveDesign(generate)
+    desk.follow._live = LiveDesign(generate, refit=lambda *_: None)
     desk.edit(7)
     qtbot.waitUntil(lambda: bool(desk.failed))
     assert "nothing there" in desk.failed[0]

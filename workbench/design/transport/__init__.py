@@ -6,6 +6,7 @@ from workbench.design.transport.first import (
     first_of,
     first_of_several,
 )
+from workbench.design.transport.refit import refitted
 from workbench.design.transport.start import transport_start
 
 __all__ = [
@@ -13,5 +14,6 @@ __all__ = [
     "behind_flat_entrance",
     "first_of",
     "first_of_several",
+    "refitted",
     "transport_start",
 ]

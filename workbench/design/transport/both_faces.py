@@ -15,7 +15,8 @@ from workbench.arrays import Array
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.transport.back_and_forth import MOST_ROUNDS, Transport
 from workbench.design.transport.face import SlopeFit
-from workbench.design.transport.start import FEW_ROUNDS, UPRIGHT, wanted_cells
+from workbench.design.transport.faces import UPRIGHT
+from workbench.design.transport.start import FEW_ROUNDS, wanted_cells
 from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.interruption import check_interruption
