@@ -229,9 +229,7 @@ class CheckFigures(QWidget):
         self._hint.hide()
 
     def follow(self, figures: str) -> None:
-        """Take note of what is known of the lens on show, as `Check.figures_changed` tells it."""
-        if figures.startswith("Checked"):
-            return
+        """Take note of what is known of the lens on show, before `show_check` shows its figures."""
         before = tr(" Out of date: these figures are of the design before.") if self._count else ""
         self._hint.setText(f"{figures[:1].upper()}{figures[1:]}{before}" or tr(_NOTHING))
         self._hint.show()
