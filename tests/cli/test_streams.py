@@ -104,4 +104,4 @@ def test_characters_missing_in_the_output_encoding_are_replaced(lens, encoding):
     )
     assert (done.returncode, done.stderr) == (0, b"")
     degree = r"\xb0" if encoding == "ascii" else "°"
-    assert f" {degree}\n" in done.stdout.decode(encoding)
+    assert f"90{degree}\n" in done.stdout.decode(encoding)

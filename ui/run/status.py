@@ -31,12 +31,7 @@ class RunStatus:
         self._read.setSingleShot(True)
         self._read.timeout.connect(lambda: self._say(self._text))
         bar.addWidget(self._state, 1)
-        self._progress = QProgressBar()
-        self._progress.setFixedWidth(150)
-        self._progress.setTextVisible(False)
-        self._progress.setAccessibleName(tr("Progress of the design"))
-        self._progress.hide()
-        bar.addPermanentWidget(self._progress)
+        self._progress = _progress(bar)
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(
             bar,
@@ -175,6 +170,17 @@ class RunStatus:
     def _say(self, text: str) -> None:
         self._state.setText(text)
         self._room.share()
+
+
+def _progress(bar: QStatusBar) -> QProgressBar:
+    """A bar without a text, hidden at first."""
+    progress = QProgressBar()
+    progress.setFixedWidth(150)
+    progress.setTextVisible(False)
+    progress.setAccessibleName(tr("Progress of the design"))
+    progress.hide()
+    bar.addPermanentWidget(progress)
+    return progress
 
 
 def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
