@@ -12,6 +12,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import SampledFace
 from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
+from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
@@ -94,16 +95,18 @@ class FaceLight:
         cells.
         """
         cells = len(self.x), self.y.size
-        reference = Reference(Path.of(self._scene, self._net, torch.float64, samples=cells))
+        kind = precision_of(self._scene)
+        reference = Reference(Path.of(self._scene, self._net, kind, samples=cells))
         with torch.no_grad():
-            column, row, rays, *_ = reference.arrival({self._face: torch.tensor(heights)})
+            face = torch.tensor(heights, dtype=kind)
+            column, row, rays, *_ = reference.arrival({self._face: face})
         at, middles = rays.position[:2], (self.x, self.y)
         away = [np.abs(found.numpy() - m).max() for found, m in zip(at, middles, strict=True)]
         if max(away) > _NEAR * max(self._scene.optic.half_width) or not (
             column.isfinite().all() and row.isfinite().all()
         ):
             return None
-        u, v = self._scene.receiver.from_pixels(column.numpy(), row.numpy())
+        u, v = self._scene.receiver.from_pixels(column.double().numpy(), row.double().numpy())
         return u, v
 
     def _brighter(self, z: Array) -> Array:
