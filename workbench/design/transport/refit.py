@@ -1,8 +1,8 @@
 """A face for a task that has changed a little: light goes where it went before.
 
 No transport is needed, which takes most of the time of a first lens. With the index of a flame's
-lens 2 % higher or its screen 10 % farther, the face is found in 0.2 s, and its image is 1.5 to 2.1 %
-off, where it was 1.5 % off before; by transport it takes 1 to 2 s and begins at 6 to 8 %.
+lens 2 % higher or its screen 10 % farther, the face is found in 0.2 s, and its image is 1.5 to
+2.1 % off where it was 1.5 % off before; by transport it takes 1 to 2 s and begins at 6 to 8 %.
 """
 
 import numpy as np
