@@ -19,7 +19,7 @@ from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
 from workbench.optics.reference import Reference
-from workbench.optics.samples import Corners
+from workbench.optics.samples import Corners, places_of_points
 from workbench.scene import (
     AnyReceiver,
     CollimatedSource,
@@ -223,7 +223,8 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
     hair = 32 * torch.finfo(dtype).eps
     level, front = scene.optic.base.height, scene.optic.front_z
     deep = max((each - level).abs().max().item() for each in heights.values())
-    size = hair * (deep + abs(level - front))
+    thick = deep + abs(level - front)
+    size = hair * thick
     size += 4 * torch.finfo(torch.float64).eps * abs(level)  # of the heights themselves
     found = []
     # Pixels move to each side, or apart and together.
@@ -237,9 +238,13 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
             update={"source": _moved(scene, signs)}
         )
         if scene.lens is not None:
-            index = scene.lens.index * (1 + hair * rng.uniform(0, 1))
-            glass = scene.lens.model_copy(update={"refractive_index": index})
-            other = other.model_copy(update={"lens": glass})
+            lens, wide = scene.lens, max(scene.lens.half_width)
+            index = lens.index * (1 + hair * rng.uniform(0, 1))
+            # A way through the glass is the difference of places, which are rounded.
+            part = torch.finfo(dtype).eps * (1 + wide / thick)
+            fading = lens.absorption * (1 + part * (signs[0] + growth))
+            glass = {"refractive_index": index, "absorption": fading}
+            other = other.model_copy(update={"lens": lens.model_copy(update=glass)})
         moved = {
             face: each + size * torch.as_tensor(rng.uniform(-1, 1, each.shape))
             for face, each in heights.items()
@@ -254,13 +259,13 @@ def on_creases(case: Case) -> bool:
     They take that of one side or of the other, by the rounding of their place.
     """
     optic, source = case.scene.optic, case.scene.source
-    counts = source.rays if isinstance(source, CollimatedSource) else case.samples
-    places = [
-        (np.arange(count) + 0.5) / count * (points - 1)
-        for count, points, degree in zip(counts, optic.control_points, optic.degree, strict=True)
-        if degree == 1
+    samples = source.rays if isinstance(source, CollimatedSource) else case.samples
+    on_spans = [
+        places_of_points(samples, axis, source.point_count).part * (points - 1)
+        for axis, points in enumerate(optic.control_points)
+        if optic.degree[axis] == 1
     ]
-    return any(np.isclose(place, place.round(), rtol=0, atol=1e-6).any() for place in places)
+    return any(np.isclose(place, place.round(), rtol=0, atol=1e-6).any() for place in on_spans)
 
 
 def check_traces(case: Case, dtype: torch.dtype, by: Ways = ways) -> None:

@@ -37,6 +37,19 @@ NAMED = {
         | {"screen": None, "far_field": FAR_FIELD},
         samples=(2, 22),
     ),
+    "thin glass that absorbs, across which places in float32 have few digits": plain(
+        {
+            "source": {"kind": "collimated", "rays": [1, 1], "angular_diameter": 50.0},
+            "lens.half_width": [0.01, 1.0],
+            "lens.base": {"shape": "flat", "height": 1e-5},
+            "lens.height_range": [-1e-11, 1e-11],
+            "lens.min_thickness": 0.0,
+            "lens.absorption": 99999.0,
+            "lens.reflection": "schlick",
+            "screen.z": 1.01e-3,
+        },
+        samples=(1, 1),
+    ),
     "a lamp that is turned away gives no light": plain(
         {
             "source": {

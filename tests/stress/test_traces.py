@@ -48,6 +48,17 @@ NAMED = {
         },
         samples=(1, 25),
     ),
+    "points share samples of which some meet a crease": plain(
+        {
+            "source": {"kind": "grid", "points": [1, 3], "half_width": [0.0, 0.0], "rays": 1}
+            | {"center": [0.0, 0.0, -1e-9]},
+            "lens.degree": [1, 1],
+            "lens.control_points": [2, 3],
+            "screen.pixels": [1, 2],
+            "filter": {"kind": "box"},
+        },
+        samples=(1, 20),
+    ),
     "all rays at the critical angle": plain({"lens.refractive_index": 1.5}, face="critical"),
     "grazing rays in glass of index 4": plain(
         {"source": NEAR | {"position": [0.0, 0.0, -1e-9]}, "lens.refractive_index": 4.0}
