@@ -50,6 +50,34 @@ NAMED = {
         },
         samples=(1, 1),
     ),
+    "light that goes across a far field": plain(
+        {
+            "source": {"kind": "area", "emission": "lambertian", "rays": 1}
+            | {"center": [-1.0, 0.0, -1e-9], "half_width": [1e-9, 1e-9]},
+            "lens.refractive_index": 1.0003,
+            "lens.degree": [1, 1],
+            "lens.control_points": [2, 2],
+            "lens.base": {"shape": "flat", "height": 1e-3},
+            "lens.height_range": [-1e-9, 1e-9],
+            "lens.min_thickness": 0.0,
+            "screen": None,
+            "far_field": {"half_angle": [1e-3, 1e-3], "pixels": [1, 1]},
+        },
+        face="wild",
+        samples=(1, 14),
+        seed=264,
+    ),
+    "so few rays of a lamp that they make more than all light": plain(
+        {
+            "source": {
+                "kind": "photometric",
+                "file": "narrow.ies",
+                "position": [0.5, 0.0, -5.0],
+                "rotation": [180.0, 180.0, 0.0],
+                "rays": 3,
+            }
+        }
+    ),
     "a lamp that is turned away gives no light": plain(
         {
             "source": {

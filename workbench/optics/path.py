@@ -168,7 +168,7 @@ class Path:
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         passing = 1 - _total(rays)
         rays, lost, _ = _through(self._fixed, rays, {})
-        if passing > _ROUNDING:
+        if abs(passing) > _ROUNDING:  # few samples may make more than all light
             lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
         self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
         return _living(rays)

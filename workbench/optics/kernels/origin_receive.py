@@ -11,7 +11,9 @@ from workbench.optics.kernels.origin_trace import D_O_X, D_O_Y, D_O_Z, D_P_Z, O_
 from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, ROW
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.receivers import Receiver
+from workbench.optics.receivers.receiver import ACROSS
 
+_ACROSS2 = ACROSS**2
 Number = np.floating[Any]
 Triple = tuple[Number, Number, Number]
 
@@ -70,13 +72,12 @@ def _triple(vector: Array, kind: type[Number]) -> Triple:
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _approach(landing, x, y, z, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """Whether light meets the plane, how fast it comes nearer, and how far off the plane is."""
-    kind = type(z)
-    zero, tiny = kind(0), kind(1e-12)
+    zero, across2 = type(z)(0), type(z)(_ACROSS2)
     n_x, n_y, n_z = landing.normal
     speed = n_x * o_x + n_y * o_y + n_z * o_z
     length2 = o_x * o_x + o_y * o_y + o_z * o_z
     gap = landing.beyond - (n_x * x + n_y * y + n_z * z)
-    return (speed > zero) & (gap > zero) & (speed * speed > tiny * length2), speed, gap
+    return (speed > zero) & (gap > zero) & (speed * speed > across2 * length2), speed, gap
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -121,24 +122,31 @@ def on_plane_back(landing, x, y, z, o_x, o_y, o_z, d_column, d_row):  # type: ig
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _goes_on(o_x, o_y, o_z):  # type: ignore[no-untyped-def]
+    """Whether light does not go across or back."""
+    zero, across2 = type(o_z)(0), type(o_z)(_ACROSS2)
+    return (o_z > zero) & (o_z * o_z > across2 * (o_x * o_x + o_y * o_y + o_z * o_z))
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
     """As `on_plane`, of a far field."""
     aside = np.sqrt(o_x * o_x + o_z * o_z)
     column = landing.column_0 + landing.column[0] * np.arctan2(o_x, o_z)
     row = landing.row_0 + landing.row[0] * np.arctan2(o_y, aside)
-    inf, arrives = type(o_z)(np.inf), o_z > type(o_z)(0)
+    inf, arrives = type(o_z)(np.inf), _goes_on(o_x, o_y, o_z)
     return column if arrives else inf, row if arrives else inf
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
     """Adjoint of `by_direction`: cotangents of the direction."""
-    zero, one = type(o_z)(0), type(o_z)(1)
+    one, arrives = type(o_z)(1), _goes_on(o_x, o_y, o_z)
     aside2 = o_x * o_x + o_z * o_z
     aside = np.sqrt(aside2)
-    d_h = d_column * landing.column[0] / (aside2 if o_z > zero else one)
-    d_v = d_row * landing.row[0] / (aside2 + o_y * o_y if o_z > zero else one)
-    d_aside = -d_v * o_y / (aside if o_z > zero else one)
+    d_h = d_column * landing.column[0] / (aside2 if arrives else one)
+    d_v = d_row * landing.row[0] / (aside2 + o_y * o_y if arrives else one)
+    d_aside = -d_v * o_y / (aside if arrives else one)
     return d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
 
 
