@@ -3805,11 +3805,6 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Progress of the design</source>
-            <translation>Fortschritt des Entwurfs</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>Iterations done, and how many a second lately</source>
             <translation>Ausgeführte Iterationen, und wie viele je Sekunde zuletzt</translation>
         </message>
@@ -3852,6 +3847,11 @@
             <location filename="../../ui/run/status.py" />
             <source>{time} left</source>
             <translation>noch {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Progress of the design</source>
+            <translation>Fortschritt des Entwurfs</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -6466,8 +6466,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>How the lens is found: by the best that this program knows, or as then.</source>
-            <translation>Wie die Linse gefunden wird: mit dem Besten, was dieses Programm kennt, oder wie damals.</translation>
+            <source>How the lens is found: by the best that this program knows, on as many control points as the target needs, or as then. The 64 × 64 control points of the paper are too few for fine detail: a flame stays 19 % off.</source>
+            <translation>Wie die Linse gefunden wird: mit dem Besten, was dieses Programm kennt, auf so vielen Kontrollpunkten, wie das Ziel braucht, oder wie damals. Die 64 × 64 Kontrollpunkte der Veröffentlichung sind zu wenige für feine Einzelheiten: Eine Flamme bleibt 19 % daneben.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -3805,11 +3805,6 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>Progress of the design</source>
-            <translation>Avancement de la conception</translation>
-        </message>
-        <message>
-            <location filename="../../ui/run/status.py" />
             <source>Iterations done, and how many a second lately</source>
             <translation>Itérations faites, et combien par seconde dernièrement</translation>
         </message>
@@ -3852,6 +3847,11 @@
             <location filename="../../ui/run/status.py" />
             <source>{time} left</source>
             <translation>{time} restant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Progress of the design</source>
+            <translation>Avancement de la conception</translation>
         </message>
         <message>
             <location filename="../../ui/run/table.py" />
@@ -6466,8 +6466,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>How the lens is found: by the best that this program knows, or as then.</source>
-            <translation>Comment la lentille est trouvée : par le meilleur que connaît ce programme, ou comme alors.</translation>
+            <source>How the lens is found: by the best that this program knows, on as many control points as the target needs, or as then. The 64 × 64 control points of the paper are too few for fine detail: a flame stays 19 % off.</source>
+            <translation>Comment la lentille est trouvée : par le meilleur que connaît ce programme, sur autant de points de contrôle qu'il en faut pour la cible, ou comme alors. Les 64 × 64 points de contrôle de l'article sont trop peu pour de fins détails : une flamme reste à 19 % d’écart.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

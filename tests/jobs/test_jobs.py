@@ -19,6 +19,7 @@ from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 from workbench.jobs.wall_washer import WallWasher
 from workbench.materials import CATALOGUE
+from workbench.scene import AutoNet
 from workbench.scene.kinds import summary_of, title_of
 
 every_job = pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
@@ -142,3 +143,8 @@ def test_a_mirror_has_its_image_at_the_distance_and_angle_asked_for(aside):
 def test_each_experiment_of_the_paper_runs_by_either_method(name, method):
     scene = Experiment().with_answers({"name": name, "method": method}).scene()
     assert scene.run.method == method
+
+
+def test_only_the_method_of_the_paper_keeps_its_coarse_net():
+    by = {method: Experiment(method=method).scene().optic for method in ("auto", "paper")}
+    assert (by["auto"].control_points, by["paper"].control_points) == (AutoNet(), (64, 64))

@@ -7,7 +7,7 @@ from pydantic import ConfigDict
 import resources
 from workbench.files.scene import read_scene
 from workbench.jobs.job import Job
-from workbench.scene import AutoRun, PaperRun, RunSettings, Scene
+from workbench.scene import AutoNet, AutoRun, PaperRun, RunSettings, Scene
 from workbench.scene.fields import Choices, about
 
 _Name = Literal[
@@ -38,12 +38,19 @@ class Experiment(Job):
     method: Annotated[
         Literal["auto", "paper"],
         Choices((("auto", "Automatic"), ("paper", "As in the paper"))),
-        about("Method", "How the lens is found: by the best that this program knows, or as then."),
+        about(
+            "Method",
+            "How the lens is found: by the best that this program knows, on as many control points "
+            "as the target needs, or as then. The 64 × 64 control points of the paper are too few "
+            "for fine detail: a flame stays 19 % off.",
+        ),
     ] = "auto"
 
     def scene(self) -> Scene:
-        """The example of that name, with the method that was chosen."""
+        """The example of that name, with the method that was chosen and a net that suits it."""
         scene = read_scene(resources.path("examples", f"{self.name}.json"))
+        if self.method == "auto":
+            scene = scene.with_optic(scene.optic.altered(control_points=AutoNet()))
         if self.method == scene.run.method:
             return scene
         kind = PaperRun if self.method == "paper" else AutoRun
