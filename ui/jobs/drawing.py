@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -78,7 +78,7 @@ class SideDrawing(QWidget):
         line = self.fontMetrics().lineSpacing()
         rows = 0 if self._view is None else sum(map(_along, self._view.dimensions))
         side = self.fontMetrics().horizontalAdvance("00000 mm") / 2 + 4
-        return QRectF(self.rect()).adjusted(side, 1.5 * line, -side, -(rows + 1) * 1.3 * line)
+        return QRectF(self.rect()).adjusted(side, 2.4 * line, -side, -(rows + 1) * 1.3 * line)
 
     def _line(self, points: Array) -> QPolygonF:
         assert self._view is not None  # or nothing is drawn
@@ -122,6 +122,9 @@ class SideDrawing(QWidget):
         painter.restore()
         ground = self.fontMetrics().boundingRect(text).adjusted(-4, -1, 4, 1)
         ground.moveCenter(((first + last) / 2).toPoint())
+        if ground.width() > QLineF(first, last).length():  # would hide what it is between
+            ground.moveRight(max(round(first.x()), ground.width()))
+            ground.moveTop(round(max(first.y(), last.y()) + _ARROW))
         painter.fillRect(ground, self.palette().window())
         painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, text)
 

@@ -1,6 +1,6 @@
 """A scene seen from the side, to scale: light, lens or mirror, image, widths and distances."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -33,7 +33,9 @@ class Dimension:
 
 @dataclass(frozen=True, eq=False)
 class SideView:
-    """Lines in the plane of the axis, scene units: along the axis, then across it.
+    """Lines in the plane of the axis, scene units: to the right, then upwards.
+
+    To the right is along the axis, or across the image where that is tilted before a lens.
 
     Attributes
     ----------
@@ -66,6 +68,20 @@ class SideView:
         low, high = points.min(axis=0), points.max(axis=0)
         return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
+    def upright(self) -> "SideView":
+        """The same, turned until the image stands upright: a wall does, whatever a lamp faces."""
+        side = self.receiver[-1] - self.receiver[0]
+        along, up = side / np.linalg.norm(side)
+        turn = np.array([[up, along], [-along, up]])
+        return replace(
+            self,
+            source=self.source @ turn,
+            optic=self.optic @ turn,
+            receiver=self.receiver @ turn,
+            rays=tuple(ray @ turn for ray in self.rays),
+            dimensions=tuple(replace(each, ends=each.ends @ turn) for each in self.dimensions),
+        )
+
 
 def side_view(scene: Scene) -> SideView:
     """Draw a scene from the side, or from above where it is askew along x."""
@@ -84,9 +100,10 @@ def side_view(scene: Scene) -> SideView:
     places = np.stack([np.full(_RAYS, optic.leaving_z), half * np.linspace(-1, 1, _RAYS)], axis=-1)
     begin = _beginnings(scene, places, image, axis)
     rays = tuple(np.stack(each) for each in zip(begin, places, ends, strict=True))
-    return SideView(
+    view = SideView(
         "xy"[axis], source, outline, image, rays, _dimensions(scene, axis, image, source)
     )
+    return view.upright() if scene.lens is not None and receiver.at_distance else view
 
 
 def _seen(scene: Scene, axis: int, steps: Array) -> Array:
