@@ -3004,6 +3004,16 @@
             <translation>die Eintrittsfläche</translation>
         </message>
         <message>
+            <location filename="../../ui/notices/coarse_net.py" />
+            <source>Refine and start over</source>
+            <translation>Verfeinern und neu starten</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/coarse_net.py" />
+            <source>automatic control points</source>
+            <translation>automatische Kontrollpunkte</translation>
+        </message>
+        <message>
             <location filename="../../ui/notices/postponed_edits.py" />
             <source>Stop and apply</source>
             <translation>Stoppen und anwenden</translation>
@@ -7058,6 +7068,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
             <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/coarse_net.py" />
+            <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
+            <translation>Das Bild bleibt {error:.0f} % daneben: {n_u} × {n_v} Kontrollpunkte sind zu wenige für die Einzelheiten dieses Ziels. {finer_u} × {finer_v}, die automatische Wahl, können sie zeigen.</translation>
         </message>
         <message>
             <location filename="../../workbench/design/loss.py" />

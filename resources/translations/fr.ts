@@ -3004,6 +3004,16 @@
             <translation>la face d'entrée</translation>
         </message>
         <message>
+            <location filename="../../ui/notices/coarse_net.py" />
+            <source>Refine and start over</source>
+            <translation>Affiner et recommencer</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/coarse_net.py" />
+            <source>automatic control points</source>
+            <translation>points de contrôle automatiques</translation>
+        </message>
+        <message>
             <location filename="../../ui/notices/postponed_edits.py" />
             <source>Stop and apply</source>
             <translation>Arrêter et appliquer</translation>
@@ -7058,6 +7068,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/auto.py" />
             <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
             <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/coarse_net.py" />
+            <source>The image stays {error:.0f} % off: {n_u} × {n_v} control points are too few for the detail of this target. {finer_u} × {finer_v}, the automatic choice, can show it.</source>
+            <translation>L'image reste à {error:.0f} % d'écart : {n_u} × {n_v} points de contrôle sont trop peu pour le détail de cette cible. {finer_u} × {finer_v}, le choix automatique, peuvent le montrer.</translation>
         </message>
         <message>
             <location filename="../../workbench/design/loss.py" />

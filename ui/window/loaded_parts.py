@@ -15,6 +15,7 @@ from ui.files.photo_picture import PhotoPicture
 from ui.files.plots import Plots
 from ui.files.scene_pictures import ScenePictures
 from ui.lens.tools import LensTools
+from ui.notices.coarse_net import CoarseNetNotice
 from ui.notices.lost_light import LostLightNotice
 from ui.notices.postponed_edits import PostponedEdits
 from ui.notices.shortfall import ShortfallNotice
@@ -78,9 +79,10 @@ class LoadedParts(QObject):
         show_photo = partial(workspace.show_dock, "photo")
         self._photo = PhotoPicture(views.photo, document, messages, early.dialogs, show_photo, self)
         RunLog(document, self.control, early.log.add)
-        begin = (early.commands[name].trigger for name in ("start", "continue"))
+        begin = [early.commands[name].trigger for name in ("start", "continue")]
         shortfall = ShortfallNotice(document, self.control, messages, *begin)
         lost_light = LostLightNotice(document, self.control, messages)
+        CoarseNetNotice(document, self.control, messages, begin[0])
         self.follow.settled.connect(lambda: shortfall.follow(document.session))
         self.follow.settled.connect(lost_light.say)
         self.reflection = TotalReflectionNotice(document, self.control, views.scene)

@@ -66,14 +66,23 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
                 keeper.finish(result)
     if result is not None:
         _print(result, session.scene.receiver.place, as_json)
-        if result.state.shortfall is not None:
-            print(result.state.shortfall.in_full(session.scene), file=sys.stderr)
-        elif advice := result.state.account.advice(session.scene):
-            print(advice, file=sys.stderr)
+        _print_hint(session, result)
         if not as_json and not interruption.asked:
             _print_bound(session, result)
     if interruption.asked:
         raise EndedBySignal(interruption.asked, f"interrupted; {_held(result, output)}")
+
+
+def _print_hint(session: Session, result: Result) -> None:
+    """What keeps the lens from its target, where that is known, and what would help."""
+    from workbench.design.coarse_net import coarse_net  # late: a refusal does not wait for it
+
+    if result.state.shortfall is not None:
+        print(result.state.shortfall.in_full(session.scene), file=sys.stderr)
+    elif advice := result.state.account.advice(session.scene):
+        print(advice, file=sys.stderr)
+    elif coarse := coarse_net(session.scene, session.target, result):
+        print(coarse.sentence, file=sys.stderr)
 
 
 def _print_bound(session: Session, result: Result) -> None:

@@ -1,0 +1,61 @@
+"""What the window says, and offers, when a net is too coarse for its target."""
+
+import pytest
+from PySide6.QtCore import QObject, Qt
+
+from ui.document.document import Document
+from ui.notices.coarse_net import CoarseNetNotice
+from ui.run.control import RunControl
+from ui.widgets.message_bar import MessageBar
+from workbench.scene import AutoNet
+
+SLOW = "converged: less than 5 % better in 5 iterations"
+
+
+@pytest.fixture
+def desk(qtbot, session, as_run):
+    """A document whose runs converge with a high error."""
+    owner = QObject()
+    owner.document = Document(session, "small")
+    owner.document.setParent(owner)
+    owner.control, owner.messages = RunControl(owner.document, owner), MessageBar()
+    owner.begun = []
+
+    def design(why):
+        def run(scene, target, start=None, locked=None):
+            yield from as_run(2)(scene, target)
+            return why
+
+        owner.control.runner._generate = run
+        with qtbot.waitSignal(owner.control.ended):
+            owner.control.start()
+
+    owner.design = design
+    CoarseNetNotice(
+        owner.document, owner.control, owner.messages, lambda: owner.begun.append("anew")
+    )
+    qtbot.addWidget(owner.messages)
+    yield owner
+    owner.control.close()
+    owner.deleteLater()
+
+
+def test_a_finer_net_is_offered_and_designed(desk, qtbot):
+    desk.design(SLOW)
+    assert "12 × 10 control points are too few for the detail of this target" in desk.messages.text
+    (button,) = desk.messages.buttons
+    assert button.text() == "Refine and start over"
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert isinstance(desk.document.session.scene.lens.control_points, AutoNet)
+    assert desk.messages.text == "" and desk.begun == ["anew"]
+
+
+def test_nothing_is_said_of_a_run_that_ran_out_of_iterations(desk):
+    desk.design("all iterations are done")
+    assert desk.messages.text == ""
+
+
+def test_notice_does_not_replace_another_message(desk):
+    desk.messages.warn("The disk is full.")
+    desk.design(SLOW)
+    assert desk.messages.text == "The disk is full."
