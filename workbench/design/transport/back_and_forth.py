@@ -12,6 +12,7 @@ from scipy.fft import dctn, idctn
 
 from workbench.arrays import Array
 from workbench.design.transport.envelope import c_transform
+from workbench.design.transport.halves import doubled, halved
 from workbench.design.transport.push import mapped, push
 from workbench.interruption import check_given_up
 from workbench.optics.kernels import threads
@@ -56,9 +57,10 @@ class Transport:
         # that of a few bright pixels.
         if all(m % 2 == 0 and m >= 2 * _COARSEST for m in source.shape):
             self._progress = _FINE_PROGRESS
-            coarse = Transport(_halved(source), _halved(target), weights)
-            self._there: Array = _doubled(coarse._there)  # potential whose map goes to the target
-            # A finer potential has four times the numbers; a bit more to smooth it soon.
+            coarse = Transport(halved(source), halved(target), weights)
+            # The potential whose map goes to the target, in cells squared. A finer one has four
+            # times the numbers; steps a bit more, to smooth it soon.
+            self._there: Array = 4 * doubled(coarse._there)
             self._steps: tuple[float, float] = 6 * coarse._steps[0], 6 * coarse._steps[1]
         else:
             self._progress = _COARSE_PROGRESS
@@ -138,20 +140,3 @@ def _laplacian(shape: tuple[int, ...], weights: tuple[float, float]) -> Array:
     waves: Array = along_0[:, None] + along_1[None, :]
     waves[0, 0] = 1.0
     return waves
-
-
-def _halved(mass: Array) -> Array:
-    """Mass in cells twice as large."""
-    return np.asarray(mass[::2, ::2] + mass[1::2, ::2] + mass[::2, 1::2] + mass[1::2, 1::2])
-
-
-def _doubled(potential: Array) -> Array:
-    """A potential at the middles of cells half as large, in units of these cells squared."""
-    for _ in range(2):  # along one axis, then along the other
-        ends = 2 * potential[[0, -1]] - potential[[1, -2]]
-        wide = np.concatenate([ends[:1], potential, ends[1:]])
-        finer = np.empty((2 * len(potential), potential.shape[1]))
-        finer[::2] = 0.75 * wide[1:-1] + 0.25 * wide[:-2]
-        finer[1::2] = 0.75 * wide[1:-1] + 0.25 * wide[2:]
-        potential = finer.T
-    return np.asarray(4 * potential)

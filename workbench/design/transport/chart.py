@@ -26,6 +26,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.halves import doubled
 from workbench.design.transport.push import push
 from workbench.design.transport.view import ReceiverView
 
@@ -39,6 +40,8 @@ _SMOOTH = 1.0
 # most; the least part by which cells may be narrower there; and how many cells steps go on average
 # where they end.
 _STEPS, _FAR, _NARROW, _CLOSE = 12, 0.1, 0.1, 0.001
+# Parts of a cell of the view along an axis, in a chart.
+_PARTS = 6
 
 
 class Chart(NamedTuple):
@@ -86,11 +89,18 @@ class Chart(NamedTuple):
 
     def transport(self, flux: Array, wanted: Array) -> Transport:
         """Transport of the lens's flux to the light of each cell, where the chart has it."""
-        return Transport(flux, push(wanted, self.x, self.y), self.weights)
+        return Transport(flux, push(wanted, self.x, self.y, _PARTS), self.weights)
 
     def places(self, transport: Transport) -> Pair:
         """Where on the receiver a transport brings light, in the receiver's coordinates."""
         return self.view.at(self._back(*transport.map()), len(self.x))
+
+    def finer(self, halvings: int) -> Self:
+        """The same with cells halved along each axis, so many times."""
+        x, y = self.x, self.y
+        for _ in range(halvings):
+            x, y = (2 * doubled(f) + 0.5 for f in (x, y))
+        return self._replace(x=x, y=y)
 
     def begins(self, transport: Transport) -> Pair:
         """In which cell of the lens the light of each cell of the view comes from."""

@@ -51,7 +51,7 @@ def _mapped(potential, weight_0, weight_1, begin, end, to_0, to_1):  # type: ign
             to_1[a, b] = min(max(b - rise_1 / weight_1, -0.5), m_1 - 0.5)
 
 
-def push(mass: Array, to_0: Array, to_1: Array) -> Array:
+def push(mass: Array, to_0: Array, to_1: Array, fewest: int = 1) -> Array:
     """Mass after each cell went where the map brings it.
 
     A cell is cut where the map stretches it, so that it leaves no holes; each part is spread over
@@ -63,6 +63,9 @@ def push(mass: Array, to_0: Array, to_1: Array) -> Array:
         Mass of each cell.
     to_0, to_1 : ndarray, shape (m_0, m_1)
         Where the middles of the cells go; see `mapped`.
+    fewest : int
+        Parts into which a cell is cut along an axis, at least. Those of cells 0.9 apart, uncut,
+        make waves of 2 % in an even light.
 
     Returns
     -------
@@ -72,14 +75,14 @@ def push(mass: Array, to_0: Array, to_1: Array) -> Array:
     pushed = np.zeros((len(bounds) - 1, *mass.shape))
 
     def work(part: int) -> None:
-        _push(mass, to_0, to_1, bounds[part], bounds[part + 1], pushed[part])
+        _push(mass, to_0, to_1, fewest, bounds[part], bounds[part + 1], pushed[part])
 
     threads.run(work, len(pushed))
     return np.asarray(pushed.sum(axis=0))
 
 
 @jit()
-def _push(mass, to_0, to_1, begin, end, pushed):  # type: ignore[no-untyped-def]
+def _push(mass, to_0, to_1, fewest, begin, end, pushed):  # type: ignore[no-untyped-def]
     """Add the mass of the cells from line ``begin`` to ``end``; see `push`."""
     m_0, m_1 = mass.shape
     for a in range(begin, end):
@@ -92,8 +95,8 @@ def _push(mass, to_0, to_1, begin, end, pushed):  # type: ignore[no-untyped-def]
             stretch_10 = (to_1[above, b] - to_1[below, b]) / (above - below)
             stretch_01 = (to_0[a, right] - to_0[a, left]) / (right - left)
             stretch_11 = (to_1[a, right] - to_1[a, left]) / (right - left)
-            parts_0 = _parts(max(abs(stretch_00), abs(stretch_10)))
-            parts_1 = _parts(max(abs(stretch_01), abs(stretch_11)))
+            parts_0 = max(_parts(max(abs(stretch_00), abs(stretch_10))), fewest)
+            parts_1 = max(_parts(max(abs(stretch_01), abs(stretch_11))), fewest)
             share = mass[a, b] / (parts_0 * parts_1)
             for i in range(parts_0):
                 s = (i + 0.5) / parts_0 - 0.5
