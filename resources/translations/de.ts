@@ -7785,6 +7785,66 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>„{file}“ {reason}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it says to be of version {found!r}; known are {known}</source>
+            <translation>sie nennt als Version {found!r}; bekannt sind {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it has no line that begins with TILT=, as each IES file has</source>
+            <translation>ihr fehlt die Zeile, die mit TILT= beginnt, wie sie jede IES-Datei hat</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>its TILT is in another file, {file!r}; NONE or INCLUDE is needed</source>
+            <translation>ihr TILT steht in einer anderen Datei, {file!r}; nötig ist NONE oder INCLUDE</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it ends behind its TILT</source>
+            <translation>sie endet nach ihrem TILT</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
+            <translation>sie ist abgeschnitten: vor ihren Winkeln stehen {n} von 13 Zahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is of photometric type {found}; type C is needed</source>
+            <translation>sie ist vom photometrischen Typ {found}; nötig ist Typ C</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>{problem}: its header makes {needed} numbers, and there are {found}</source>
+            <translation>{problem}: ihr Kopf verlangt {needed} Zahlen, und da sind {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is cut off within {part}</source>
+            <translation>sie ist abgeschnitten in diesem Teil: {part}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>its TILT</source>
+            <translation>TILT</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>it is cut off: {found} of at least {least} lines are there</source>
+            <translation>sie ist abgeschnitten: von mindestens {least} Zeilen sind {found} da</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>{problem}: its header makes {needed} numbers behind the lamps, and there are {found}</source>
+            <translation>{problem}: ihr Kopf verlangt {needed} Zahlen nach den Lampen, und da sind {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>its symmetry is {symmetry} and it has {n} planes of C; a multiple of {parts} is needed</source>
+            <translation>ihre Symmetrie ist {symmetry}, und sie hat {n} C-Ebenen; nötig ist ein Vielfaches von {parts}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/photometry/read.py" />
             <source>is no photometric file; {endings} is needed</source>
             <translation>ist keine photometrische Datei; {endings} ist nötig</translation>
@@ -7800,9 +7860,204 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>lässt sich nicht verwenden: {problem}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has a single angle γ; at least two are needed</source>
+            <translation>sie hat einen einzigen Winkel γ; nötig sind mindestens zwei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles {name} do not ascend</source>
+            <translation>ihre Winkel {name} steigen nicht an</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles γ go from {first:g}° to {last:g}°; within 0° to 180°</source>
+            <translation>ihre Winkel γ gehen von {first:g}° bis {last:g}°; erlaubt ist 0° bis 180°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has an intensity of {least:g} cd; none can be negative</source>
+            <translation>sie hat eine Lichtstärke von {least:g} cd; keine kann negativ sein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it gives no light: all its intensities are 0</source>
+            <translation>sie gibt kein Licht: alle ihre Lichtstärken sind 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
+            <translation>ihre C-Ebenen gehen von {first:g}° bis {last:g}°; das ist keine bekannte Symmetrie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has no plane C0</source>
+            <translation>ihr fehlt die Ebene C0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/chunks.py" />
+            <source>it is cut off behind ray {ray}</source>
+            <translation>sie ist nach Strahl {ray} abgeschnitten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/model.py" />
+            <source>no ray of it comes to the lens</source>
+            <translation>kein Strahl daraus kommt zur Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>it begins neither like a binary source file nor like one of text</source>
+            <translation>sie beginnt weder wie eine binäre Quelldatei noch wie eine aus Text</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its first line says {rays} rays, and there are {found}</source>
+            <translation>ihre erste Zeile nennt {rays} Strahlen, und da sind {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its header</source>
+            <translation>Kopf</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its rays are of format {found}; 0 or 2 is known</source>
+            <translation>ihre Strahlen haben das Format {found}; bekannt sind 0 und 2</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its unit is {found}; 0 to {most} are known</source>
+            <translation>ihre Einheit ist {found}; bekannt sind 0 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its header says {rays} rays, and the {left} bytes behind it are {found:.10g} of them</source>
+            <translation>ihr Kopf nennt {rays} Strahlen, und die {left} Bytes danach sind {found:.10g} davon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>it has no rays</source>
+            <translation>sie hat keine Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>none of its rays has any flux</source>
+            <translation>keiner ihrer Strahlen hat Lichtstrom</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>a ray has a spectrum that is none of the {n} there are</source>
+            <translation>ein Strahl hat ein Spektrum, das keines der {n} vorhandenen ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a value that is no finite number</source>
+            <translation>ihr Strahl {ray} hat einen Wert, der keine endliche Zahl ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a direction that is no unit vector</source>
+            <translation>ihr Strahl {ray} hat eine Richtung, die kein Einheitsvektor ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a negative flux</source>
+            <translation>ihr Strahl {ray} hat negativen Lichtstrom</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/rays/read.py" />
             <source>is no ray file; {endings} are known</source>
             <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>its first ray has {n} numbers; 7, or 8 with a wavelength</source>
+            <translation>ihr erster Strahl hat {n} Zahlen; es sind 7, oder 8 mit Wellenlänge</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>it has a line without an end</source>
+            <translation>sie hat eine Zeile ohne Ende</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>it is no text</source>
+            <translation>sie ist kein Text</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>behind ray {ray} it has no rays: {reason}</source>
+            <translation>nach Strahl {ray} kommen keine Strahlen: {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>behind ray {ray} it has {found} columns; {width} as above</source>
+            <translation>nach Strahl {ray} hat sie {found} Spalten; nötig sind {width} wie oben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>it does not begin with TM25</source>
+            <translation>sie beginnt nicht mit TM25</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>it is of version {found}; {known} is known</source>
+            <translation>sie hat die Version {found}; bekannt ist {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {rays} rays of {width} numbers, and the {left} bytes behind it are {found:.10g} of them</source>
+            <translation>ihr Kopf nennt {rays} Strahlen zu {width} Zahlen, und die {left} Bytes danach sind {found:.10g} davon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>the flags of its columns are {found}; 1, 1 and then 0 or 1</source>
+            <translation>die Kennzeichen ihrer Spalten sind {found}; nötig sind 1, 1 und dann 0 oder 1</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {n} spectra; from 0 to {most}</source>
+            <translation>ihr Kopf nennt {n} Spektren; erlaubt sind 0 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its spectra</source>
+            <translation>Spektren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>one of its spectra has {n} points; from 1 to {most}</source>
+            <translation>eines ihrer Spektren hat {n} Punkte; erlaubt sind 1 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {value} for "{name}"; from 0 to {most}</source>
+            <translation>ihr Kopf nennt {value} für "{name}"; erlaubt sind 0 bis {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a number is needed</source>
+            <translation>{word!r} steht, wo eine Zahl nötig ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a finite number is needed</source>
+            <translation>{word!r} steht, wo eine endliche Zahl nötig ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a whole number from {least} to {most} has to</source>
+            <translation>{word!r} steht, wo eine ganze Zahl von {least} bis {most} nötig ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>it is cut off</source>
+            <translation>sie ist abgeschnitten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>it goes on behind its end</source>
+            <translation>sie geht nach ihrem Ende weiter</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/account.py" />

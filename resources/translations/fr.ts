@@ -1146,7 +1146,7 @@
         <message>
             <location filename="../../ui/commands/table.py" />
             <source>Draw regions on the images of light, or move their edges: drag a rectangle, or click the corners of a polygon and double-click. Esc leaves</source>
-            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d’un polygone et double-cliquer. Échap quitte</translation>
+            <translation>Dessiner des régions sur les images de lumière ou déplacer leurs bords : tirer un rectangle, ou cliquer les sommets d'un polygone et double-cliquer. Échap quitte</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -4612,7 +4612,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
             <source>Stop the run first; then mark regions.</source>
-            <translation>Arrêtez d’abord le calcul, puis marquez les régions.</translation>
+            <translation>Arrêtez d'abord le calcul, puis marquez les régions.</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -6477,7 +6477,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>How the lens is found: by the best that this program knows, on as many control points as the target needs, or as then. The 64 × 64 control points of the paper are too few for fine detail: a flame stays 19 % off.</source>
-            <translation>Comment la lentille est trouvée : par le meilleur que connaît ce programme, sur autant de points de contrôle qu'il en faut pour la cible, ou comme alors. Les 64 × 64 points de contrôle de l'article sont trop peu pour de fins détails : une flamme reste à 19 % d’écart.</translation>
+            <translation>Comment la lentille est trouvée : par le meilleur que connaît ce programme, sur autant de points de contrôle qu'il en faut pour la cible, ou comme alors. Les 64 × 64 points de contrôle de l'article sont trop peu pour de fins détails : une flamme reste à 19 % d'écart.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7785,6 +7785,66 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>« {file} » {reason}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it says to be of version {found!r}; known are {known}</source>
+            <translation>il indique la version {found!r} ; sont connues : {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it has no line that begins with TILT=, as each IES file has</source>
+            <translation>il n'a pas de ligne qui commence par TILT=, comme tout fichier IES</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>its TILT is in another file, {file!r}; NONE or INCLUDE is needed</source>
+            <translation>son TILT est dans un autre fichier, {file!r} ; il faut NONE ou INCLUDE</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it ends behind its TILT</source>
+            <translation>il se termine après son TILT</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
+            <translation>il est tronqué : {n} nombres sur 13 précèdent ses angles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is of photometric type {found}; type C is needed</source>
+            <translation>il est de type photométrique {found} ; il faut le type C</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>{problem}: its header makes {needed} numbers, and there are {found}</source>
+            <translation>{problem} : son en-tête demande {needed} nombres, et il y en a {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>it is cut off within {part}</source>
+            <translation>il est tronqué dans cette partie : {part}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ies.py" />
+            <source>its TILT</source>
+            <translation>TILT</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>it is cut off: {found} of at least {least} lines are there</source>
+            <translation>il est tronqué : il a {found} lignes sur au moins {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>{problem}: its header makes {needed} numbers behind the lamps, and there are {found}</source>
+            <translation>{problem} : son en-tête demande {needed} nombres après les lampes, et il y en a {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>its symmetry is {symmetry} and it has {n} planes of C; a multiple of {parts} is needed</source>
+            <translation>sa symétrie est {symmetry} et il a {n} plans C ; il faut un multiple de {parts}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/photometry/read.py" />
             <source>is no photometric file; {endings} is needed</source>
             <translation>n'est pas un fichier photométrique ; il faut {endings}</translation>
@@ -7800,9 +7860,204 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>ne peut pas être utilisé : {problem}</translation>
         </message>
         <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has a single angle γ; at least two are needed</source>
+            <translation>il a un seul angle γ ; il en faut au moins deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles {name} do not ascend</source>
+            <translation>ses angles {name} ne sont pas croissants</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles γ go from {first:g}° to {last:g}°; within 0° to 180°</source>
+            <translation>ses angles γ vont de {first:g}° à {last:g}° ; 0° à 180° sont permis</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has an intensity of {least:g} cd; none can be negative</source>
+            <translation>il a une intensité de {least:g} cd ; aucune ne peut être négative</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it gives no light: all its intensities are 0</source>
+            <translation>il ne donne pas de lumière : toutes ses intensités sont 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
+            <translation>ses plans C vont de {first:g}° à {last:g}° ; ce n'est aucune symétrie connue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has no plane C0</source>
+            <translation>il n'a pas de plan C0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/chunks.py" />
+            <source>it is cut off behind ray {ray}</source>
+            <translation>il est tronqué après le rayon {ray}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/model.py" />
+            <source>no ray of it comes to the lens</source>
+            <translation>aucun de ses rayons n'arrive à la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>it begins neither like a binary source file nor like one of text</source>
+            <translation>il ne commence ni comme un fichier source binaire ni comme un fichier texte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its first line says {rays} rays, and there are {found}</source>
+            <translation>sa première ligne indique {rays} rayons, et il y en a {found}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its header</source>
+            <translation>en-tête</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its rays are of format {found}; 0 or 2 is known</source>
+            <translation>ses rayons sont au format {found} ; 0 et 2 sont connus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its unit is {found}; 0 to {most} are known</source>
+            <translation>son unité est {found} ; 0 à {most} sont connues</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/opticstudio.py" />
+            <source>its header says {rays} rays, and the {left} bytes behind it are {found:.10g} of them</source>
+            <translation>son en-tête indique {rays} rayons, et les {left} octets qui suivent en font {found:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>it has no rays</source>
+            <translation>il n'a pas de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>none of its rays has any flux</source>
+            <translation>aucun de ses rayons n'a de flux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>a ray has a spectrum that is none of the {n} there are</source>
+            <translation>un rayon a un spectre qui n'est aucun des {n} présents</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a value that is no finite number</source>
+            <translation>son rayon {ray} a une valeur qui n'est pas un nombre fini</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a direction that is no unit vector</source>
+            <translation>son rayon {ray} a une direction qui n'est pas un vecteur unitaire</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>its ray {ray} has a negative flux</source>
+            <translation>son rayon {ray} a un flux négatif</translation>
+        </message>
+        <message>
             <location filename="../../workbench/measured/rays/read.py" />
             <source>is no ray file; {endings} are known</source>
             <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>its first ray has {n} numbers; 7, or 8 with a wavelength</source>
+            <translation>son premier rayon a {n} nombres ; il en faut 7, ou 8 avec une longueur d'onde</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>it has a line without an end</source>
+            <translation>il a une ligne sans fin</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>it is no text</source>
+            <translation>ce n'est pas du texte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>behind ray {ray} it has no rays: {reason}</source>
+            <translation>après le rayon {ray} il n'y a plus de rayons : {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/table.py" />
+            <source>behind ray {ray} it has {found} columns; {width} as above</source>
+            <translation>après le rayon {ray} il a {found} colonnes ; il en faut {width} comme plus haut</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>it does not begin with TM25</source>
+            <translation>il ne commence pas par TM25</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>it is of version {found}; {known} is known</source>
+            <translation>il est de version {found} ; {known} est connue</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {rays} rays of {width} numbers, and the {left} bytes behind it are {found:.10g} of them</source>
+            <translation>son en-tête indique {rays} rayons de {width} nombres, et les {left} octets qui suivent en font {found:.10g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>the flags of its columns are {found}; 1, 1 and then 0 or 1</source>
+            <translation>les indicateurs de ses colonnes sont {found} ; il faut 1, 1 puis 0 ou 1</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {n} spectra; from 0 to {most}</source>
+            <translation>son en-tête indique {n} spectres ; de 0 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its spectra</source>
+            <translation>spectres</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>one of its spectra has {n} points; from 1 to {most}</source>
+            <translation>un de ses spectres a {n} points ; de 1 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/tm25.py" />
+            <source>its header says {value} for "{name}"; from 0 to {most}</source>
+            <translation>son en-tête indique {value} pour "{name}" ; de 0 à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a number is needed</source>
+            <translation>{word!r} se trouve là où il faut un nombre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a finite number is needed</source>
+            <translation>{word!r} se trouve là où il faut un nombre fini</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>{word!r} stands where a whole number from {least} to {most} has to</source>
+            <translation>{word!r} se trouve là où il faut un nombre entier de {least} à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>it is cut off</source>
+            <translation>il est tronqué</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>it goes on behind its end</source>
+            <translation>il continue après sa fin</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/account.py" />

@@ -12,6 +12,7 @@ from workbench.measured.photometry import IntensityTable, read_photometry
 from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
 from workbench.measured.rays.placed import PlacedRays, placed
+from workbench.measured.text import problem_in
 from workbench.reading import opened
 from workbench.said import Said
 from workbench.scene import (
@@ -76,7 +77,11 @@ def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
     except ValueError as error:
         raise Refused(
             "source.file",
-            Said("'{file}' gives the lens no light: {error}", file=source.file, error=error),
+            Said(
+                "'{file}' gives the lens no light: {error}",
+                file=source.file,
+                error=problem_in(error),
+            ),
         ) from None
 
 

@@ -4,9 +4,13 @@ import re
 
 import numpy as np
 
+from workbench.errors import visible
+from workbench.said import Said
+
 _GAPS = re.compile(r"[\s,;]+")
 _SPACES = re.compile(r"[\s;]+")
 _END = "\x1a"  # which old programs write behind a text
+_QUOTED = 20  # characters of a word that is wrong
 
 
 def lines_of(content: bytes) -> list[str]:
@@ -38,9 +42,13 @@ def number(word: str) -> float:
     try:
         value = float(word)
     except ValueError:
-        raise ValueError(f"{word[:20]!r} stands where a number is needed") from None
+        raise ValueError(
+            Said("{word!r} stands where a number is needed", word=word[:_QUOTED])
+        ) from None
     if not np.isfinite(value):
-        raise ValueError(f"{word[:20]!r} stands where a finite number is needed")
+        raise ValueError(
+            Said("{word!r} stands where a finite number is needed", word=word[:_QUOTED])
+        )
     return value
 
 
@@ -54,5 +62,23 @@ def count(word: str, least: int, most: int) -> int:
     """
     value = number(word)
     if value != int(value) or not least <= value <= most:
-        raise ValueError(f"{word[:20]!r} stands where a whole number from {least} to {most} has to")
+        raise ValueError(
+            Said(
+                "{word!r} stands where a whole number from {least} to {most} has to",
+                word=word[:_QUOTED],
+                least=least,
+                most=most,
+            )
+        )
     return int(value)
+
+
+def wrong_length(found: int, needed: int) -> Said:
+    """What is wrong with a file that has another number of values than needed."""
+    return Said("it is cut off") if found < needed else Said("it goes on behind its end")
+
+
+def problem_in(error: ValueError) -> str:
+    """What a reader says is wrong with a file, for a refusal."""
+    problem = error.args[0] if error.args else ""
+    return problem if isinstance(problem, Said) else visible(str(error))

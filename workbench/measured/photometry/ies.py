@@ -9,7 +9,8 @@ import re
 import numpy as np
 
 from workbench.measured.photometry.table import IntensityTable, table_of
-from workbench.measured.text import count, lines_of, number, readings
+from workbench.measured.text import count, lines_of, number, readings, wrong_length
+from workbench.said import Said
 
 _MOST_ANGLES = 4096
 _VERSIONS = "LM-63-1986", "IESNA91", "LM-63-1991", "LM-63-1995", "LM-63-2002", "LM-63-2019"
@@ -32,14 +33,22 @@ def read_ies(content: bytes) -> IntensityTable:
     said = _VERSION.search(version)
     if said and not any(known in version for known in _VERSIONS):
         raise ValueError(
-            f"it says to be of version {lines[0][:30]!r}; known are {', '.join(_VERSIONS)}"
+            Said(
+                "it says to be of version {found!r}; known are {known}",
+                found=lines[0][:30],
+                known=", ".join(_VERSIONS),
+            )
         )
     tilt = next((k for k, line in enumerate(lines) if line.upper().startswith("TILT=")), None)
     if tilt is None:
-        raise ValueError("it has no line that begins with TILT=, as each IES file has")
+        raise ValueError(Said("it has no line that begins with TILT=, as each IES file has"))
     given = lines[tilt].partition("=")[2].strip().upper()
     if given not in ("NONE", "INCLUDE"):
-        raise ValueError(f"its TILT is in another file, {given[:30]!r}; NONE or INCLUDE is needed")
+        raise ValueError(
+            Said(
+                "its TILT is in another file, {file!r}; NONE or INCLUDE is needed", file=given[:30]
+            )
+        )
     text = "\n".join(lines[tilt + 1 :])
     refused = None
     for words in readings(text):
@@ -47,24 +56,32 @@ def read_ies(content: bytes) -> IntensityTable:
             return _table(words, given == "INCLUDE")
         except ValueError as error:
             refused = refused or error
-    raise refused or ValueError("it ends behind its TILT")
+    raise refused or ValueError(Said("it ends behind its TILT"))
 
 
 def _table(words: list[str], tilted: bool) -> IntensityTable:
     words = words[_length_of_tilt(words) :] if tilted else words
     if len(words) < 13:
-        raise ValueError(f"it is cut off: {len(words)} of 13 numbers stand before its angles")
+        raise ValueError(
+            Said("it is cut off: {n} of 13 numbers stand before its angles", n=len(words))
+        )
     multiplier = number(words[2])
     n_gamma, n_c = (count(word, 1, _MOST_ANGLES) for word in words[3:5])
     kind = count(words[5], 1, 3)
     if kind != _TYPE_C:
-        raise ValueError(f"it is of photometric type {_TYPES[kind]}; type C is needed")
+        raise ValueError(
+            Said("it is of photometric type {found}; type C is needed", found=_TYPES[kind])
+        )
     factor = multiplier * number(words[10])  # of the ballast
     needed = 13 + n_gamma + n_c + n_gamma * n_c
     if len(words) != needed:
-        what = "is cut off" if len(words) < needed else "goes on behind its end"
         raise ValueError(
-            f"it {what}: its header makes {needed} numbers, and there are {len(words)}"
+            Said(
+                "{problem}: its header makes {needed} numbers, and there are {found}",
+                problem=wrong_length(len(words), needed),
+                needed=needed,
+                found=len(words),
+            )
         )
     numbers = np.array([number(word) for word in words[13:]])
     gamma, c, candela = np.split(numbers, [n_gamma, n_gamma + n_c])
@@ -74,6 +91,6 @@ def _table(words: list[str], tilted: bool) -> IntensityTable:
 def _length_of_tilt(words: list[str]) -> int:
     """How many numbers tell of lamps that shine differently when tilted: here they are upright."""
     if len(words) < 2:
-        raise ValueError("it is cut off within its TILT")
+        raise ValueError(Said("it is cut off within {part}", part=Said("its TILT")))
     # How a lamp stands, the number of angles, these, and as many factors.
     return 2 + 2 * count(words[1], 0, _MOST_ANGLES)

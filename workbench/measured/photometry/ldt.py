@@ -3,7 +3,8 @@
 import numpy as np
 
 from workbench.measured.photometry.table import IntensityTable, table_of
-from workbench.measured.text import count, lines_of, number
+from workbench.measured.text import count, lines_of, number, wrong_length
+from workbench.said import Said
 
 _MOST_ANGLES = 4096
 _MOST_LAMPS = 20
@@ -23,7 +24,13 @@ def read_ldt(content: bytes) -> IntensityTable:
     """
     lines = [line.replace(",", ".") for line in lines_of(content)]
     if len(lines) <= _HEAD:
-        raise ValueError(f"it is cut off: {len(lines)} of at least {_HEAD + 1} lines are there")
+        raise ValueError(
+            Said(
+                "it is cut off: {found} of at least {least} lines are there",
+                found=len(lines),
+                least=_HEAD + 1,
+            )
+        )
     symmetry = count(lines[_SYMMETRY], 0, 4)
     n_c, n_gamma = (count(lines[k], 1, _MOST_ANGLES) for k in (_PLANES, _ANGLES))
     lamps = count(lines[_LAMPS], 1, _MOST_LAMPS)
@@ -33,10 +40,14 @@ def read_ldt(content: bytes) -> IntensityTable:
     words = [word for line in rest for word in line.split()]
     needed = _RATIOS + n_c + n_gamma + len(stored) * n_gamma
     if len(words) != needed:
-        what = "is cut off" if len(words) < needed else "goes on behind its end"
         raise ValueError(
-            f"it {what}: its header makes {needed} numbers behind the lamps, and there are "
-            f"{len(words)}"
+            Said(
+                "{problem}: its header makes {needed} numbers behind the lamps, and there are "
+                "{found}",
+                problem=wrong_length(len(words), needed),
+                needed=needed,
+                found=len(words),
+            )
         )
     numbers = np.array([number(word) for word in words[_RATIOS:]])
     c, gamma, values = np.split(numbers, [n_c, n_c + n_gamma])
@@ -56,8 +67,13 @@ def _stored(symmetry: int, n_c: int) -> list[int]:
     parts = 2 if symmetry == 2 else 4
     if n_c % parts:
         raise ValueError(
-            f"its symmetry is {symmetry} and it has {n_c} planes of C; a multiple of {parts} is "
-            "needed"
+            Said(
+                "its symmetry is {symmetry} and it has {n} planes of C; a multiple of {parts} is "
+                "needed",
+                symmetry=symmetry,
+                n=n_c,
+                parts=parts,
+            )
         )
     if symmetry == 4:
         return list(range(n_c // 4 + 1))

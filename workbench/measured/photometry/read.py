@@ -4,10 +4,11 @@ from collections.abc import Callable, Mapping
 from pathlib import PurePath
 from typing import BinaryIO
 
-from workbench.errors import Refused, visible
+from workbench.errors import Refused
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
 from workbench.measured.photometry.table import IntensityTable
+from workbench.measured.text import problem_in
 from workbench.said import Said
 
 _READERS: Mapping[str, Callable[[bytes], IntensityTable]] = {".ies": read_ies, ".ldt": read_ldt}
@@ -47,5 +48,5 @@ def read_photometry(name: PurePath, file: BinaryIO) -> IntensityTable:
         return reader(content)
     except ValueError as error:
         raise Refused(
-            str(name), Said("cannot be used: {problem}", problem=visible(str(error)))
+            str(name), Said("cannot be used: {problem}", problem=problem_in(error))
         ) from error

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from workbench.arrays import Array, Index
+from workbench.said import Said
 
 _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 
@@ -101,18 +102,26 @@ def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
         With what is wrong.
     """
     if len(gamma) < 2:
-        raise ValueError("it has a single angle γ; at least two are needed")
+        raise ValueError(Said("it has a single angle γ; at least two are needed"))
     for name, angles in (("C", c), ("γ", gamma)):
         if (np.diff(angles) <= 0).any():
-            raise ValueError(f"its angles {name} do not ascend")
+            raise ValueError(Said("its angles {name} do not ascend", name=name))
     if gamma[0] < 0 or gamma[-1] > 180:
-        raise ValueError(f"its angles γ go from {gamma[0]:g}° to {gamma[-1]:g}°; within 0° to 180°")
+        raise ValueError(
+            Said(
+                "its angles γ go from {first:g}° to {last:g}°; within 0° to 180°",
+                first=gamma[0],
+                last=gamma[-1],
+            )
+        )
     if candela.min() < 0:
-        raise ValueError(f"it has an intensity of {candela.min():g} cd; none can be negative")
+        raise ValueError(
+            Said("it has an intensity of {least:g} cd; none can be negative", least=candela.min())
+        )
     around, planes = all_around(c, candela)
     table = IntensityTable(around, gamma, planes)
     if not 0 < table.lumens < np.inf:
-        raise ValueError("it gives no light: all its intensities are 0")
+        raise ValueError(Said("it gives no light: all its intensities are 0"))
     return table
 
 
@@ -142,12 +151,16 @@ def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
         c, candela = np.append(c, 360.0), np.vstack([candela, candela[:1]])
     if c[-1] - c[0] != 360:
         raise ValueError(
-            f"its planes of C go from {c[0]:g}° to {c[-1]:g}°, which is no known symmetry"
+            Said(
+                "its planes of C go from {first:g}° to {last:g}°, which is no known symmetry",
+                first=c[0],
+                last=c[-1],
+            )
         )
     turned = c[:-1] % 360  # the last plane is the first one
     order = np.argsort(turned)
     if turned[order[0]] != 0:
-        raise ValueError("it has no plane C0")
+        raise ValueError(Said("it has no plane C0"))
     around = np.append(order, order[0])
     return np.append(turned[order], 360.0), candela[around]
 

@@ -6,6 +6,7 @@ from typing import BinaryIO
 import numpy as np
 
 from workbench.measured.rays.rayset import CHUNK, Floats
+from workbench.said import Said
 
 
 def size_of(file: BinaryIO) -> int:
@@ -27,5 +28,6 @@ def records(file: BinaryIO, rays: int, width: int) -> Iterator[Floats]:
         count = min(CHUNK, rays - first)
         content = file.read(4 * width * count)
         if len(content) < 4 * width * count:
-            raise ValueError(f"it is cut off behind ray {first + len(content) // (4 * width)}")
+            last = first + len(content) // (4 * width)
+            raise ValueError(Said("it is cut off behind ray {ray}", ray=last))
         yield np.frombuffer(content, "<f4").reshape(count, width)

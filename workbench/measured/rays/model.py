@@ -16,6 +16,7 @@ import numpy as np
 from workbench.arrays import Array, Index
 from workbench.measured.rays.placed import PlacedRays
 from workbench.measured.rays.size import Size
+from workbench.said import Said
 
 # The histogram goes beyond the lens by this factor: lenses that are out of their place see it.
 _WIDER = 1.2
@@ -134,7 +135,7 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
     x, y, come = rays.onto(z)
     come &= (np.abs(x) <= extent[0]) & (np.abs(y) <= extent[1]) & (rays.flux > 0)
     if not come.any():
-        raise ValueError("no ray of it comes to the lens")
+        raise ValueError(Said("no ray of it comes to the lens"))
     flux, crossing = rays.flux[come], np.column_stack([x, y])[come]
     slope = rays.direction[come, :2] / rays.direction[come, 2:]
     way = _way(crossing, slope, flux, max(half_width))

@@ -12,6 +12,7 @@ from workbench.measured.rays.chunks import records, size_of
 from workbench.measured.rays.rayset import Columns, RaySet, gathered
 from workbench.measured.rays.table import read_below
 from workbench.measured.text import count
+from workbench.said import Said
 
 HEADER = np.dtype(
     [
@@ -51,29 +52,45 @@ def read_dat(file: BinaryIO) -> RaySet:
     head = content.split(b"\n")[0].split(b"\r")[0]
     words = head.decode("latin-1").split()
     if len(words) != 2 or not all(word.isdecimal() for word in words):
-        raise ValueError("it begins neither like a binary source file nor like one of text")
+        raise ValueError(Said("it begins neither like a binary source file nor like one of text"))
     rays, unit = count(words[0], 0, 1 << 40), UNITS[count(words[1], 0, 4)]
     file.seek(len(head))
     found = read_below(file, unit)
     if found.in_file != rays:
-        raise ValueError(f"its first line says {rays} rays, and there are {found.in_file}")
+        raise ValueError(
+            Said(
+                "its first line says {rays} rays, and there are {found}",
+                rays=rays,
+                found=found.in_file,
+            )
+        )
     return found
 
 
 def _binary(file: BinaryIO, content: bytes, size: int) -> RaySet:
     if len(content) < HEADER.itemsize:
-        raise ValueError("it is cut off within its header")
+        raise ValueError(Said("it is cut off within {part}", part=Said("its header")))
     header = np.frombuffer(content, HEADER)[0]
     width = _WIDTHS.get(int(header["format"]))
     if width is None:
-        raise ValueError(f"its rays are of format {header['format']}; 0 or 2 is known")
+        raise ValueError(
+            Said("its rays are of format {found}; 0 or 2 is known", found=header["format"])
+        )
     if header["unit"] >= len(UNITS):
-        raise ValueError(f"its unit is {header['unit']}; 0 to {len(UNITS) - 1} are known")
+        most = len(UNITS) - 1
+        raise ValueError(
+            Said("its unit is {found}; 0 to {most} are known", found=header["unit"], most=most)
+        )
     rays, left = int(header["rays"]), size - HEADER.itemsize
     if rays * width * 4 != left:
         raise ValueError(
-            f"its header says {rays} rays, and the {left} bytes behind it are "
-            f"{left / (4 * width):.10g} of them"
+            Said(
+                "its header says {rays} rays, and the {left} bytes behind it are {found:.10g} of "
+                "them",
+                rays=rays,
+                left=left,
+                found=left / (4 * width),
+            )
         )
     columns = Columns(wavelength=7 if width == 8 else None)
     unit = UNITS[int(header["unit"])]

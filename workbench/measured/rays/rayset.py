@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Index, Mask
+from workbench.said import Said
 
 Floats = npt.NDArray[np.float32]
 
@@ -124,38 +125,43 @@ def gathered(
         kept = table[drawn].copy()
         parts.append((kept, flux))
     if not first:
-        raise ValueError("it has no rays")
+        raise ValueError(Said("it has no rays"))
     table = np.concatenate([kept for kept, _ in parts])
     flux = np.concatenate([flux for _, flux in parts])
     if not flux.any():
-        raise ValueError("none of its rays has any flux")
+        raise ValueError(Said("none of its rays has any flux"))
     direction = table[:, 3:6] / np.linalg.norm(table[:, 3:6], axis=1, keepdims=True)
     wavelength = None if columns.wavelength is None else to_nm * table[:, columns.wavelength]
     spectrum = None
     if columns.spectrum is not None:
         spectrum = table[:, columns.spectrum].astype(np.int32) - 1
         if not ((spectrum >= 0) & (spectrum < len(spectra))).all():
-            raise ValueError(f"a ray has a spectrum that is none of the {len(spectra)} there are")
+            raise ValueError(
+                Said("a ray has a spectrum that is none of the {n} there are", n=len(spectra))
+            )
     position = table[:, :3].copy()
     return RaySet(position, direction, flux, first, unit, wavelength, spectrum, spectra)
 
 
 def _checked(table: Floats, columns: Columns, first: int) -> Floats:
     """Flux of rays that are possible; ``first`` is the number of the first one, from 0."""
-    _refuse(~np.isfinite(table).all(axis=1), first, "has a value that is no finite number")
+    if ray := _wrong_ray(~np.isfinite(table).all(axis=1), first):
+        raise ValueError(Said("its ray {ray} has a value that is no finite number", ray=ray))
     with np.errstate(over="ignore"):
         square = np.square(table[:, 3:6]).sum(axis=1)
-    _refuse(np.abs(square - 1) > 2 * _LENGTH, first, "has a direction that is no unit vector")
+    if ray := _wrong_ray(np.abs(square - 1) > 2 * _LENGTH, first):
+        raise ValueError(Said("its ray {ray} has a direction that is no unit vector", ray=ray))
     if columns.flux is None:
         return np.ones(len(table), np.float32)
     flux: Floats = table[:, columns.flux]
-    _refuse(flux < 0, first, "has a negative flux")
+    if ray := _wrong_ray(flux < 0, first):
+        raise ValueError(Said("its ray {ray} has a negative flux", ray=ray))
     return flux
 
 
-def _refuse(wrong: Mask | np.bool_, first: int, what: str) -> None:
-    if wrong.any():
-        raise ValueError(f"its ray {first + int(wrong.argmax()) + 1} {what}")
+def _wrong_ray(wrong: Mask | np.bool_, first: int) -> int:
+    """The number of the first ray that is wrong, from 1; 0 where none is."""
+    return first + int(wrong.argmax()) + 1 if wrong.any() else 0
 
 
 def _drawn(flux: Floats, run: int, generator: np.random.Generator) -> tuple[Index, Floats]:

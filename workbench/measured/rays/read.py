@@ -4,11 +4,12 @@ from collections.abc import Callable, Mapping
 from pathlib import PurePath
 from typing import BinaryIO
 
-from workbench.errors import Refused, visible
+from workbench.errors import Refused
 from workbench.measured.rays.opticstudio import read_dat
 from workbench.measured.rays.rayset import RaySet
 from workbench.measured.rays.table import read_csv
 from workbench.measured.rays.tm25 import read_tm25
+from workbench.measured.text import problem_in
 from workbench.said import Said
 
 _READERS: Mapping[str, Callable[[BinaryIO], RaySet]] = {
@@ -44,5 +45,5 @@ def read_rays(name: PurePath, file: BinaryIO) -> RaySet:
         return reader(file)
     except ValueError as error:
         raise Refused(
-            str(name), Said("cannot be used: {problem}", problem=visible(str(error)))
+            str(name), Said("cannot be used: {problem}", problem=problem_in(error))
         ) from error

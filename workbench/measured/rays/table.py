@@ -15,6 +15,7 @@ from workbench import units
 from workbench.errors import shown
 from workbench.measured.rays.chunks import size_of
 from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+from workbench.said import Said
 
 _AT_ONCE = 1 << 24  # bytes
 _UNIT = re.compile(r"\[\s*(\w+)\s*\]|\(\s*(\w+)\s*\)")
@@ -38,7 +39,7 @@ def read_csv(file: BinaryIO) -> RaySet:
         line = re.split(rb"\r\n|\n|\r", file.read(_LONGEST_LINE))[0]
         text = line.decode("latin-1").strip()
         if not line and not file.read(1):
-            raise ValueError("it has no rays")
+            raise ValueError(Said("it has no rays"))
         if text and not text.startswith("#") and not re.search(r"[A-Za-df-z]", text):
             break
         found = _UNIT.search(text)
@@ -57,11 +58,11 @@ def read_below(file: BinaryIO, unit: str | None) -> RaySet:
     file.seek(start)
     sample = re.split(rb"[\r\n]+", file.read(_LONGEST_LINE).strip())[0]
     if not sample:
-        raise ValueError("it has no rays")
+        raise ValueError(Said("it has no rays"))
     separator, comma = _marks(sample)
     width = len(sample.split(separator or None))
     if width not in (7, 8):
-        raise ValueError(f"its first ray has {width} numbers; 7, or 8 with a wavelength")
+        raise ValueError(Said("its first ray has {n} numbers; 7, or 8 with a wavelength", n=width))
     file.seek(start)
     about = (size - start) // max(len(sample), 1) + 1
     columns = Columns(wavelength=7 if width == 8 else None)
@@ -88,7 +89,7 @@ def _chunks(file: BinaryIO, separator: bytes, comma: bool, width: int) -> Iterat
         content = rest + content
         end = max(content.rfind(b"\n"), content.rfind(b"\r")) + 1
         if not end and len(content) > _AT_ONCE:
-            raise ValueError("it has a line without an end")
+            raise ValueError(Said("it has a line without an end"))
         rest, content = content[end:], content[:end]
         if content.strip():
             table = _numbers(content, separator, comma, width, line)
@@ -100,7 +101,7 @@ def _chunks(file: BinaryIO, separator: bytes, comma: bool, width: int) -> Iterat
 
 def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: int) -> Floats:
     if b"\0" in content:
-        raise ValueError("it is no text")
+        raise ValueError(Said("it is no text"))
     content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     if comma:
         content = content.replace(b",", b".")
@@ -109,8 +110,18 @@ def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: in
         text = io.StringIO(content.decode("latin-1"))
         table = np.loadtxt(text, np.float32, delimiter=delimiter, comments=None, ndmin=2)
     except ValueError as error:
-        reason = str(error).split(";")[0]
-        raise ValueError(f"behind ray {line} it has no rays: {shown(reason)}") from None
+        reason = shown(str(error).split(";")[0])
+        raise ValueError(
+            Said("behind ray {ray} it has no rays: {reason}", ray=line, reason=reason)
+        ) from None
     if table.shape[1] != width:
-        raise ValueError(f"behind ray {line} it has {table.shape[1]} columns; {width} as above")
+        found = table.shape[1]
+        raise ValueError(
+            Said(
+                "behind ray {ray} it has {found} columns; {width} as above",
+                ray=line,
+                found=found,
+                width=width,
+            )
+        )
     return table

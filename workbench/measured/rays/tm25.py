@@ -12,6 +12,7 @@ import numpy as np
 
 from workbench.measured.rays.chunks import records, size_of
 from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+from workbench.said import Said
 
 HEADER = np.dtype(
     [
@@ -53,20 +54,31 @@ def read_tm25(file: BinaryIO) -> RaySet:
         With what is wrong.
     """
     size = size_of(file)
-    header = np.frombuffer(_bytes(file, HEADER.itemsize, "its header"), HEADER)[0]
+    header = np.frombuffer(_bytes(file, HEADER.itemsize, Said("its header")), HEADER)[0]
     if header["magic"] != b"TM25":
-        raise ValueError("it does not begin with TM25")
+        raise ValueError(Said("it does not begin with TM25"))
     if header["version"] != VERSION:
-        raise ValueError(f"it is of version {header['version']}; {VERSION} is known")
+        raise ValueError(
+            Said(
+                "it is of version {found}; {known} is known", found=header["version"], known=VERSION
+            )
+        )
     columns, width = _columns(header)
     spectra = tuple(_spectra(file, int(header["spectra"])))
     _skip(file, _NAME * _count(header, "more_columns", _MOST_COLUMNS))
     _skip(file, _count(header, "text", _MOST_TEXT))
     rays, left = int(header["rays"]), size - file.tell()
     if rays * width * 4 != left:
+        left = max(left, 0)
         raise ValueError(
-            f"its header says {rays} rays of {width} numbers, and the {max(left, 0)} bytes behind "
-            f"it are {max(left, 0) / (4 * width):.10g} of them"
+            Said(
+                "its header says {rays} rays of {width} numbers, and the {left} bytes behind it "
+                "are {found:.10g} of them",
+                rays=rays,
+                width=width,
+                left=left,
+                found=left / (4 * width),
+            )
         )
     return gathered(records(file, rays, width), columns, rays, "mm", spectra)
 
@@ -75,7 +87,10 @@ def _columns(header: np.void) -> tuple[Columns, int]:
     """Where columns are, and how many there are."""
     flags = header["flags"]
     if not np.isin(flags, (0, 1)).all() or not flags[:2].all():
-        raise ValueError(f"the flags of its columns are {flags.tolist()}; 1, 1 and then 0 or 1")
+        found = flags.tolist()
+        raise ValueError(
+            Said("the flags of its columns are {found}; 1, 1 and then 0 or 1", found=found)
+        )
     at, width = {}, 6
     for name, flag in zip(FLAGGED, flags[2:], strict=True):
         if flag:
@@ -89,13 +104,21 @@ def _columns(header: np.void) -> tuple[Columns, int]:
 
 def _spectra(file: BinaryIO, number: int) -> Iterator[Floats]:
     if not 0 <= number <= _MOST_SPECTRA:
-        raise ValueError(f"its header says {number} spectra; from 0 to {_MOST_SPECTRA}")
+        raise ValueError(
+            Said("its header says {n} spectra; from 0 to {most}", n=number, most=_MOST_SPECTRA)
+        )
     taken = 0
     for _ in range(number):
-        points = int(np.frombuffer(_bytes(file, 4, "its spectra"), "<i4")[0])
+        points = int(np.frombuffer(_bytes(file, 4, Said("its spectra")), "<i4")[0])
         if not 0 < points <= _MOST_POINTS:
-            raise ValueError(f"one of its spectra has {points} points; from 1 to {_MOST_POINTS}")
-        content = _bytes(file, 8 * points, "its spectra")
+            raise ValueError(
+                Said(
+                    "one of its spectra has {n} points; from 1 to {most}",
+                    n=points,
+                    most=_MOST_POINTS,
+                )
+            )
+        content = _bytes(file, 8 * points, Said("its spectra"))
         yield np.frombuffer(content, "<f4").reshape(points, 2).astype(np.float32)
         taken += 4 + 8 * points
     _skip(file, -taken % 32)
@@ -104,7 +127,15 @@ def _spectra(file: BinaryIO, number: int) -> Iterator[Floats]:
 def _count(header: np.void, name: str, most: int) -> int:
     value = int(header[name])
     if not 0 <= value <= most:
-        raise ValueError(f"its header says {value} for {name.replace('_', ' ')}; from 0 to {most}")
+        name = name.replace("_", " ")
+        raise ValueError(
+            Said(
+                'its header says {value} for "{name}"; from 0 to {most}',
+                value=value,
+                name=name,
+                most=most,
+            )
+        )
     return value
 
 
@@ -112,8 +143,8 @@ def _skip(file: BinaryIO, length: int) -> None:
     file.seek(length, 1)
 
 
-def _bytes(file: BinaryIO, length: int, what: str) -> bytes:
+def _bytes(file: BinaryIO, length: int, part: Said) -> bytes:
     content = file.read(length)
     if len(content) < length:
-        raise ValueError(f"it is cut off within {what}")
+        raise ValueError(Said("it is cut off within {part}", part=part))
     return content
