@@ -7,7 +7,8 @@
   the long ones made easy.
 - All steps look at as many beams as the error of their image is worth: a lens also learns what is
   wrong with its own image. Steps by fewer beams, whose lenses this image judges as well, cost as
-  much (0.098 and 0.103 s of the processor for 256 × 256 pixels) and gain less.
+  much (0.098 and 0.103 s of the processor for 256 × 256 pixels) and gain less. What a run says of
+  its best lens at last comes from other beams, which no lens has learnt.
 - The image reaches beyond the screen and is compared with all light that passes the lens, so
   that light beside the screen counts as an error.
 """
@@ -25,7 +26,7 @@ from torch import Tensor
 from workbench.arrays import Array, Mask
 from workbench.design.heights import FreeHeights
 from workbench.design.lbfgs import Evaluation, minimise
-from workbench.design.levels import finest_image
+from workbench.design.levels import finest_image, judging_image
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
 from workbench.design.second_face import with_gain
@@ -126,6 +127,27 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     elif len(room.limits) > 1 and not locked:
         steps = with_gain(steps, scene, target, auto_steps)
     return (yield from steps)
+
+
+def auto_judged(scene: Scene, target: Array, heights: Mapping[str, Array]) -> Step | None:
+    """The best lens of a run in the light of beams that it was not fitted to.
+
+    Parameters
+    ----------
+    scene, target
+        As for `Room`.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face.
+
+    Returns
+    -------
+    Step or None
+        The step to report; None where the run compared lenses by as many beams.
+    """
+    device = device_of(scene)
+    lens = {face: torch.tensor(each, device=device) for face, each in heights.items()}
+    image = judging_image(scene, target, lens, _mirrored(scene, target, heights))
+    return None if image is None else image.step(lens)
 
 
 def _descend(

@@ -58,7 +58,20 @@ it is 1.55 % off after 8.3 s; the run sees 0.97 and 0.96 of that. 2.0 cells woul
 same places of the spans of a net.
 """
 
+JUDGED = replace(FINE, per_control_point=2.6, enough=math.inf)
+"""The best lens of a run is judged by it at last.
+
+A descent also makes good what the beams of `FINE` alone are wrong in, and sees less of the error
+than there is: with 480 × 480 control points 0.394 % of 0.416 % of a ball, 1.48 % of 1.56 % of a
+flame. Other beams tell: by 2.6 cells for each control point, of which one look takes 0.07 s of the
+processor, the ball is 0.418 % off and the flame 1.55 %.
+"""
+
 _MOST_CELLS = 8192
+# Times as many cells along an axis where a lens makes several images: the light of one runs
+# together where that of the other is spread. Of 0.82 % of error, 2.6 cells for each control point
+# see 0.68 % and 5.2 see 0.81 %.
+_SEVERAL = 2.0
 # What symmetry saves goes in part into cells, by this factor along each axis for each mirror: the
 # smaller the error, the more of it is that of too few cells.
 _MIRRORED = 1.3
@@ -183,21 +196,51 @@ def finest_image(
     heights : mapping of str to Tensor, shape (n_u, n_v)
         Control heights of that lens; they say how far its light falls and how it is blurred.
     """
+    return _images(FINE, scene, target, heights, mirrored)
+
+
+def judging_image(
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Tensor],
+    mirrored: tuple[bool, bool] = (False, False),
+) -> AnyImage | None:
+    """The image by which the best lens of a run is judged at last; see `finest_image`.
+
+    None where it has no more beams than that one.
+    """
+    several = _SEVERAL if scene.further_images else 1.0
+    level = replace(JUDGED, per_control_point=several * JUDGED.per_control_point)
+    if all(cells_of(level, each) == cells_of(FINE, each) for each in scene.single):
+        return None
+    return _images(level, scene, target, heights, mirrored)
+
+
+def _images(
+    level: Level,
+    scene: Scene,
+    target: Array,
+    heights: Mapping[str, Tensor],
+    mirrored: tuple[bool, bool],
+) -> AnyImage:
     images = scene.images(target)
-    made = [_finest(image, heights, mirrored) for image in images]
+    made = [_image_of(level, image, heights, mirrored) for image in images]
     return made[0] if len(made) == 1 else SeveralImages(made, images)
 
 
-def _finest(
-    image: WantedImage, heights: Mapping[str, Tensor], mirrored: tuple[bool, bool]
+def _image_of(
+    level: Level,
+    image: WantedImage,
+    heights: Mapping[str, Tensor],
+    mirrored: tuple[bool, bool],
 ) -> WideImage:
-    """One of the images of `finest_image`."""
+    """One of the images of a scene, for lenses like one that is there."""
     scene, cells = image.scene, None
     blur = even_blur_of(scene, heights)
     if blur is None and _origins(scene) > 1:
         cells = fitting_source_cells(scene, heights, mirrored)
     return image_of(
-        FINE,
+        level,
         scene,
         image.target,
         light_extent_of(scene, heights),

@@ -215,6 +215,9 @@ class LiveDesign:
                     self._by_transport = target, relative_error(snapshot.state, target)
                 if present is None:
                     yield snapshot
+                elif snapshot.judged:  # the best lens of this run, which may not be that of all
+                    if snapshot.merit == lowest:
+                        yield replace(snapshot, seconds=spent + snapshot.seconds)
                 elif snapshot.iteration:
                     best = snapshot.merit < lowest
                     lowest = min(lowest, snapshot.merit)

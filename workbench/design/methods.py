@@ -6,13 +6,14 @@ from typing import NamedTuple, Protocol
 from torch import Tensor
 
 from workbench.arrays import Array, Mask
-from workbench.design.auto import auto_steps
+from workbench.design.auto import auto_judged, auto_steps
 from workbench.design.filtered_image import FilteredImage
 from workbench.design.levels import finest_image
 from workbench.design.memory import check_auto, memory_notes
 from workbench.design.paper import check_paper, paper_steps
 from workbench.design.room import Room
 from workbench.design.step import Step
+from workbench.geometry.faces import ControlHeights
 from workbench.scene import Scene
 
 Heights = Mapping[str, Tensor]
@@ -45,12 +46,16 @@ class Method(NamedTuple):
         Refuses a scene that it cannot design.
     notes : callable
         What a run of a scene says of itself from the beginning.
+    judged : callable
+        The best lens of a run in light that it was not fitted to, of a scene, a target and the
+        control heights; None where the run has seen it so.
     """
 
     steps: Callable[[Room], Generator[Step, None, str]]
     image: Callable[[Scene, Array, Heights, Mask | None], Image]
     check: Callable[[Scene], None]
     notes: Callable[[Scene], tuple[str, ...]]
+    judged: Callable[[Scene, Array, ControlHeights], Step | None]
 
 
 def method_of(scene: Scene) -> Method:
@@ -63,11 +68,12 @@ def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) 
 
 
 _METHODS = {
-    "auto": Method(auto_steps, _finest, check_auto, memory_notes),
+    "auto": Method(auto_steps, _finest, check_auto, memory_notes, auto_judged),
     "paper": Method(
         paper_steps,
         lambda scene, target, heights, locked: FilteredImage(scene, target, locked),
         check_paper,
         notes=lambda scene: (),
+        judged=lambda scene, target, heights: None,
     ),
 }

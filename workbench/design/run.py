@@ -48,7 +48,8 @@ def run(
     Yields
     ------
     Snapshot
-        First the lens before any step, then one after each iteration.
+        First the lens before any step, then one after each iteration; at last, unless the run has
+        seen it so, the best lens once more, in the light of beams that it was not fitted to.
 
     Returns
     -------
@@ -108,7 +109,7 @@ def run(
             state = replace(state, shortfall=room.shortfall(state.heights))
             state = replace(state, heights=_carried(state.heights, stage_scene.optic, scene.optic))
             seconds += time.perf_counter() - resumed
-            yield Snapshot(
+            snapshot = Snapshot(
                 state,
                 iteration=iteration,
                 iterations=scene.run.iterations,
@@ -119,12 +120,27 @@ def run(
                 stages=len(scenes),
                 notes=(*notes, *step.notes, *room.notes),
             )
+            if best:
+                kept = snapshot
+            yield snapshot
             iteration += 1
         else:
             ended = _LOCKED if done else _DONE
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
+    steps.close()  # before more memory is taken
+    yield from _judged(scene, target, kept, snapshot)
     return ended
+
+
+def _judged(scene: Scene, target: Array, best: Snapshot, last: Snapshot) -> Generator[Snapshot]:
+    """The best lens of a run in light that it was not fitted to, if it has not been seen so."""
+    resumed = time.perf_counter()
+    light = method_of(scene).judged(scene, target, best.state.heights)
+    if light is not None:
+        state = replace(light.state, shortfall=best.state.shortfall)
+        seconds = last.seconds + time.perf_counter() - resumed
+        yield replace(last, state=state, merit=best.merit, best=True, seconds=seconds, judged=True)
 
 
 def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunFailed:

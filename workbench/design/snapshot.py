@@ -39,6 +39,8 @@ class Snapshot:
         How many stages the run has, the scene itself included.
     notes : tuple of str
         What was chosen for the trace of this lens, and what was left out.
+    judged : bool
+        Whether it is the best lens of a run once more, in light that it was not fitted to.
     """
 
     state: LensState
@@ -50,6 +52,7 @@ class Snapshot:
     stage: int = 0
     stages: int = 1
     notes: tuple[str, ...] = ()
+    judged: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,6 +149,9 @@ class History:
 
     def add(self, snapshot: Snapshot) -> None:
         """Take in the next snapshot."""
+        if snapshot.judged and self._best is not None:
+            self._best, self._last = replace(self._best, state=snapshot.state), snapshot
+            return
         if self._last is not None and snapshot.stage != self._last.stage:
             self._stage_starts.append(len(self._losses))
         if snapshot.iteration > 0:

@@ -1,0 +1,126 @@
+"""The best lens of a run in light that it was not fitted to: the run's last word."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+from workbench.design.levels import FINE, JUDGED, cells_of, judging_image
+from workbench.design.live import LiveDesign
+from workbench.design.loss import relative_error
+from workbench.design.run import run
+from workbench.design.session import Session
+from workbench.design.snapshot import History
+from workbench.design.task import begin
+from workbench.optics.beam_plan import BeamPlan
+
+# More control points than pixels: beams run between the places that a descent can make good.
+FINE_NET = {"lens.control_points": [64, 64], "run.iterations": 25}
+
+
+@pytest.fixture
+def bars():
+    """Two bars of different length."""
+    image = np.zeros((32, 32))
+    image[6:26, 8:12] = 1.0
+    image[22:26, 8:24] = 1.0
+    return image
+
+
+@pytest.fixture
+def shown(make_scene, bars):
+    """All snapshots of a run, and its history."""
+    history = History()
+    return list(history.follow(run(make_scene(FINE_NET), bars))), history
+
+
+def test_a_run_ends_with_its_best_lens_in_other_light(shown):
+    *steps, last = shown[0]
+    assert last.judged and not any(step.judged for step in steps)
+    best = [step for step in steps if step.best][-1]
+    assert last.best and last.merit == best.merit
+    assert last.iteration == steps[-1].iteration and last.seconds >= steps[-1].seconds
+    for face, heights in last.state.heights.items():
+        np.testing.assert_array_equal(heights, best.state.heights[face])
+    assert last.state.irradiance.sum() == pytest.approx(best.state.irradiance.sum(), rel=1e-3)
+
+
+def test_that_light_is_nearer_to_what_the_lens_does(shown, make_scene, bars):
+    *steps, last = shown[0]
+    best = [step for step in steps if step.best][-1]
+    lens = {"exit": torch.as_tensor(last.state.heights["exit"].copy())}
+    image = BeamPlan(make_scene(FINE_NET), (901, 901), dtype=torch.float64).trace(lens).flux.numpy()
+    loss = np.linalg.norm(image / image.sum() - bars / bars.sum()) / 32
+    exact = replace(last.state, loss=float(loss))
+    true = relative_error(exact, bars)
+    seen, judged = (relative_error(state, bars) for state in (best.state, last.state))
+    assert seen < true
+    assert abs(judged - true) < 0.4 * abs(seen - true)
+
+
+def test_a_history_has_as_many_losses_as_iterations(shown):
+    *steps, last = shown[0]
+    result = shown[1].result()
+    assert result.state is last.state
+    assert result.iterations == steps[-1].iteration
+    np.testing.assert_array_equal(result.losses, [step.state.loss for step in steps[1:]])
+    assert "no iteration" not in result.ended
+
+
+def test_a_run_that_was_in_vain_still_says_so(shown):
+    first, second, *_, last = shown[0]
+
+    def in_vain():
+        yield first
+        yield replace(second, best=False)
+        yield replace(last, iteration=second.iteration)
+        return "done"
+
+    history = History()
+    list(history.follow(in_vain()))
+    assert history.result().ended == "done; no iteration made the lens better"
+    assert history.result().state is last.state
+
+
+def test_where_a_run_has_as_many_beams_nothing_follows(make_scene, bars):
+    for changes in ({"lens.control_points": [24, 24]}, {**FINE_NET, "run.method": "paper"}):
+        scene = make_scene({**changes, "run.iterations": 2})
+        assert not any(step.judged for step in run(scene, bars))
+
+
+def test_lenses_of_several_images_are_judged_by_twice_as_many(make_scene, bars):
+    further = {
+        "screen": {"z": 6.0, "half_width": [1.0, 1.0], "pixels": [32, 32]},
+        "target": {"builtin": "tophat"},
+    }
+    alone = make_scene(FINE_NET)
+    both = make_scene({**FINE_NET, "version": 2, "further_images": [further]})
+    lens = {"exit": torch.full(alone.optic.net_shape, 0.5, dtype=torch.float64)}
+    of_one = judging_image(alone, bars, lens)
+    session = begin(both, None)
+    of_both = judging_image(session.scene, session.target, lens)
+    per_axis = JUDGED.per_control_point * 64
+    assert of_one.beams == pytest.approx(per_axis**2, rel=0.03)
+    assert of_both.beams == pytest.approx(2 * (2 * per_axis) ** 2, rel=0.03)
+    assert cells_of(JUDGED, alone) != cells_of(FINE, alone)
+
+
+def test_an_edit_keeps_the_better_lens_that_was_there(make_scene, bars):
+    """What is judged at last is the best lens of a run, which is not always the best of all."""
+    scene = make_scene(FINE_NET)
+    first, second, *_ = run(make_scene({**FINE_NET, "run.iterations": 1}), bars)
+
+    def generate(scene, target, start, locked):
+        if start is not None:
+            yield replace(first, merit=1e-9)
+            return "left"
+        yield replace(first, merit=math.inf)
+        yield replace(second, merit=2.0)
+        yield replace(second, merit=2.0, best=True, judged=True)
+        return "done"
+
+    session = Session(scene, bars, start=first.state.heights)
+    steps = list(LiveDesign(generate, refit=lambda *task: None).snapshots(session))
+    assert not any(step.judged for step in steps)
