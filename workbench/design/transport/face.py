@@ -87,7 +87,7 @@ class _Axis(NamedTuple):
     stretch: Array
 
 
-@lru_cache(maxsize=4)  # both axes of most nets, and one design after the other, share it
+@lru_cache(maxsize=8)  # both axes of most nets, one design after the other, and refits share it
 def _axis(count: int, degree: int, places: int) -> _Axis:
     knots, middles = clamped_knots(count, degree), (np.arange(places) + 0.5) / places
     value, slope = (sparse_basis(knots, degree, middles, derivative) for derivative in (0, 1))
