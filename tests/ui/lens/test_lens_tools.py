@@ -195,10 +195,10 @@ def test_the_text_of_a_tool_does_not_change_the_picture(tools, qtbot):
     place = view._plotter.geometry()
     tools.commands["sculpt"]()
     view._hint.setText("as many words as it takes for some lines of them " * 5)
-    QApplication.processEvents()
+    # A drawing under way says the hint of the tool again, and layouts follow in their turn.
+    qtbot.waitUntil(lambda: view._hint.height() >= view._hint.heightForWidth(place.width()))
     assert view._hint.isVisible() and view._plotter.geometry() == place
     assert view._hint.geometry().bottom() == place.bottom()
-    assert view._hint.height() >= view._hint.heightForWidth(place.width())
 
 
 def test_locked_points_do_not_move(sculpting, drag):
