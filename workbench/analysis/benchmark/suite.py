@@ -10,6 +10,7 @@ from workbench.analysis.benchmark import (
     frontier,
     kernels,
     precision,
+    second_tracer,
     skips,
 )
 from workbench.analysis.benchmark.examples import Notify
@@ -52,6 +53,10 @@ SUITE = {
         lambda rows: (comparison.table("What each skip saves, the skip first", rows),),
     ),
     "bound": Benchmark(bounds.lenses, lambda rows: (bounds.table(rows),)),
+    "mitsuba": Benchmark(
+        lambda iterations, notify: second_tracer.comparisons(notify),
+        lambda rows: (second_tracer.table(rows),),
+    ),
     "paper": Benchmark(experiments.experiments, experiments.tables),
 }
 """What `names.BENCHMARKS` lists."""
