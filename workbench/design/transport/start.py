@@ -42,7 +42,8 @@ _ROUGH_FITS, _FITS, _NEAR_FITS = 1, 1, 2
 # better one of both lenses is taken: each may be much better than the other. In a chart, where
 # light turns by large angles, few rounds leave dents that a descent smooths slowly: a wall washer
 # begins at 3.7 % in place of 2.5 %, and at 2.1 % by the flux behind the last face once more. After
-# 48, 31 and 36 steps it ends at 1.0, 0.9 and 0.65 %.
+# 48, 31 and 36 steps it ends at 1.0, 0.9 and 0.65 %. A photograph by parallel light on a mirror at
+# 45° begins at 5.5 % without that and at 2.2 % with it, and ends at 1.22 and 0.50 %.
 FEW_ROUNDS, _GOOD = 3, 0.06
 
 
@@ -82,7 +83,7 @@ def transport_start(scene: Scene, target: Array) -> Array | None:
     flux = light.flux_or(heights, flux)
     transport.improve(flux, rounds)
     heights = faces.fitted(places(transport), heights, fits)
-    if near and chart is not None:
+    if chart is not None:
         flux = light.flux_or(heights, flux)
         transport.improve(flux, rounds)
         heights = faces.fitted(places(transport), heights, fits)
