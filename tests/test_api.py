@@ -43,7 +43,7 @@ def test_the_lines_of_the_manual_run_as_they_stand(tmp_path, monkeypatch, capsys
     monkeypatch.chdir(tmp_path)
     exec(compile(lines, "python.md", "exec"), {})
     *snapshots, error = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in snapshots] == ["0", "1", "2"]
+    assert [line.split()[0] for line in snapshots] == ["0", "1", "2", "2"]
     assert re.fullmatch(r"error \d+\.\d\d%, 92\.\d% on the screen", error)
     made = {file.name: file.stat().st_size for file in tmp_path.glob("flame.*")}
     assert set(made) == {"flame.step", "flame.stl", "flame.freeform"} and min(made.values()) > 1000

@@ -82,4 +82,5 @@ def test_losses_are_those_of_the_finest_image(make_scene, letter):
 
 def test_the_widened_image_may_exceed_the_largest_screen(make_scene):
     scene = make_scene({"screen.pixels": [4096, 1], "run.iterations": 1})
-    assert [s.iteration for s in run(scene, np.ones((1, 4096)))] == [0, 1]
+    steps = [step for step in run(scene, np.ones((1, 4096))) if not step.judged]
+    assert [step.iteration for step in steps] == [0, 1]

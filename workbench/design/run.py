@@ -10,6 +10,7 @@ from collections.abc import Generator, Mapping
 from dataclasses import replace
 
 from workbench.arrays import Array, Mask
+from workbench.design.lens_state import LensState
 from workbench.design.methods import method_of
 from workbench.design.needs import check_stages, grazed
 from workbench.design.net import definite
@@ -100,14 +101,10 @@ def run(
                 break
             except RunFailed as error:
                 raise _stopped(iteration, error, room, scene) from None
-            state = step.state
-            merit = state.loss if step.merit is None else step.merit
+            merit = step.state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
-            if best:
-                lowest, best_heights = merit, state.heights
-            state = replace(state, shortfall=room.shortfall(state.heights))
-            state = replace(state, heights=_carried(state.heights, stage_scene.optic, scene.optic))
+            state = _finished(step.state, room, scene)
             seconds += time.perf_counter() - resumed
             snapshot = Snapshot(
                 state,
@@ -121,19 +118,27 @@ def run(
                 notes=(*notes, *step.notes, *room.notes),
             )
             if best:
-                kept = snapshot
+                lowest, best_heights, kept = merit, step.state.heights, snapshot
             yield snapshot
             iteration += 1
         else:
             ended = _LOCKED if done else _DONE
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
-    steps.close()  # before more memory is taken
-    yield from _judged(scene, target, kept, snapshot)
-    return ended
+    del steps  # and its images, before others are made
+    return (yield from _judged(scene, target, kept, snapshot, ended))
 
 
-def _judged(scene: Scene, target: Array, best: Snapshot, last: Snapshot) -> Generator[Snapshot]:
+def _finished(state: LensState, room: Room, scene: Scene) -> LensState:
+    """The lens of a stage as one of the whole design."""
+    shortfall = room.shortfall(state.heights)
+    heights = _carried(state.heights, room.scene.optic, scene.optic)
+    return replace(state, shortfall=shortfall, heights=heights)
+
+
+def _judged(
+    scene: Scene, target: Array, best: Snapshot, last: Snapshot, ended: str
+) -> Generator[Snapshot, None, str]:
     """The best lens of a run in light that it was not fitted to, if it has not been seen so."""
     resumed = time.perf_counter()
     light = method_of(scene).judged(scene, target, best.state.heights)
@@ -141,6 +146,7 @@ def _judged(scene: Scene, target: Array, best: Snapshot, last: Snapshot) -> Gene
         state = replace(light.state, shortfall=best.state.shortfall)
         seconds = last.seconds + time.perf_counter() - resumed
         yield replace(last, state=state, merit=best.merit, best=True, seconds=seconds, judged=True)
+    return ended
 
 
 def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunFailed:
