@@ -98,6 +98,8 @@ class Progress:
 
     def _is_due(self, snapshot: Snapshot) -> bool:
         last = self._line
+        if snapshot.judged:  # which the figures of the result say
+            return False
         return (
             last is None
             or snapshot.iteration == snapshot.iterations
