@@ -7,6 +7,7 @@ from workbench.pictures.images import (
     ErrorImage,
     IrradianceImage,
     full_scale,
+    shown_error,
     signed_error,
     target_irradiance,
     to_colours,
@@ -56,6 +57,13 @@ def test_error_is_positive_where_light_is_too_much(scene):
 def test_no_light_at_all_lacks_the_whole_target(scene):
     target = np.ones((4, 8))
     np.testing.assert_allclose(signed_error(scene, target, np.zeros((4, 8))), -1 / 8)
+    np.testing.assert_allclose(shown_error(scene, target, np.zeros((4, 8))), -1 / 8)
+
+
+def test_error_that_is_shown_is_the_difference_of_what_is_shown_beside_it(scene, rng):
+    target, light = rng.random((4, 8)), 0.01 * rng.random((4, 8))
+    wanted = target_irradiance(scene, target, scene.receiver.total(light))
+    np.testing.assert_allclose(shown_error(scene, target, light), light - wanted, atol=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -127,7 +135,7 @@ def test_error_scale_follows_the_errors_in_steps(scene, axes):
     assert changes == [True, False, False]
     low, high = picture.artists[0].get_clim()
     assert low == -high
-    largest = np.abs(signed_error(scene, target, light)).max()
+    largest = np.abs(shown_error(scene, target, light)).max()
     assert high == round_scale(largest)
 
 

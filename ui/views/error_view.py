@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class ErrorContent(OnScreen):
-    """Irradiance minus target at equal flux: red where light is too much, blue where too little."""
+    """Irradiance minus target as both are shown: red is too much light, blue too little."""
 
     image: ErrorImage
 

@@ -1,8 +1,8 @@
 """Irradiance, or intensity in the far field, and signed error as images with axes.
 
-The error compares irradiance and target at the same total flux: both are scaled so that the flux
-on the receiver is 1, then error = irradiance − target, in flux per area or solid angle. It is
-positive where too much light falls.
+The error compares irradiance and target at the same total flux, in flux per area or solid angle:
+error = irradiance − target. It is positive where too much light falls. Pictures show it with the
+flux that arrives, `signed_error` is at a flux of 1.
 
 Light and target are drawn on one scale, which ends above the brightest place of a target that has
 as much light as arrives: where an image is right, both have the same colours, however much light
@@ -85,15 +85,14 @@ def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> A
 
 
 def shown_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
-    """Irradiance minus target as people read it, in the scene's `LightUnit`.
+    """Irradiance minus target with the flux that arrives, in the scene's `LightUnit`.
 
-    In parts of all light it is `signed_error`; in lux, irradiance and target have the flux that
-    arrives.
+    So it is the difference of the two pictures beside it, however much light is lost on the way. At
+    a flux of 1 the error of a torch, of whose light 11 % arrive, would be nine times what
+    both differ by. Where no light arrives, target and error have a flux of 1.
     """
-    error, unit = signed_error(scene, target, irradiance), light_unit(scene)
-    if unit.lumens is None:
-        return error
-    return error * (unit.density * scene.receiver.total(irradiance))
+    flux = scene.receiver.total(irradiance) or 1.0
+    return signed_error(scene, target, irradiance) * (light_unit(scene).density * flux)
 
 
 def full_scale(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> float:

@@ -15,7 +15,7 @@ from ui.views.section_view import SectionView
 from ui.views.target_view import TargetView
 from workbench.design.lens_state import FurtherLight
 from workbench.design.task import begin
-from workbench.pictures.images import signed_error, target_irradiance
+from workbench.pictures.images import shown_error, target_irradiance
 
 
 @pytest.fixture
@@ -59,7 +59,7 @@ def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
     flux = scene.receiver.total(elsewhere)
     wanted_light = target_irradiance(scene, target, flux)
     np.testing.assert_array_equal(wanted._values, wanted_light)
-    np.testing.assert_array_equal(off._values, signed_error(scene, target, elsewhere))
+    np.testing.assert_array_equal(off._values, shown_error(scene, target, elsewhere))
     qtbot.waitUntil(lambda: section._shown.scene.receiver == scene.receiver)
     qtbot.waitUntil(lambda: light.texts()["On the screen"] == "30.00 %")
     assert all(choice(view).currentIndex() == 1 for view in (lit, wanted, off, light))

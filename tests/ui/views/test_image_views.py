@@ -14,7 +14,7 @@ from ui.views.image_link import ImageLink
 from ui.views.irradiance_view import IrradianceView
 from ui.views.section_view import SectionView
 from ui.views.target_view import TargetView
-from workbench.pictures.images import signed_error, target_irradiance
+from workbench.pictures.images import shown_error, target_irradiance
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     wanted = [
         image[26, 22],
         target_irradiance(scene, session.target, scene.receiver.total(image))[26, 22],
-        signed_error(scene, session.target, image)[26, 22],
+        shown_error(scene, session.target, image)[26, 22],
     ]
     for view, value in zip(views, wanted, strict=True):
         assert view._readout.text().startswith(f"{value:.4g} / cm² at x = 0.4")
