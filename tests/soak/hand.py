@@ -14,7 +14,8 @@ from typing import Any
 
 from PIL import Image
 from PySide6.QtCore import QObject, QPoint, QTimer
-from PySide6.QtWidgets import QApplication, QListWidget, QWidget
+from PySide6.QtGui import QRegion
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QListWidget, QWidget
 
 from tests.soak.screen import Screen
 from ui import app
@@ -42,7 +43,7 @@ class SeenWidgets(QObject):
             for top in QApplication.topLevelWidgets()
             if top.isVisible()
             for widget in [top, *top.findChildren(QWidget)]
-            if widget.isVisible() and not widget.visibleRegion().isEmpty()
+            if widget.isVisible() and not _seen(widget).isEmpty()
             for entry in _entries(widget)
         ]
         passing = self._file.with_suffix(".new")
@@ -50,8 +51,16 @@ class SeenWidgets(QObject):
         passing.replace(self._file)
 
 
+def _seen(widget: QWidget) -> QRegion:
+    """What is seen of a widget; a table without frame and bars is all covered by its viewport."""
+    seen = widget.visibleRegion()
+    if seen.isEmpty() and isinstance(widget, QAbstractScrollArea):
+        return widget.viewport().visibleRegion()
+    return seen
+
+
 def _entries(widget: QWidget) -> list[dict[str, Any]]:
-    ratio, area = widget.devicePixelRatioF(), widget.visibleRegion().boundingRect()
+    ratio, area = widget.devicePixelRatioF(), _seen(widget).boundingRect()
     found = [(_text(widget), area)]
     if isinstance(widget, QListWidget):
         rows = [widget.item(row) for row in range(widget.count())]
