@@ -25,6 +25,7 @@ from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.tolerance_fields import ABOUT
+from workbench.design.endings import ENDINGS, FAILED
 from workbench.jobs import JOBS
 from workbench.optics.account import LOSSES, words_for
 from workbench.pictures.manufacture import MAPS
@@ -65,6 +66,7 @@ def _all() -> Iterator[tuple[str, str]]:
             (text, "resources/__init__.py") for text in (example.group, example.title, example.look)
         )
     yield from ((text, "workbench") for text in _of_engine())
+    yield from ((text, "workbench/design/endings.py") for text in (*ENDINGS, FAILED))
     for file in sorted((_ROOT / "workbench").rglob("*.py")):
         if "Said(" in file.read_text(encoding="utf-8"):
             yield from ((text, file.relative_to(_ROOT).as_posix()) for text in marked(file))

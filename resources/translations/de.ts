@@ -2406,7 +2406,7 @@
         <message>
             <location filename="../../ui/jobs/page.py" />
             <source>Picture</source>
-            <translation>Bild</translation>
+            <translation>Motiv</translation>
         </message>
         <message>
             <location filename="../../ui/lens/brush.py" />
@@ -3654,6 +3654,16 @@
             <translation>Entwurf des Spiegels</translation>
         </message>
         <message>
+            <location filename="../../ui/run/kept.py" />
+            <source>Followed: {description}</source>
+            <translation>Gefolgt: {description}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/kept.py" />
+            <source>Run {number}: {description}</source>
+            <translation>Lauf {number}: {description}</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/lens_on_show.py" />
             <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
             <translation>Es gibt noch kein Ergebnis, oder sein Licht wird noch durchgerechnet; gleich noch einmal versuchen.</translation>
@@ -4470,8 +4480,13 @@
         </message>
         <message>
             <location filename="../../ui/views/plot_words.py" />
-            <source>seconds</source>
-            <translation>Sekunden</translation>
+            <source>time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>distance</source>
+            <translation>Abstand</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_words.py" />
@@ -4512,6 +4527,11 @@
             <location filename="../../ui/views/plot_words.py" />
             <source>flux / {unit}</source>
             <translation>Fluss / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} bei {place}</translation>
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
@@ -6880,6 +6900,61 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Konvexe Krümmung</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>all iterations are done</source>
+            <translation>alle Iterationen sind ausgeführt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>all control points are locked</source>
+            <translation>alle Kontrollpunkte sind gesperrt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>stopped</source>
+            <translation>gestoppt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: error below {error:g} %</source>
+            <translation>konvergiert: Fehler unter {error:g} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: no step makes the image better</source>
+            <translation>konvergiert: kein Schritt verbessert das Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: less than {gain:g} % better in {patience} iterations</source>
+            <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
+            <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; no iteration made the lens better</source>
+            <translation>{ended}; keine Iteration hat die Linse verbessert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; the exit face alone makes no image</source>
+            <translation>{ended}; die Austrittsfläche allein macht kein Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; after {iterations} iterations the error of both faces was {times:.2g} times that of the exit face behind a flat entrance</source>
+            <translation>{ended}; nach {iterations} Iterationen war der Fehler beider Flächen {times:.2g}-mal so groß wie der der Austrittsfläche hinter einem ebenen Eintritt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>failed: {why}</source>
+            <translation>gescheitert: {why}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>finer cells would take too long</source>
             <translation>feinere Zellen würden zu lange dauern</translation>
@@ -7050,24 +7125,9 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{rays} sind zu viele; höchstens {most}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: error below {error:g} %</source>
-            <translation>konvergiert: Fehler unter {error:g} %</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: no step makes the image better</source>
-            <translation>konvergiert: kein Schritt verbessert das Bild</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: less than {gain:g} % better in {patience} iterations</source>
-            <translation>konvergiert: weniger als {gain:g} % besser in {patience} Iterationen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
-            <translation>konvergiert: Fehler in {patience} Iterationen um weniger als {points:g} Prozentpunkte kleiner</translation>
+            <location filename="../../workbench/design/blurred_plan.py" />
+            <source>its light is blurred over {x:.3g} × {y:.3g} pixels</source>
+            <translation>das Licht ist über {x:.3g} × {y:.3g} Pixel verschmiert</translation>
         </message>
         <message>
             <location filename="../../workbench/design/coarse_net.py" />
@@ -7098,6 +7158,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/loss.py" />
             <source>the gradient of the loss is not finite for {bad} of {count} parameters</source>
             <translation>der Gradient des Verlusts ist für {bad} von {count} Parametern nicht endlich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/memory.py" />
+            <source>memory: about {needed}</source>
+            <translation>Speicher: etwa {needed}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/memory.py" />
@@ -7146,6 +7211,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/origin.py" />
+            <source>absent</source>
+            <translation>fehlt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
             <source>not designed yet</source>
             <translation>noch nicht entworfen</translation>
         </message>
@@ -7156,8 +7226,23 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/origin.py" />
+            <source>designed for another task ({run}): {differences}</source>
+            <translation>für eine andere Aufgabe entworfen ({run}): {differences}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
             <source>not designed for this task</source>
             <translation>nicht für diese Aufgabe entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>{path} {then}, now {now}</source>
+            <translation>{path} {then}, jetzt {now}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>another target image</source>
+            <translation>ein anderes Zielbild</translation>
         </message>
         <message>
             <location filename="../../workbench/design/paper.py" />
@@ -7175,14 +7260,9 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>'{name}' hat hier {count:,} Parameter und braucht {needed} für sie, ihren Gradienten und die Momente von Adam; {available} sind frei</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/run.py" />
-            <source>all iterations are done</source>
-            <translation>alle Iterationen sind ausgeführt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/run.py" />
-            <source>all control points are locked</source>
-            <translation>alle Kontrollpunkte sind gesperrt</translation>
+            <location filename="../../workbench/design/room.py" />
+            <source>heights within {most:.3g} {unit} of the base</source>
+            <translation>Höhen bis {most:.3g} {unit} von der Grundform</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -7193,6 +7273,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/run.py" />
             <source>stopped at iteration {iteration}: {why}</source>
             <translation>angehalten bei Iteration {iteration}: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>control points: {n_u} × {n_v}, chosen for this task</source>
+            <translation>Kontrollpunkte: {n_u} × {n_v}, für diese Aufgabe gewählt</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -7305,9 +7390,34 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{low:.3g} bis {high:.3g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/snapshot.py" />
-            <source>stopped</source>
-            <translation>gestoppt</translation>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>both faces</source>
+            <translation>beide Flächen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>the exit face alone</source>
+            <translation>die Austrittsfläche allein</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>both faces along lines through all images</source>
+            <translation>beide Flächen entlang von Linien durch alle Bilder</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>the exit face for image {number} alone</source>
+            <translation>die Austrittsfläche allein für Bild {number}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>{error:.2g} % by {face}</source>
+            <translation>{error:.2g} % für {face}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>first lens: {tried}; it begins with {best}</source>
+            <translation>erste Linse: {tried}; genommen: {best}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/atomic.py" />
@@ -7901,6 +8011,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
+            <source>{points} points stand for the rays of the file: {off:.1f} % of their light on the lens is elsewhere, and rays start {spread:.0f} % as far from their point as from the middle of all</source>
+            <translation>{points} Punkte stehen für die Strahlen der Datei: {off:.1f} % ihres Lichts auf der Linse liegen woanders, und Strahlen beginnen {spread:.0f} % so weit von ihrem Punkt wie von der Mitte aller</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/model.py" />
             <source>no ray of it comes to the lens</source>
             <translation>kein Strahl daraus kommt zur Linse</translation>
         </message>
@@ -8065,9 +8180,139 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Nur {part:.1f} % des Lichts kommen {place} an; {lost:.0f} % {where}: {cure}.</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>beams of light between {rays} rays: no noise, and no filter</source>
+            <translation>Lichtbündel zwischen {rays} Strahlen: kein Rauschen und kein Filter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>beams run between points of the source, through each sample of the lens</source>
+            <translation>Bündel verlaufen zwischen Punkten der Quelle, durch jede Stützstelle der Linse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>shading by the screen and by the mirror itself is ignored</source>
+            <translation>Abschattung durch den Schirm und durch den Spiegel selbst bleibt außer Acht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>shading by the far field and by the mirror itself is ignored</source>
+            <translation>Abschattung durch das Fernfeld und durch den Spiegel selbst bleibt außer Acht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>fused kernels, {threads} threads, {precision}</source>
+            <translation>übersetzte Rechenkerne, {threads} Threads, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>fused kernels, 1 thread, {precision}</source>
+            <translation>übersetzte Rechenkerne, 1 Thread, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>reference in torch on {device}, {precision}</source>
+            <translation>Referenz in torch auf {device}, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>no kernel for this path ({faces}): by the reference alone</source>
+            <translation>kein Rechenkern für diesen Weg ({faces}): nur durch die Referenz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>float64: float32 would move light by a part of a pixel</source>
+            <translation>float64: float32 würde Licht um einen Teil eines Pixels verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>the kernel could not be compiled ({error}), so this run is many times slower</source>
+            <translation>der Rechenkern ließ sich nicht übersetzen ({error}), darum ist dieser Lauf um ein Vielfaches langsamer</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>compiled kernels could not be kept ({reason}), so each start compiles them again</source>
+            <translation>übersetzte Rechenkerne ließen sich nicht aufbewahren ({reason}), darum übersetzt sie jeder Start neu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/face_samples.py" />
+            <source>samples on the exit face: no ray has to search for it</source>
+            <translation>Stützstellen auf der Austrittsfläche: kein Strahl muss sie suchen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/front_samples.py" />
+            <source>samples on the entrance face, shared by all origins of the light</source>
+            <translation>Stützstellen auf der Eintrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/halves.py" />
+            <source>mirror symmetry: a quarter of the rays</source>
+            <translation>Spiegelsymmetrie: ein Viertel der Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/halves.py" />
+            <source>mirror symmetry: half of the rays</source>
+            <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/collimated.py" />
+            <source>collimated light: entrance refraction and intersection left out</source>
+            <translation>kollimiertes Licht: Brechung am Eintritt und Schnittpunktsuche entfallen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/mirror.py" />
+            <source>collimated light: intersection left out</source>
+            <translation>kollimiertes Licht: Schnittpunktsuche entfällt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>1 direction of light</source>
+            <translation>1 Lichtrichtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>{count} directions of light</source>
+            <translation>{count} Lichtrichtungen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>1 point of light</source>
+            <translation>1 Lichtpunkt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>{count} points of light</source>
+            <translation>{count} Lichtpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>mirror symmetry: {some} of them are traced</source>
+            <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/parallel.py" />
+            <source>locked control points: {part:.0f} % of the rays after the first iteration</source>
+            <translation>gesperrte Kontrollpunkte: {part:.0f} % der Strahlen nach der ersten Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/mirror_samples.py" />
+            <source>samples on the mirror, shared by all origins of the light</source>
+            <translation>Stützstellen auf dem Spiegel, gemeinsam für alle Ursprünge des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
+            <source>box filter: one pixel a ray, no ghost pixels</source>
+            <translation>Kastenfilter: ein Pixel je Strahl, keine Randpixel</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/shared_grid.py" />
+            <source>samples on the exit face, shared by all origins of the light</source>
+            <translation>Stützstellen auf der Austrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />

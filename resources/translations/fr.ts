@@ -2406,7 +2406,7 @@
         <message>
             <location filename="../../ui/jobs/page.py" />
             <source>Picture</source>
-            <translation>Image</translation>
+            <translation>Motif</translation>
         </message>
         <message>
             <location filename="../../ui/lens/brush.py" />
@@ -3654,6 +3654,16 @@
             <translation>conception du miroir</translation>
         </message>
         <message>
+            <location filename="../../ui/run/kept.py" />
+            <source>Followed: {description}</source>
+            <translation>Suivi : {description}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/kept.py" />
+            <source>Run {number}: {description}</source>
+            <translation>Exécution {number} : {description}</translation>
+        </message>
+        <message>
             <location filename="../../ui/run/lens_on_show.py" />
             <source>There is no result yet, or its light is still being traced; try again in a moment.</source>
             <translation>Il n'y a pas encore de résultat, ou sa lumière est encore en cours de tracé ; réessayer dans un instant.</translation>
@@ -4470,8 +4480,13 @@
         </message>
         <message>
             <location filename="../../ui/views/plot_words.py" />
-            <source>seconds</source>
-            <translation>secondes</translation>
+            <source>time</source>
+            <translation>temps</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>distance</source>
+            <translation>distance</translation>
         </message>
         <message>
             <location filename="../../ui/views/plot_words.py" />
@@ -4512,6 +4527,11 @@
             <location filename="../../ui/views/plot_words.py" />
             <source>flux / {unit}</source>
             <translation>flux / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/views/plot_words.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} à {place}</translation>
         </message>
         <message>
             <location filename="../../ui/views/region_marks.py" />
@@ -6880,6 +6900,61 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Courbure convexe</translation>
         </message>
         <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>all iterations are done</source>
+            <translation>toutes les itérations sont faites</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>all control points are locked</source>
+            <translation>tous les points de contrôle sont verrouillés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>stopped</source>
+            <translation>arrêté</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: error below {error:g} %</source>
+            <translation>convergé : erreur sous {error:g} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: no step makes the image better</source>
+            <translation>convergé : aucun pas n'améliore l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: less than {gain:g} % better in {patience} iterations</source>
+            <translation>convergé : moins de {gain:g} % de mieux en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
+            <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; no iteration made the lens better</source>
+            <translation>{ended} ; aucune itération n'a amélioré la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; the exit face alone makes no image</source>
+            <translation>{ended} ; la face de sortie seule ne fait pas d'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>{ended}; after {iterations} iterations the error of both faces was {times:.2g} times that of the exit face behind a flat entrance</source>
+            <translation>{ended} ; après {iterations} itérations, l'erreur des deux faces était {times:.2g} fois celle de la face de sortie derrière une entrée plane</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/endings.py" />
+            <source>failed: {why}</source>
+            <translation>échec : {why}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>finer cells would take too long</source>
             <translation>des cellules plus fines prendraient trop de temps</translation>
@@ -7050,24 +7125,9 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{rays} sont de trop ; au plus {most}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: error below {error:g} %</source>
-            <translation>convergé : erreur sous {error:g} %</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: no step makes the image better</source>
-            <translation>convergé : aucun pas n'améliore l'image</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: less than {gain:g} % better in {patience} iterations</source>
-            <translation>convergé : moins de {gain:g} % de mieux en {patience} itérations</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/auto.py" />
-            <source>converged: error less than {points:g} percentage points lower in {patience} iterations</source>
-            <translation>convergé : erreur réduite de moins de {points:g} point de pourcentage en {patience} itérations</translation>
+            <location filename="../../workbench/design/blurred_plan.py" />
+            <source>its light is blurred over {x:.3g} × {y:.3g} pixels</source>
+            <translation>la lumière est étalée sur {x:.3g} × {y:.3g} pixels</translation>
         </message>
         <message>
             <location filename="../../workbench/design/coarse_net.py" />
@@ -7098,6 +7158,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/loss.py" />
             <source>the gradient of the loss is not finite for {bad} of {count} parameters</source>
             <translation>le gradient de la perte n'est pas fini pour {bad} des {count} paramètres</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/memory.py" />
+            <source>memory: about {needed}</source>
+            <translation>mémoire : environ {needed}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/memory.py" />
@@ -7146,6 +7211,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/origin.py" />
+            <source>absent</source>
+            <translation>absent</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
             <source>not designed yet</source>
             <translation>pas encore conçu</translation>
         </message>
@@ -7156,8 +7226,23 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/origin.py" />
+            <source>designed for another task ({run}): {differences}</source>
+            <translation>conçu pour une autre tâche ({run}) : {differences}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
             <source>not designed for this task</source>
             <translation>non conçu pour cette tâche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>{path} {then}, now {now}</source>
+            <translation>{path} {then}, maintenant {now}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/origin.py" />
+            <source>another target image</source>
+            <translation>une autre image cible</translation>
         </message>
         <message>
             <location filename="../../workbench/design/paper.py" />
@@ -7175,14 +7260,9 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>'{name}' a ici {count:,} paramètres et demande {needed} pour eux, leur gradient et les moments d'Adam ; {available} sont libres</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/run.py" />
-            <source>all iterations are done</source>
-            <translation>toutes les itérations sont faites</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/run.py" />
-            <source>all control points are locked</source>
-            <translation>tous les points de contrôle sont verrouillés</translation>
+            <location filename="../../workbench/design/room.py" />
+            <source>heights within {most:.3g} {unit} of the base</source>
+            <translation>hauteurs à {most:.3g} {unit} au plus de la base</translation>
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
@@ -7193,6 +7273,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/run.py" />
             <source>stopped at iteration {iteration}: {why}</source>
             <translation>arrêté à l'itération {iteration} : {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
+            <source>control points: {n_u} × {n_v}, chosen for this task</source>
+            <translation>points de contrôle : {n_u} × {n_v}, choisis pour cette tâche</translation>
         </message>
         <message>
             <location filename="../../workbench/design/session.py" />
@@ -7305,9 +7390,34 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{low:.3g} à {high:.3g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/design/snapshot.py" />
-            <source>stopped</source>
-            <translation>arrêté</translation>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>both faces</source>
+            <translation>les deux faces</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>the exit face alone</source>
+            <translation>la face de sortie seule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>both faces along lines through all images</source>
+            <translation>les deux faces le long de lignes à travers toutes les images</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>the exit face for image {number} alone</source>
+            <translation>la face de sortie pour l'image {number} seule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>{error:.2g} % by {face}</source>
+            <translation>{error:.2g} % pour {face}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
+            <source>first lens: {tried}; it begins with {best}</source>
+            <translation>première lentille : {tried} ; retenu : {best}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/atomic.py" />
@@ -7901,6 +8011,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
+            <source>{points} points stand for the rays of the file: {off:.1f} % of their light on the lens is elsewhere, and rays start {spread:.0f} % as far from their point as from the middle of all</source>
+            <translation>{points} points remplacent les rayons du fichier : {off:.1f} % de leur lumière sur la lentille est ailleurs, et les rayons partent à {spread:.0f} % de leur distance au milieu de tous</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/model.py" />
             <source>no ray of it comes to the lens</source>
             <translation>aucun de ses rayons n'arrive à la lentille</translation>
         </message>
@@ -8065,9 +8180,139 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Seulement {part:.1f} % de la lumière arrive {place} ; {lost:.0f} % {where} : {cure}.</translation>
         </message>
         <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>beams of light between {rays} rays: no noise, and no filter</source>
+            <translation>faisceaux de lumière entre {rays} rayons : ni bruit, ni filtre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>beams run between points of the source, through each sample of the lens</source>
+            <translation>les faisceaux passent entre les points de la source, par chaque échantillon de la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>shading by the screen and by the mirror itself is ignored</source>
+            <translation>l'ombre de l'écran et du miroir lui-même est ignorée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/beam_plan.py" />
+            <source>shading by the far field and by the mirror itself is ignored</source>
+            <translation>l'ombre du champ lointain et du miroir lui-même est ignorée</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>fused kernels, {threads} threads, {precision}</source>
+            <translation>noyaux compilés, {threads} fils d'exécution, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>fused kernels, 1 thread, {precision}</source>
+            <translation>noyaux compilés, 1 fil d'exécution, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>reference in torch on {device}, {precision}</source>
+            <translation>référence en torch sur {device}, {precision}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>no kernel for this path ({faces}): by the reference alone</source>
+            <translation>aucun noyau pour ce chemin ({faces}) : par la référence seule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>float64: float32 would move light by a part of a pixel</source>
+            <translation>float64 : float32 déplacerait la lumière d'une fraction de pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>the kernel could not be compiled ({error}), so this run is many times slower</source>
+            <translation>le noyau n'a pas pu être compilé ({error}), cette exécution est donc bien plus lente</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/choice.py" />
+            <source>compiled kernels could not be kept ({reason}), so each start compiles them again</source>
+            <translation>les noyaux compilés n'ont pas pu être conservés ({reason}), chaque démarrage les compile donc à nouveau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/face_samples.py" />
+            <source>samples on the exit face: no ray has to search for it</source>
+            <translation>échantillons sur la face de sortie : aucun rayon n'a à la chercher</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/front_samples.py" />
+            <source>samples on the entrance face, shared by all origins of the light</source>
+            <translation>échantillons sur la face d'entrée, communs à toutes les origines de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/halves.py" />
+            <source>mirror symmetry: a quarter of the rays</source>
+            <translation>symétrie miroir : un quart des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/halves.py" />
+            <source>mirror symmetry: half of the rays</source>
+            <translation>symétrie miroir : la moitié des rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/collimated.py" />
+            <source>collimated light: entrance refraction and intersection left out</source>
+            <translation>lumière collimatée : réfraction d'entrée et intersection omises</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/mirror.py" />
+            <source>collimated light: intersection left out</source>
+            <translation>lumière collimatée : intersection omise</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>1 direction of light</source>
+            <translation>1 direction de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>{count} directions of light</source>
+            <translation>{count} directions de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>1 point of light</source>
+            <translation>1 point de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>{count} points of light</source>
+            <translation>{count} points de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/origins.py" />
+            <source>mirror symmetry: {some} of them are traced</source>
+            <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/kernels/parallel.py" />
+            <source>locked control points: {part:.0f} % of the rays after the first iteration</source>
+            <translation>points de contrôle verrouillés : {part:.0f} % des rayons après la première itération</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/mirror_samples.py" />
+            <source>samples on the mirror, shared by all origins of the light</source>
+            <translation>échantillons sur le miroir, communs à toutes les origines de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/plan.py" />
+            <source>box filter: one pixel a ray, no ghost pixels</source>
+            <translation>filtre boîte : un pixel par rayon, pas de pixels fantômes</translation>
+        </message>
+        <message>
             <location filename="../../workbench/optics/plan.py" />
             <source>'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'</source>
             <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/shared_grid.py" />
+            <source>samples on the exit face, shared by all origins of the light</source>
+            <translation>échantillons sur la face de sortie, communs à toutes les origines de la lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />

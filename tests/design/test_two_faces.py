@@ -65,7 +65,7 @@ def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, un
     alone = np.ptp(flat.heights["exit"])
     for z in first.heights.values():
         assert np.ptp(z) == pytest.approx(alone / 2, rel=0.1)
-    assert "% by both faces and" in first.notes[0]
+    assert "% by both faces, " in first.notes[0]
     assert first.notes[0].endswith("it begins with both faces")
 
 

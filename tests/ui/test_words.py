@@ -18,10 +18,14 @@ import workbench.scene
 from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
-from ui.views.plot_words import LABELS, translate
+from ui.run.kept import called, renamed, with_followed, with_run
+from ui.views.plot_words import LABELS, translate, translate_axes
 from ui.words import begun, error_text, inside, later, speak, spoken, spoken_by_system, tr
+from workbench.design.endings import ending
 from workbench.design.loss import check_light
+from workbench.design.origin import origin
 from workbench.design.shortfall import Cause, Shortfall
+from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
 from workbench.files.session import open_design
 from workbench.jobs import JOBS
@@ -174,6 +178,57 @@ def test_what_a_window_shows_of_refusals_has_words_and_values_apart():
     assert not found, f"said in English alone: {found}; use `workbench.said.Said`"
 
 
+def test_why_a_run_ended_is_said_in_the_language_of_the_window_from_a_file(speaking):
+    found = ending("converged: error below 0.1 %; no iteration made the lens better")
+    speaking("de")
+    assert tr(found) == "konvergiert: Fehler unter 0.1 %; keine Iteration hat die Linse verbessert"
+
+
+def test_a_run_that_failed_is_said_in_the_language_of_the_window(snapshots, speaking):
+    def failing():
+        yield snapshots(0, 3)
+        raise RunFailed(Said("no light reaches the lens"))
+
+    history = History()
+    with pytest.raises(RunFailed):
+        list(history.follow(failing()))
+    assert history.result().ended == "failed: no light reaches the lens"
+    speaking("fr")
+    assert tr(history.result().ended).startswith("échec\u00a0: ")
+
+
+def test_what_a_lens_was_designed_for_is_said_in_the_language_of_the_window(
+    session, history, speaking
+):
+    session, _ = with_run(session, history(5).result())
+    screen = session.scene.screen.model_copy(update={"z": 7.0})
+    other = session.with_scene(session.scene.with_receiver(screen), session.target)
+    found = origin(other, called)
+    assert found == origin(other)
+    speaking("de")
+    assert tr(origin(other, called)) == (
+        "für eine andere Aufgabe entworfen (Lauf 1: auto, 12 × 10): screen.z 5.0, jetzt 7.0"
+    )
+
+
+def test_names_that_the_program_gives_to_runs_are_said_in_the_language_of_the_window(
+    session, history, speaking
+):
+    session, _ = with_run(session, history(5).result())
+    session = with_followed(session, history(6).result())
+    own = renamed(session, session.runs[0], "Flame").runs[0]
+    assert [called(run) for run in (*session.runs, own)] == [
+        *(run.name for run in session.runs),
+        "Flame",
+    ]
+    speaking("de")
+    assert [called(run) for run in (*session.runs, own)] == [
+        "Lauf 1: auto, 12 × 10",
+        "Gefolgt: auto, 12 × 10",
+        "Flame",
+    ]
+
+
 def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     figure = Figure()
     axes = figure.subplots()
@@ -188,6 +243,11 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     (legend,) = axes.get_legend().get_texts()
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("z des Schirms (mm)", "Fluss / mm²")
     assert legend.get_text() == "dieser Lauf"
+    assert axes.legend().get_texts()[0].get_text() == "dieser Lauf"
+    axes.set_xlabel("x (mm) at y = 0.5 mm")
+    axes.set_ylabel("distance (mm)")
+    translate_axes(figure)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (mm) bei y = 0.5 mm", "Abstand (mm)")
 
 
 def test_labels_stand_in_the_pictures_of_the_engine():

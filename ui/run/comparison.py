@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.run.kept import called
 from ui.run.run_figures import figures_of
 from ui.words import later, tr
 from workbench.design.session import KeptRun
@@ -101,7 +102,7 @@ class RunComparison(QDialog):
         rows = [(tr(name), (one, other)) for (name, one), (_, other) in own]
         one, other = (run.scene for run in self._pair)
         apart = [(_title(each.title), each.values) for each in differences(one, other)]
-        self.table.setHorizontalHeaderLabels(["", *(run.name for run in self._pair)])
+        self.table.setHorizontalHeaderLabels(["", *(called(run) for run in self._pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
         self._add(rows)

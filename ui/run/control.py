@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
-from ui.run.kept import with_run
+from ui.run.kept import called, with_run
 from ui.run.runner import Runner
 from ui.shown.frame import iterations_before
 from ui.shown.frame_history import FrameHistory
@@ -121,5 +121,5 @@ class RunControl(QObject):
             session, given_way = with_run(self._document.session, result)
             self._document.change(session, tr("design run"))
             for run in given_way:
-                self.gave_way.emit(run.name)
+                self.gave_way.emit(called(run))
         self.ended.emit()

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ui.document.memory import distinct_bytes
+from ui.words import tr
 from workbench.design.snapshot import Result
 from workbench.files.header import MOST_RUNS
 from workbench.files.session import KeptRun, Session
@@ -96,6 +97,19 @@ def is_named(run: KeptRun) -> bool:
     number = _NUMBER.match(run.name)
     given = _FOLLOWED if number is None else number[0]
     return run.name != given + _description(run.scene)
+
+
+def called(run: KeptRun) -> str:
+    """What a run is called in the language of the window; files keep the program's name in English.
+
+    A name that a person gave stays as it is.
+    """
+    if is_named(run):
+        return run.name
+    number, description = _NUMBER.match(run.name), _description(run.scene)
+    if number is None:
+        return tr("Followed: {description}").format(description=description)
+    return tr("Run {number}: {description}").format(number=number[1], description=description)
 
 
 def _next_number(runs: Iterable[KeptRun]) -> int:

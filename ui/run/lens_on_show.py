@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from ui.document.document import Document
+from ui.run.kept import called
 from ui.words import later, tr
 from workbench.design.origin import origin
 
@@ -60,16 +61,16 @@ class LensOnShow(QObject):
     def text(self) -> str:
         """What it is, and the task that it was designed for; empty where there is no lens yet."""
         making, session = self.in_the_making, self._document.session
-        called = session.scene.optic.called
+        optic = session.scene.optic.called
         if making is not None:
-            return tr("the best {optic} so far, after {count} iterations", optic=called).format(
+            return tr("the best {optic} so far, after {count} iterations", optic=optic).format(
                 count=making.iterations
             )
         return (
             ""
             if session.heights is None
-            else tr("the {optic} on show, {origin}", optic=called).format(
-                origin=tr(origin(session))
+            else tr("the {optic} on show, {origin}", optic=optic).format(
+                origin=tr(origin(session, called))
             )
         )
 

@@ -89,7 +89,7 @@ class RunLog(QObject):
             )
         new = [note for note in shot.notes if last is None or note not in last.notes]
         if new:
-            self._tell(tr("Trace: {notes}").format(notes="; ".join(new)))
+            self._tell(tr("Trace: {notes}").format(notes="; ".join(map(tr, new))))
 
     def _end(self) -> None:
         if self._last is None:

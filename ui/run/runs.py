@@ -10,7 +10,7 @@ from ui.check.checking import CheckedLens, verified_error
 from ui.document.document import Document
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
-from ui.run.kept import renamed, restored, without
+from ui.run.kept import called, renamed, restored, without
 from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
 from ui.words import tr
@@ -139,7 +139,7 @@ class Runs(QObject):
         if runs != self._drawn:
             self._drawn = runs
             self.compared.emit(
-                [LossCourse(run.name, run.result.losses, run.result.times()) for run in runs]
+                [LossCourse(called(run), run.result.losses, run.result.times()) for run in runs]
             )
 
     def _rename(self, run: KeptRun, name: str) -> None:
@@ -149,19 +149,19 @@ class Runs(QObject):
         except Refused as refused:
             self.refused.emit(
                 tr("The run is still called {name}: {reason}").format(
-                    name=run.name, reason=tr(refused.reason)
+                    name=called(run), reason=tr(refused.reason)
                 )
             )
             self.show()
 
     def _restore(self, run: KeptRun) -> None:
         self._document.change(
-            restored(self._document.session, run), tr("return to {name}").format(name=run.name)
+            restored(self._document.session, run), tr("return to {name}").format(name=called(run))
         )
 
     def _delete(self, runs: tuple[KeptRun, ...]) -> None:
         text = (
-            tr("delete {name}").format(name=runs[0].name)
+            tr("delete {name}").format(name=called(runs[0]))
             if len(runs) == 1
             else tr("delete {count} runs").format(count=len(runs))
         )

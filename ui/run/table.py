@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.run.kept import called
 from ui.run.run_figures import figures_of, thumbnail_of
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
@@ -203,14 +204,14 @@ class RunTable(QWidget):
             self.pair_chosen.emit(self.chosen)
 
     def _fill(self, row: int, run: KeptRun, is_current: bool) -> None:
-        name = QTableWidgetItem(self._picture(run), run.name)
+        name = QTableWidgetItem(self._picture(run), called(run))
         marked = id(run.result) in self._marked
         name.setCheckState(Qt.CheckState.Checked if marked else Qt.CheckState.Unchecked)
         font = name.font()
         font.setBold(is_current)
         name.setFont(font)
         own = tr("The one of the design")
-        name.setToolTip(f"{run.name}\n{own}" if is_current else run.name)
+        name.setToolTip(f"{name.text()}\n{own}" if is_current else name.text())
         self.table.setItem(row, 0, name)
         for column, (title, text) in enumerate(figures_of(run, self._verified(run)), start=1):
             item = QTableWidgetItem(text)
@@ -236,7 +237,7 @@ class RunTable(QWidget):
         if marked != (result in self._marked):
             self._marked ^= {result}
             self.compared.emit()
-        elif item.text() != run.name:
+        elif item.text() != called(run):
             self.renamed.emit(run, item.text())
 
     def _show_possible(self) -> None:

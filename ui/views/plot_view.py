@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.shown.frame import same_task
 from ui.views.canvas import PlotCanvas
-from ui.views.plot_words import translate
+from ui.views.plot_words import translate, translate_axes
 from ui.views.view import View
 from ui.words import later, tr
 from workbench.pictures.data import Column, shown_data
@@ -109,6 +109,8 @@ class PlotView(View):
         everything = self._explain(self._why_empty(frame) or self._why_small()) | self._adapt()
         if frame is not None:
             everything |= self._change(frame)
+        if everything:
+            translate_axes(self._canvas.figure)
         self._canvas.show_changes(everything)
 
     def _begin_anew(self) -> None:

@@ -24,6 +24,7 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array, Mask
+from workbench.design.endings import FLAT, LOWEST, SLOW, SMALL
 from workbench.design.heights import FreeHeights
 from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.levels import finest_image, judging_image
@@ -75,8 +76,6 @@ _EVEN = _Descent(1.25, 0.0025, 1.5e-4)
 _UNEVEN = _Descent(1.0, 0.01, 0.0)
 # The image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3
-_SMALL = Said("converged: error below {error:g} %", error=100 * _SMALLEST)
-_LOWEST = Said("converged: no step makes the image better")
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
@@ -177,24 +176,15 @@ def _descend(
         yield found.seen
         errors.append(math.sqrt(found.value))
         if errors[-1] < _SMALLEST:
-            return _SMALL
+            return Said(SMALL, error=100 * _SMALLEST)
         if len(errors) <= patience:
             continue
         lower = errors[-1 - patience] - errors[-1]
         if lower < descent.gain * errors[-1 - patience]:
-            return Said(
-                "converged: less than {gain:g} % better in {patience} iterations",
-                gain=100 * descent.gain,
-                patience=patience,
-            )
+            return Said(SLOW, gain=100 * descent.gain, patience=patience)
         if lower < descent.points:
-            return Said(
-                "converged: error less than {points:g} percentage points lower in {patience} "
-                "iterations",
-                points=100 * descent.points,
-                patience=patience,
-            )
-    return _LOWEST
+            return Said(FLAT, points=100 * descent.points, patience=patience)
+    return Said(LOWEST)
 
 
 def _descent_of(image: AnyImage) -> _Descent:

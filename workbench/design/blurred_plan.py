@@ -27,6 +27,7 @@ from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.samples import Corners
+from workbench.said import Said
 from workbench.scene import Scene
 
 
@@ -64,7 +65,8 @@ class BlurredPlan:
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         x, y = self._blur.widths
-        return *self._plan.notes, f"its light is blurred over {x:.3g} x {y:.3g} pixels"
+        blurred = Said("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
+        return *self._plan.notes, blurred
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens; see `BeamPlan.trace`."""

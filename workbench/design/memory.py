@@ -80,7 +80,9 @@ def auto_memory(scene: Scene) -> int:
 def memory_notes(scene: Scene) -> tuple[str, ...]:
     """What the log of a run says of its memory, if it needs much."""
     needed = auto_memory(scene) if scene.run.device == "cpu" else 0
-    return (f"memory: about {as_bytes(needed)}",) if needed >= _LARGE else ()
+    if needed < _LARGE:
+        return ()
+    return (Said("memory: about {needed}", needed=as_bytes(needed)),)
 
 
 def check_auto(scene: Scene) -> None:

@@ -1,6 +1,7 @@
 """Which task a lens was designed for."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -9,9 +10,10 @@ from workbench.design.session import KeptRun, Session, task_of
 from workbench.said import Said
 
 _MOST = 3  # differences between two tasks that are named
+_ABSENT = Said("absent")
 
 
-def origin(session: Session) -> str:
+def origin(session: Session, called: Callable[[KeptRun], str] = attrgetter("name")) -> Said:
     """What the lens of a session was designed for, to be read after "the lens, ".
 
     The lens is looked for among the kept runs. Run settings are no part of a task: they say how to
@@ -21,10 +23,12 @@ def origin(session: Session) -> str:
     ----------
     session : Session
         Whose lens.
+    called : callable
+        Names a kept run.
 
     Returns
     -------
-    str
+    Said
         For another task, with the name of the run and what differs.
     """
     heights = session.heights
@@ -34,9 +38,14 @@ def origin(session: Session) -> str:
     if any(_is_of(session, run) for run in found):
         return Said("designed for this task")
     if found:
-        named = _differences(found[-1], session)
-        more = ", …" if len(named) > _MOST else ""
-        return f"designed for another task ({found[-1].name}): {', '.join(named[:_MOST])}{more}"
+        differ = _differences(found[-1], session)
+        some = {f"field_{number}": said for number, said in enumerate(differ[:_MOST])}
+        more = ", …" if len(differ) > _MOST else ""
+        return Said(
+            "designed for another task ({run}): {differences}",
+            run=called(found[-1]),
+            differences=Said(", ".join(f"{{{name}}}" for name in some) + more, **some),
+        )
     if session.result is not None and session.result.iterations:
         return Said("designed for this task")
     return Said("not designed for this task")
@@ -47,18 +56,23 @@ def _is_of(session: Session, run: KeptRun) -> bool:
     return same_target and task_of(run.scene) == task_of(session.scene)
 
 
-def _differences(run: KeptRun, session: Session) -> list[str]:
+def _differences(run: KeptRun, session: Session) -> list[Said]:
     """Fields of the run's task whose values are others now."""
     then, now = (
         {path: value for path, value in _fields(each.scene.to_data(), "") if path[:4] != "run."}
         for each in (run, session)
     )
     changed = [
-        f"{path} {then.get(path, 'absent')}, now {now.get(path, 'absent')}"
+        Said(
+            "{path} {then}, now {now}",
+            path=path,
+            then=then.get(path, _ABSENT),
+            now=now.get(path, _ABSENT),
+        )
         for path in (*then, *(now.keys() - then.keys()))
         if then.get(path) != now.get(path)
     ]
-    return changed or ["another target image"]
+    return changed or [Said("another target image")]
 
 
 def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:

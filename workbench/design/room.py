@@ -14,6 +14,7 @@ from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
+from workbench.said import Said
 from workbench.scene import Optic, Scene
 from workbench.system_memory import release_freed_memory
 
@@ -101,7 +102,10 @@ class Room:
             return found
         assert self._ranged.height_range is not None
         most = self._ranged.height_range[1]
-        return (*found, f"heights within {most:.3g} {self.scene.unit} of the base")
+        within = Said(
+            "heights within {most:.3g} {unit} of the base", most=most, unit=self.scene.unit
+        )
+        return (*found, within)
 
     def shortfall(self, lens: Mapping[str, Array]) -> Shortfall | None:
         """What the task needs beyond the limits; None where they do not seem to hinder it.

@@ -10,6 +10,7 @@ from collections.abc import Generator, Mapping
 from dataclasses import replace
 
 from workbench.arrays import Array, Mask
+from workbench.design.endings import DONE, LOCKED
 from workbench.design.lens_state import LensState
 from workbench.design.methods import method_of
 from workbench.design.needs import check_stages, grazed
@@ -21,8 +22,6 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import AutoNet, Optic, Scene
-
-_DONE, _LOCKED = Said("all iterations are done"), Said("all control points are locked")
 
 
 def run(
@@ -122,7 +121,7 @@ def run(
             yield snapshot
             iteration += 1
         else:
-            ended = _LOCKED if done else _DONE
+            ended = Said(LOCKED if done else DONE)
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
     del steps  # and its images, before others are made
@@ -159,7 +158,8 @@ def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunF
 
 def _scene_notes(scene: Scene) -> tuple[str, ...]:
     """The net of the finished lens, where the program has chosen it, and what will be worse."""
-    net = "control points: {} × {}, chosen for this task".format(*scene.optic.net_shape)
+    n_u, n_v = scene.optic.net_shape
+    net = Said("control points: {n_u} × {n_v}, chosen for this task", n_u=n_u, n_v=n_v)
     chosen = isinstance(scene.optic.control_points, AutoNet)
     return tuple(filter(None, (net if chosen else None, grazed(scene))))
 

@@ -4,11 +4,13 @@ from collections.abc import Callable, Generator
 from contextlib import closing
 
 from workbench.arrays import Array
+from workbench.design.endings import GAINED, NO_IMAGE
 from workbench.design.room import Room
 from workbench.design.step import Step
 from workbench.design.transport import behind_flat_entrance
 from workbench.errors import RunFailed
 from workbench.interruption import check_interruption
+from workbench.said import Said
 from workbench.scene import Scene
 
 Steps = Generator[Step, None, str]
@@ -52,10 +54,12 @@ def with_gain(both: Steps, scene: Scene, target: Array, steps: Callable[[Room], 
                 check_interruption()
                 alone.append(step.state.loss)
     except RunFailed:
-        return f"{ended}; the exit face alone makes no image"
+        return Said(NO_IMAGE, ended=ended)
     if not alone or min(alone) == 0:
         return ended
-    return (
-        f"{ended}; after {len(losses) - 1} iterations the error of both faces was "
-        f"{min(losses) / min(alone):.2g} times that of the exit face behind a flat entrance"
+    return Said(
+        GAINED,
+        ended=ended,
+        iterations=len(losses) - 1,
+        times=min(losses) / min(alone),
     )

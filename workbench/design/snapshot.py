@@ -7,11 +7,11 @@ from typing import Any, Self
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.design.endings import FAILED, IN_VAIN, STOPPED
 from workbench.design.lens_state import LensState
+from workbench.errors import RunFailed
 from workbench.interruption import Interrupted
 from workbench.said import Said
-
-_STOPPED = Said("stopped")
 
 
 @dataclass(frozen=True)
@@ -135,14 +135,15 @@ class History:
         except StopIteration as end:
             self._ended = end.value
             if self._losses and self._best is not None and self._best.iteration == 0:
-                self._ended += "; no iteration made the lens better"
+                self._ended = Said(IN_VAIN, ended=self._ended)
         except Interrupted:
-            self._ended = _STOPPED
+            self._ended = Said(STOPPED)
         except (GeneratorExit, KeyboardInterrupt):
-            self._ended = _STOPPED
+            self._ended = Said(STOPPED)
             raise
         except Exception as error:
-            self._ended = f"failed: {error}"
+            why = error.args[0] if isinstance(error, RunFailed) else str(error)
+            self._ended = Said(FAILED, why=why)
             raise
         finally:
             run.close()

@@ -21,6 +21,7 @@ from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 from workbench.optics.source_beams import between_origins, light_apart
 from workbench.optics.tracers import beam_kernel_of
+from workbench.said import Said
 from workbench.scene import Scene
 
 _NEARLY_ALL = 0.999
@@ -80,11 +81,20 @@ class BeamPlan:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         notes = self._choice.notes(self._tracer.notes)
         rays = math.prod(len(split) for split in self._tracer.splits)
-        notes.append(f"beams of light between {rays:,} rays: no noise, and no filter")
+        notes.append(
+            Said("beams of light between {rays} rays: no noise, and no filter", rays=f"{rays:,}")
+        )
         if self._of_source:
-            notes.append("beams run between points of the source, through each sample of the lens")
+            notes.append(
+                Said("beams run between points of the source, through each sample of the lens")
+            )
         if self._back:
-            notes.append(f"shading by the {self._called} and by the mirror itself is ignored")
+            notes.append(
+                Said(
+                    "shading by the {receiver} and by the mirror itself is ignored",
+                    receiver=self._called,
+                )
+            )
         return (*filter(None, (*notes, self._of_light)), *self._choice.defects())
 
     def light_extent(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:

@@ -7,6 +7,7 @@ import torch
 from workbench.compiled import unkept
 from workbench.optics.kernels import ready
 from workbench.optics.path import Path
+from workbench.said import Said
 
 
 class Choice(NamedTuple):
@@ -47,30 +48,48 @@ class Choice(NamedTuple):
         precision = str(self.path.dtype).removeprefix("torch.")
         if self.compiled:
             threads = torch.get_num_threads()
-            notes = [f"fused kernels, {threads} thread{'s' * (threads > 1)}, {precision}"]
+            if threads > 1:
+                chosen = Said(
+                    "fused kernels, {threads} threads, {precision}",
+                    threads=threads,
+                    precision=precision,
+                )
+            else:
+                chosen = Said("fused kernels, 1 thread, {precision}", precision=precision)
         else:
             device = torch.device(self.path.device).type
-            notes = [f"reference in torch on {device}, {precision}"]
-        notes += of_tracer
+            chosen = Said(
+                "reference in torch on {device}, {precision}", device=device, precision=precision
+            )
+        notes = [chosen, *of_tracer]
         if self.kernel is None:
             faces = ", ".join(step.surface.kind for step in self.path.steps)
-            notes.append(f"no kernel for this path ({faces}): by the reference alone")
+            notes.append(
+                Said("no kernel for this path ({faces}): by the reference alone", faces=faces)
+            )
         if self.fine:
-            notes.append("float64: float32 would move light by a part of a pixel")
+            notes.append(Said("float64: float32 would move light by a part of a pixel"))
         return notes
 
     def defects(self) -> list[str]:
         """What makes traces or starts slower than they should be."""
-        notes, error = [], None
+        notes: list[str] = []
+        error = None
         if self.fused and self.kernel is not None:
             error = ready.failure(self.kernel, self.path.dtype)
         if error is not None:
             notes.append(
-                f"the kernel could not be compiled ({type(error).__name__}: {error}), so this run "
-                "is many times slower"
+                Said(
+                    "the kernel could not be compiled ({error}), so this run is many times slower",
+                    error=f"{type(error).__name__}: {error}",
+                )
             )
         if reason := unkept():
             notes.append(
-                f"compiled kernels could not be kept ({reason}), so each start compiles them again"
+                Said(
+                    "compiled kernels could not be kept ({reason}), so each start compiles them "
+                    "again",
+                    reason=reason,
+                )
             )
         return notes

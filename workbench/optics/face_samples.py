@@ -22,6 +22,7 @@ from workbench.optics.sources.origins import splits_of
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
+from workbench.said import Said
 
 
 class SampledFace(NamedTuple):
@@ -116,7 +117,7 @@ class FaceSamples:
     times larger, so they stay in the middles.
     """
 
-    note = "samples on the exit face: no ray has to search for it"
+    note = Said("samples on the exit face: no ray has to search for it")
 
     def __init__(self, face: SampledFace, path: Path) -> None:
         optic, source = face.emitter.optic, face.emitter.source

@@ -24,6 +24,7 @@ from workbench.optics.samples import Corners, Places, areas_of, places, splits_s
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
+from workbench.said import Said
 
 # No place is nearer to the axis, as a part of the way to the rim: the root has a slope.
 _TINY = 1e-15
@@ -113,7 +114,7 @@ class FrontSamples:
         The path of the light.
     """
 
-    note = "samples on the entrance face, shared by all origins of the light"
+    note = Said("samples on the entrance face, shared by all origins of the light")
 
     def __init__(self, front: FrontGrid, path: Path) -> None:
         self._front, self._path = front, path

@@ -10,6 +10,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.optics.samples import Corners, Samples
+from workbench.said import Said
 
 
 class Halves(NamedTuple):
@@ -45,7 +46,9 @@ class Halves(NamedTuple):
         """What is left out, in words."""
         if not any(self.mirrored):
             return []
-        return [f"mirror symmetry: {'a quarter' if all(self.mirrored) else 'half'} of the rays"]
+        if all(self.mirrored):
+            return [Said("mirror symmetry: a quarter of the rays")]
+        return [Said("mirror symmetry: half of the rays")]
 
     def first(self, values: Array, axis: int) -> Array:
         """What there is for all rays along an axis, for those that are traced."""

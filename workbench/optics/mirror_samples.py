@@ -18,6 +18,7 @@ from workbench.optics.samples import Corners, Places, Samples, places, splits_si
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
+from workbench.said import Said
 
 
 class SharedMirror(NamedTuple):
@@ -76,7 +77,7 @@ class MirrorSamples:
         The path of the light.
     """
 
-    note = "samples on the mirror, shared by all origins of the light"
+    note = Said("samples on the mirror, shared by all origins of the light")
 
     def __init__(self, shared: SharedMirror, path: Path) -> None:
         self._step, self._path = shared.step, path

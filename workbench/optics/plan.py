@@ -86,7 +86,7 @@ class Plan:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
         notes = self._choice.notes(self._tracer().notes)
         if not self._filter.smooth:
-            notes.append("box filter: one pixel a ray, no ghost pixels")
+            notes.append(Said("box filter: one pixel a ray, no ghost pixels"))
         return tuple(notes + self._choice.defects())
 
     def next_iteration(self) -> None:

@@ -27,6 +27,7 @@ from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
+from workbench.said import Said
 
 # In the middle of the lens no distance to the outline has a direction.
 _CENTRE = 1e-12
@@ -187,7 +188,7 @@ class SharedSamples:
         The path of the light.
     """
 
-    note = "samples on the exit face, shared by all origins of the light"
+    note = Said("samples on the exit face, shared by all origins of the light")
 
     def __init__(self, shared: SharedGrid, path: Path) -> None:
         self._shared, self._path, self._before = shared, path, shared.before()

@@ -12,17 +12,18 @@ from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
 from workbench.geometry.surface import freeform_nets
+from workbench.said import Said
 from workbench.scene import FlatEntrance, Scene, WantedImage
 
-_BOTH, _ALONE = "both faces", "the exit face alone"
-_LINES = "both faces along lines through all images"
+_BOTH, _ALONE = Said("both faces"), Said("the exit face alone")
+_LINES = Said("both faces along lines through all images")
 # Light that both faces bend meets them less steeply, and a descent improves both: worth so much.
 # What one face has made good of several images is soon at its best.
 _ONE_FACE = 1.8
 # Where in its range an entrance face begins that is flat: in the middle, but near to a source that
 # is nearer than half the lens's width, so that more of its light meets the lens.
 _PLACE, _NEAR_PLACE = 0.5, 0.1
-_HANDICAP = {_ALONE: _ONE_FACE}
+_HANDICAP: dict[str, float] = {_ALONE: _ONE_FACE}
 
 
 class First(NamedTuple):
@@ -69,8 +70,7 @@ def first_of(scene: Scene, target: Array) -> First | None:
         return None
     errors = {name: error for name, (error, _) in found.items()}
     best = min(errors, key=lambda name: errors[name] * _HANDICAP.get(name, 1.0))
-    said = " and ".join(f"{100 * error:.2g} % by {name}" for name, error in errors.items())
-    return First(found[best][1], (f"first lens: {said}; it begins with {best}",))
+    return First(found[best][1], (_chosen(errors, best),))
 
 
 def first_of_several(
@@ -90,7 +90,7 @@ def first_of_several(
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.images(target)]
-    found: dict[str, Mapping[str, Array]] = {}
+    found: dict[Said, Mapping[str, Array]] = {}
     two_faces = "entrance" in freeform_nets(scene.optic)
     if two_faces and (both := line_start(scene, target)) is not None:
         found[_LINES] = both
@@ -101,7 +101,7 @@ def first_of_several(
             lens = alone(image)
             heights = None if lens is None else lens.heights
         if heights is not None:
-            found[f"the exit face for image {number} alone"] = heights
+            found[Said("the exit face for image {number} alone", number=number)] = heights
     if not found:
         return None
     weights = [image.weight for image in images]
@@ -114,10 +114,22 @@ def first_of_several(
         )
         for name, heights in found.items()
     }
-    handicap = {_LINES: 1 / _ONE_FACE}
+    handicap: dict[str, float] = {_LINES: 1 / _ONE_FACE}
     best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
-    said = ", ".join(f"{100 * error:.2g} % by {name}" for name, error in errors.items())
-    return First(dict(found[best]), (f"first lens: {said}; it begins with {best}",))
+    return First(dict(found[best]), (_chosen(errors, best),))
+
+
+def _chosen(errors: Mapping[Said, float], best: Said) -> Said:
+    """What was tried, how good it is, and what was taken."""
+    tried = {
+        f"first_{number}": Said("{error:.2g} % by {face}", error=100 * error, face=face)
+        for number, (face, error) in enumerate(errors.items())
+    }
+    return Said(
+        "first lens: {tried}; it begins with {best}",
+        tried=Said(", ".join(f"{{{name}}}" for name in tried), **tried),
+        best=best,
+    )
 
 
 def behind_flat_entrance(scene: Scene) -> Scene:

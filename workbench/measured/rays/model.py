@@ -70,12 +70,15 @@ class RayModel(NamedTuple):
     off: float = 0.0
 
     @property
-    def note(self) -> str:
+    def note(self) -> Said:
         """How far it is from its rays, in words."""
-        return (
-            f"{len(self.places)} points stand for the rays of the file: "
-            f"{100 * self.off:.1f} % of their light on the lens is elsewhere, and rays start "
-            f"{100 * self.spread:.0f} % as far from their point as from the middle of all"
+        return Said(
+            "{points} points stand for the rays of the file: {off:.1f} % of their light on the "
+            "lens is elsewhere, and rays start {spread:.0f} % as far from their point as from the "
+            "middle of all",
+            points=len(self.places),
+            off=100 * self.off,
+            spread=100 * self.spread,
         )
 
     def density(self, x: Array, y: Array) -> Array:

@@ -30,6 +30,7 @@ from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Plane
 from workbench.optics.transmittance import TransmittanceLaw
+from workbench.said import Said
 from workbench.scene import GaussianFilter, Screen
 
 
@@ -45,7 +46,7 @@ class FusedCollimatedRays(ParallelRays):
     """
 
     name = "collimated"
-    note = "collimated light: entrance refraction and intersection left out"
+    note = Said("collimated light: entrance refraction and intersection left out")
 
     @staticmethod
     def matches(path: Path) -> bool:

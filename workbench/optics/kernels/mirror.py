@@ -28,6 +28,7 @@ from workbench.optics.samples import cells
 from workbench.optics.sources import CollimatedEmitter
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
+from workbench.said import Said
 from workbench.scene import GaussianFilter, Screen
 
 
@@ -43,7 +44,7 @@ class FusedMirrorRays(ParallelRays):
     """
 
     name = "mirror"
-    note = "collimated light: intersection left out"
+    note = Said("collimated light: intersection left out")
 
     @staticmethod
     def matches(path: Path) -> bool:

@@ -28,6 +28,7 @@ from workbench.optics.samples import Corners, Places, places
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.optics.sources.origins import Origins
 from workbench.optics.transmittance import TransmittanceLaw
+from workbench.said import Said
 
 Kind = type[np.floating[Any]]
 
@@ -223,10 +224,13 @@ def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[
 
 def notes_of(traced: Origins, count: int, note: str) -> list[str]:
     """What is special about a trace of some origins, of so many in all, in words."""
-    kind = "direction" if traced.infinite else "point"
-    notes = [f"{count} {kind}{'s' * (count > 1)} of light", note]
-    if len(traced.flux) < count:
-        notes.append(f"mirror symmetry: {len(traced.flux)} of them are traced")
+    if traced.infinite:
+        one, more = Said("1 direction of light"), Said("{count} directions of light", count=count)
+    else:
+        one, more = Said("1 point of light"), Said("{count} points of light", count=count)
+    notes = [more if count > 1 else one, note]
+    if (some := len(traced.flux)) < count:
+        notes.append(Said("mirror symmetry: {some} of them are traced", some=some))
     return notes
 
 

@@ -25,6 +25,7 @@ from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
 from workbench.optics.samples import Samples, places
 from workbench.optics.sources import CollimatedEmitter
+from workbench.said import Said
 from workbench.scene import BoxFilter, Filter
 
 
@@ -88,7 +89,12 @@ class ParallelRays(ABC):
         """See `workbench.optics.light.Tracer`."""
         notes = [self.note, *self._halves.notes]
         if self.traced < 1:
-            notes.append(f"locked control points: {self.traced:.0%} of the rays after the first")
+            notes.append(
+                Said(
+                    "locked control points: {part:.0f} % of the rays after the first iteration",
+                    part=100 * self.traced,
+                )
+            )
         return notes
 
     @property
