@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.pictures.camera import FittedCamera
+from workbench.pictures.camera import FittedCamera, axes_of
 from workbench.pictures.sight import Sight
 
 HEIGHT = 400  # of the plotter
@@ -174,3 +174,26 @@ def test_a_mirror_is_seen_whole_beside_its_screen(plotter, make_scene, high, per
     left, low, right, top = outline(Sight(plotter), (1.0, 1.0), (0.0, high, back))
     width, height = plotter.window_size
     assert left > 0 and low > 0 and right < width and top < height
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {
+            "lens": None,
+            "mirror": {"half_width": [15, 15], "control_points": [8, 8]},
+            "screen.z": -70.0,
+            "screen.center": [70.0, 0.0],
+            "screen.tilt": [0.0, -45.0],
+            "screen.half_width": [20.0, 20.0],
+        },
+    ],
+    ids=["lens", "mirror"],
+)
+def test_the_first_look_holds_the_names_of_the_axes(plotter, make_scene, changes, perspective):
+    scene = make_scene(changes)
+    FittedCamera(plotter, scene, perspective=perspective).fit("")
+    places = Sight(plotter).pixels(axes_of(scene.optic))
+    assert (places > 0).all() and (places < plotter.window_size).all()

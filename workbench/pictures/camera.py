@@ -155,7 +155,8 @@ class FittedCamera:
             return _on_optic(self._scene.optic, self.top)
         if view == "screen":
             return _on_receiver(self._scene)
-        return np.concatenate([space(self._scene), _on_optic(self._scene.optic, self.top)])
+        optic = self._scene.optic
+        return np.concatenate([space(self._scene), _on_optic(optic, self.top), axes_of(optic)])
 
     def _oblique(self, view: str) -> Array:
         """Unit vector towards a camera beside the axis and above it, where the light goes.
@@ -323,6 +324,13 @@ def _direction(azimuth: float, elevation: float, along: int) -> Array:
             along * math.cos(azimuth) * math.cos(elevation),
         ]
     )
+
+
+def axes_of(optic: Optic) -> Array:
+    """Where the axes that are drawn beside an optic meet, and the names of x, y and z, (4, 3)."""
+    length, (r_x, r_y) = 0.5 * max(optic.half_width), optic.half_width
+    origin = np.array([-1.1 * r_x, -1.1 * r_y, optic.lowest - length])
+    return np.asarray(origin + np.concatenate([np.zeros((1, 3)), 1.25 * length * np.eye(3)]))
 
 
 def _corners(half_width: tuple[float, float], *heights: float) -> Array:

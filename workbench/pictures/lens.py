@@ -28,7 +28,7 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
-from workbench.pictures.camera import FittedCamera, in_view, start_z
+from workbench.pictures.camera import FittedCamera, axes_of, in_view, start_z
 from workbench.pictures.colour_scale import ColourScale
 from workbench.pictures.exploded import explode_paths, exploded
 from workbench.pictures.face_look import FaceColours, face_colours, lit_normals, scale_of, top_of
@@ -337,15 +337,13 @@ class LensPicture:
 
     def _add_axes(self) -> None:
         optic = self._scene.optic
-        length = 0.5 * max(optic.half_width)
-        corner = (-1.1 * optic.half_width[0], -1.1 * optic.half_width[1])
-        origin = np.array([*corner, optic.lowest - length])
-        for direction, (name, colour) in zip(np.eye(3), _AXES, strict=True):
-            arm = pv.Line(origin, origin + length * direction)
+        origin, *places = axes_of(optic)
+        for place, (name, colour) in zip(places, _AXES, strict=True):
+            arm = pv.Line(origin, origin + 0.8 * (place - origin))
             self._add(arm, color=colour, line_width=2.5, lighting=False)
             label = vtkBillboardTextActor3D()
             label.SetInput(name)
-            label.SetPosition(*(origin + 1.25 * length * direction))
+            label.SetPosition(*place)
             text = label.GetTextProperty()
             text.SetColor(pv.Color(colour).float_rgb)
             text.SetFontSize(16)
