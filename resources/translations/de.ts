@@ -1491,7 +1491,7 @@
         <message>
             <location filename="../../ui/check/figures.py" />
             <source>Cells would have to be finer than time allows: the error, and where it lies with 95 % confidence, are from pairs of images by random rays: their scatter has no mean.</source>
-            <translation>Die Zellen müssten feiner sein, als die Zeit erlaubt: der Fehler und wo er mit 95 % Vertrauen liegt, stammen aus Paaren von Bildern mit Zufallsstrahlen: ihre Streuung hat keinen Mittelwert.</translation>
+            <translation>Die Zellen müssten feiner sein, als die Zeit erlaubt: der Fehler und wo er mit 95 % Konfidenz liegt, stammen aus Paaren von Bildern mit Zufallsstrahlen: ihre Streuung hat keinen Mittelwert.</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />
@@ -1536,7 +1536,7 @@
         <message>
             <location filename="../../ui/check/figures.py" />
             <source>95 % confidence</source>
-            <translation>95 % Vertrauen</translation>
+            <translation>95 % Konfidenz</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />

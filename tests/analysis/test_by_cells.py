@@ -1,5 +1,6 @@
 """The error of a lens by cells, with random rays as the second opinion."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -117,8 +118,19 @@ def test_result_states_where_cells_miss_the_wanted_accuracy(lens, target, monkey
     monkeypatch.setattr(image, "_MOST", 1)
     coarse = validate(scene, target, heights, 10_000, accuracy=1e-6).by_cells
     assert coarse.bound > 1e-6
-    assert coarse.less_exact.startswith(f"off by up to {100 * coarse.bound:.2g} %, not 0.0001 %")
+    off = re.match(r"off by up to (\S+) %, not 0.0001 %", coarse.less_exact)
+    assert 1.0 <= float(off[1]) / (100 * coarse.bound) < 1.1
     assert coarse.to_data()["error_bound_wanted"] == 1e-6
+
+
+@pytest.mark.parametrize(
+    ("bound", "said"), [(0.00104, "0.11"), (0.0014, "0.14"), (0.25, "25"), (np.inf, "inf")]
+)
+def test_what_an_error_is_off_is_never_rounded_to_less(lens, target, bound, said):
+    scene, heights = lens({"kind": "collimated"})
+    exact = validate(scene, target, heights, 10_000, accuracy=1e-2).by_cells
+    coarse = replace(exact, bound=bound, wanted=1e-3)
+    assert coarse.less_exact.startswith(f"off by up to {said} %, not 0.1 %")
 
 
 def test_progress_never_decreases(lens, target):

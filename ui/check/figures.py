@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
+_TOGETHER = "\N{NO-BREAK SPACE}%"  # a wrapped figure keeps its sign
 _NOTHING = later("F8 traces what is on show anew, with rays that its design never saw.")
 _TIPS = later(
     {
@@ -247,13 +248,13 @@ class CheckFigures(QWidget):
     def _cell(self, row: int, column: int) -> str:
         item = self._table.item(row, column)
         assert item is not None  # each row is filled
-        return item.text()
+        return item.text().replace(_TOGETHER, " %")
 
     def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
         for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
             for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
-                item = QTableWidgetItem(text)
+                item = QTableWidgetItem(text.replace(" %", _TOGETHER))
                 item.setToolTip(f"<p>{tip}</p>")
                 self._table.setItem(number, column, item)
         self._table.share_width()

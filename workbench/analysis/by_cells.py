@@ -1,5 +1,6 @@
 """What the image by cells says of a lens, and how far random rays are from it."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -129,7 +130,7 @@ class ByCells:
             return None
         return Said(
             "off by up to {off:.2g} %, not {wanted:.2g} %: {why}",
-            off=100 * off,
+            off=_no_less(100 * off),
             wanted=100 * self.wanted,
             why=why,
         )
@@ -177,3 +178,11 @@ def without_scatter(
     rays = tracing_independently(scene, heights, target, accuracy, pose, threads)
     independent = yield from within(rays, lambda part: 0.5 + part / 2)
     return image, independent if independent.unscattered.off < off else None
+
+
+def _no_less(value: float) -> float:
+    """A value above 0 on two digits, rounded up: 0.104 would be said to be no more than 0.1."""
+    if not math.isfinite(value):
+        return value
+    step = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return math.ceil(round(value / step, 6)) * step

@@ -55,6 +55,9 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     assert received["Off the optimiser's image"] == "3.210 %"
     assert received["On the screen"] == received["Efficiency"] == f"{100 * found.efficiency:.3f} %"
     table = figures._table
+    for row, (name, value) in enumerate(received.items()):
+        assert table.item(row, 0).text() == name.replace(" %", "\N{NO-BREAK SPACE}%")
+        assert table.item(row, 1).text() == value.replace(" %", "\N{NO-BREAK SPACE}%")
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
