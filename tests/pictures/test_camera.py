@@ -197,3 +197,22 @@ def test_the_first_look_holds_the_names_of_the_axes(plotter, make_scene, changes
     FittedCamera(plotter, scene, perspective=perspective).fit("")
     places = Sight(plotter).pixels(axes_of(scene.optic))
     assert (places > 0).all() and (places < plotter.window_size).all()
+
+
+@pytest.mark.parametrize("view", ["", "lens", "entrance", "screen"])
+def test_what_is_hidden_at_the_lower_edge_is_left_free(camera, plotter, make_scene, view):
+    optic = make_scene().optic
+    corners = {
+        "screen": [[x, y, 5.0] for x in (-1, 1) for y in (-1, 1)],
+        "": [*axes_of(optic), *([x, y, 5.0] for x in (-1, 1) for y in (-1, 1))],
+    }
+    places = np.array(corners.get(view, [[x, y, 0.0] for x in (-1, 1) for y in (-1, 1)]))
+    sight = Sight(plotter)
+    camera.fit(view)
+    assert sight.pixels(places)[:, 1].min() < 0.25 * HEIGHT
+    camera.hidden = HEIGHT // 4
+    camera.fit(view)
+    assert camera.untouched
+    seen = sight.pixels(places)
+    assert seen[:, 1].min() > camera.hidden
+    assert seen[:, 1].max() < HEIGHT

@@ -229,9 +229,16 @@ class SceneView(View):
 
     def fit(self, view: str = "") -> None:
         """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or to the default one."""
-        if self._contents.picture is not None:
-            self._contents.picture.fit(view)
+        picture = self._contents.picture
+        if picture is not None:
+            picture.camera.hidden = self._pixels_of_hint()
+            picture.fit(view)
             self._plotter.update()
+
+    def _pixels_of_hint(self) -> int:
+        """How high what a tool says is, over the lower edge of the picture."""
+        height = self._hint.height() if self._hint.isVisible() else 0
+        return round(height * self.devicePixelRatioF())
 
     def close_plotter(self) -> None:
         """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
@@ -247,6 +254,7 @@ class SceneView(View):
         super().resizeEvent(event)
         picture = self._contents.picture
         if picture is not None and picture.fitted:
+            picture.camera.hidden = self._pixels_of_hint()
             picture.fit_again()
             self._plotter.update()  # the plotter may have been painted before the frame came
 

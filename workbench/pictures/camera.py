@@ -24,6 +24,7 @@ _UP = (0.0, 1.0, 0.0)
 _PLACES = ("position", "focal_point", "up")
 _FARTHEST = 3.0  # times the larger of screen's distance and width: a source in view
 _MARGIN = 1.12
+_LEAST_SEEN = 0.5  # part of the height that is fitted into, whatever is hidden of it
 _STEEPEST = 85.0  # degrees above or below, when the camera is turned
 # Degrees from the axis, and above it, of a look at lens and screen, and of one at the lens alone.
 _AZIMUTH, _LENS_AZIMUTH, _ELEVATION = 58.0, 40.0, 22.0
@@ -47,6 +48,8 @@ class FittedCamera:
     ----------
     view : str
         The view that was fitted last.
+    hidden : int
+        Pixels at the lower edge where something else is seen, which `fit` leaves free.
     top : float
         Greatest z of the exit face as it is drawn.
     """
@@ -56,7 +59,7 @@ class FittedCamera:
         self._scene = scene
         self._perspective = perspective
         self._left: tuple[object, ...] = ()
-        self.view = ""
+        self.view, self.hidden = "", 0
         self.top = first_top(scene.optic)
 
     def fit(self, view: str) -> None:
@@ -82,9 +85,11 @@ class FittedCamera:
         width, height = self._plotter.window_size
         self._plotter.renderer.camera.is_set = True  # else its first use draws the scene twice
         camera = self._plotter.camera
-        camera.focal_point = centre
+        part = max(1 - self.hidden / max(height, 1), _LEAST_SEEN)
+        scale = _MARGIN * max(half[1] / part, half[0] * height / max(width, 1))
+        camera.focal_point = centre - (1 - part) * scale * frame[1]
         camera.up = up
-        camera.parallel_scale = _MARGIN * max(half[1], half[0] * height / max(width, 1))
+        camera.parallel_scale = scale
         # In perspective, what is nearest to the camera has to fit.
         self._stand(toward, nearer=float(half[2]))
         self._left = self._state()

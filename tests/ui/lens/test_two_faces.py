@@ -63,6 +63,15 @@ def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     assert document.session.result is None
 
 
+@pytest.mark.parametrize("look, face", [("lens", "exit"), ("entrance", "entrance")])
+def test_no_control_point_is_behind_what_the_tool_says(sculpting, look, face):
+    view = sculpting.view
+    assert view._hint.isVisible() and view._hint.height() > 0
+    view.fit(look)
+    places = view.nets._pictures[face].places
+    assert view.sight.pixels(places.reshape(-1, 3))[:, 1].min() > view._hint.height()
+
+
 def test_a_drag_of_each_face_in_turn_keeps_both(sculpting, drag, qtbot):
     tools, view, document = sculpting, sculpting.view, sculpting.document
     for look in ("lens", "entrance"):
