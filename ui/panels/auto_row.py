@@ -43,7 +43,8 @@ class AutoRow(NumberRow):
         self._unit.hide()  # what was chosen stands in the fields
         value = value_at(scene, self.path)
         self._auto = auto = isinstance(value, AutoNet)
-        self._shape = value.shape if isinstance(value, AutoNet) else value
+        # An entrance face takes what the exit face has.
+        self._shape = (value.shape or scene.optic.known_shape) if auto else value
         if self.path not in pending:
             self.box.setChecked(auto)
         numbers = self._shape or (tr("auto"),) * len(self.editors)

@@ -16,8 +16,8 @@ def session(make_scene, rng):
     return Session(scene, rng.random((16, 20)))
 
 
-def shown(forms):
-    net = row(forms, NET)
+def shown(forms, path=NET):
+    net = row(forms, path)
     return net.box.isChecked(), [(e.text(), e.placeholderText()) for e in net.editors.values()]
 
 
@@ -68,3 +68,14 @@ def test_a_number_beside_one_that_is_refused_takes_the_tick_away_with_it(forms, 
     enter(qtbot, forms, f"{NET}[0]", "9")
     assert document.session.scene.lens.control_points == (9, 7)
     assert not forms.refused
+
+
+def test_an_entrance_face_shows_the_net_of_the_exit_face_and_takes_it(forms, document):
+    forms.switch_entrance()
+    net = "lens.entrance.control_points"
+    assert shown(forms, net) == (True, [("", "49"), ("", "39")])
+    row(forms, net).box.click()
+    assert document.session.scene.lens.entrance.control_points == (49, 39)
+    assert shown(forms, net) == (False, [("49", "49"), ("39", "39")])
+    row(forms, net).box.click()
+    assert document.session.scene.lens.entrance.control_points == AutoNet()
