@@ -27,6 +27,7 @@ from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.endings import ENDINGS, FAILED
 from workbench.jobs import JOBS
+from workbench.materials import CATALOGUE
 from workbench.optics.account import LOSSES, words_for
 from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
@@ -100,6 +101,7 @@ def _of_engine() -> Iterator[str]:
     for aspect in ASPECTS:
         yield from (aspect.name, aspect.tip)
     yield from MAPS
+    yield from (name for name in CATALOGUE if " " in name)  # others are codes
 
 
 def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:

@@ -6900,6 +6900,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>Konvexe Krümmung</translation>
         </message>
         <message>
+            <location filename="../../workbench" />
+            <source>fused silica</source>
+            <translation>Quarzglas</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/endings.py" />
             <source>all iterations are done</source>
             <translation>alle Iterationen sind ausgeführt</translation>

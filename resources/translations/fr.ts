@@ -6900,6 +6900,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>Courbure convexe</translation>
         </message>
         <message>
+            <location filename="../../workbench" />
+            <source>fused silica</source>
+            <translation>silice fondue</translation>
+        </message>
+        <message>
             <location filename="../../workbench/design/endings.py" />
             <source>all iterations are done</source>
             <translation>toutes les itérations sont faites</translation>

@@ -15,6 +15,7 @@ import ui
 import workbench
 import workbench.pictures
 import workbench.scene
+from tests.ui.hands import rows
 from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
@@ -329,6 +330,14 @@ def test_a_window_is_translated(speaking, open_window, language, menu, check, do
     assert field in labels
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, window)
     assert buttons.button(QDialogButtonBox.StandardButton.Cancel).text().replace("&", "") == cancel
+
+
+def test_materials_are_called_as_people_call_them(speaking, open_window):
+    speaking("de")
+    forms = open_window().forms
+    material = next(each for each in rows(forms) if each.path == "lens.refractive_index")
+    called = [material.chooser.itemText(k) for k in range(material.chooser.count())]
+    assert called == ["Eigene Brechzahl", "PMMA", "PC", "PS", "N-BK7", "Quarzglas"]
 
 
 def test_no_command_and_no_job_stays_english(speaking, open_window):

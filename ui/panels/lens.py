@@ -36,7 +36,7 @@ class LensPanel(PartPanel):
             path,
             tr(field.title),
             tr(field.tip),
-            [(_OWN_INDEX, tr("Custom index")), *((name, name) for name in CATALOGUE)],
+            [(_OWN_INDEX, tr("Custom index")), *((name, tr(name)) for name in CATALOGUE)],
             read=_material,
             changes=self._change_material,
         )
