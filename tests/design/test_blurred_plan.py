@@ -7,7 +7,8 @@ import pytest
 import torch
 
 from workbench.design.blurred_plan import BlurredPlan
-from workbench.design.levels import even_blur_of, finest_image
+from workbench.design.lens_blur import LensBlur
+from workbench.design.levels import finest_image, lens_blur_of
 from workbench.extended.blur import Blur
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
@@ -37,7 +38,7 @@ def heights(sun, rng):
 
 
 def blurred(scene, cells=(256, 256)):
-    return BlurredPlan(scene, cells, Blur.of(scene, scene.lens.base.height))
+    return BlurredPlan(scene, cells, LensBlur(Blur.of(scene, scene.lens.base.height)))
 
 
 def test_blurred_image_is_the_image_of_many_origins(sun, heights):
@@ -90,11 +91,11 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights
 
 
 def test_the_blur_of_the_sun_is_even_and_that_of_a_near_light_is_not(make_scene, sun, heights):
-    found = even_blur_of(sun, heights)
+    found = lens_blur_of(sun, heights)
     assert found is not None
-    assert found.widths == pytest.approx(Blur.of(sun, sun.lens.base.height).widths, rel=0.01)
-    assert even_blur_of(make_scene({**SUN, "source": NEAR}), heights) is None
-    assert even_blur_of(make_scene({**SUN, "source": {"kind": "collimated"}}), heights) is None
+    assert found.mean.widths == pytest.approx(Blur.of(sun, sun.lens.base.height).widths, rel=0.01)
+    assert lens_blur_of(make_scene({**SUN, "source": NEAR}), heights) is None
+    assert lens_blur_of(make_scene({**SUN, "source": {"kind": "collimated"}}), heights) is None
 
 
 def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
@@ -102,9 +103,9 @@ def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
     x, _ = ControlNet.of(scene.lens).positions
     wedge = scene.lens.base.height + 0.4 + 0.35 * x[:, None] + 0.01 * rng.random((12, 12))
     heights = {"exit": torch.as_tensor(wedge)}
-    plate, found = Blur.of(scene, wedge.mean()), even_blur_of(scene, heights)
+    plate, found = LensBlur(Blur.of(scene, wedge.mean())), lens_blur_of(scene, heights)
     assert found is not None
-    assert found.widths[0] > 1.05 * plate.widths[0]
+    assert found.mean.widths[0] > 1.05 * plate.mean.widths[0]
     all_of_it = BeamPlan(scene, Corners(128, 128, 256)).trace(heights).flux
     of_plate, of_found = (
         (BlurredPlan(scene, (256, 256), blur).trace(heights).flux - all_of_it).norm()

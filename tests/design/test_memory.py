@@ -6,12 +6,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 import torch
 
 from tests.scenes import changed
 from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
+from workbench.design.lens_blur import BlurChange, LensBlur
 from workbench.design.levels import FINE, cells_of, image_of
 from workbench.design.memory import auto_memory, check_auto, memory_notes
 from workbench.design.near_sources import source_cells
@@ -55,8 +57,10 @@ def peak_of(work):
 
 
 def blur_of(scene):
-    """The blur that is the same all over the lens, in which light of the sun is evaluated."""
-    return Blur.of(scene) if getattr(scene.source, "angular_diameter", 0) else None
+    """The blur of a lens, in which light of the sun is evaluated."""
+    if not getattr(scene.source, "angular_diameter", 0):
+        return None
+    return LensBlur(Blur.of(scene), BlurChange(np.zeros((3, 10)), scene.receiver.half_extent))
 
 
 def evaluation_peak(scene):
@@ -101,7 +105,7 @@ def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
     scene, blur = scene_of(name), blur_of(scene_of(name))
     computed = memory._of_image(scene)
     if blur:
-        computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.parts)
+        computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.mean.parts)
     elif cells := source_cells(scene):
         computed = memory._of_nodes(scene, cells)
     # It counts pieces of the heap, too.

@@ -1,10 +1,16 @@
 """Light of a source of some size as the light of its middle, blurred.
 
 Where each part of a lens makes about the same blur of a source, all of its light is that of its
-middle, convolved with this blur. One trace does what many origins do, and without their noise: a
-lens for such a source makes spots and lines that are much narrower than its blur, and origins draw
-each of them as so many dots. A letter in the sun, which blurs it over 5.9 pixels, on 384 x 384
-control points (relative L2; busy cores):
+middle, convolved with this blur, and with how the blur changes over the image: light is multiplied
+by the change where it lands, and convolved with the derivative of the blur. With these, a run sees
+1.71 % of the 1.72 % that a photograph in the sun is off, where it saw 1.69 % of 1.80 % by one blur
+for all of the image; with a tool radius of 1.5 mm 1.07 % of 1.10 % in place of 1.02 % of 1.18 %. An
+image and its gradient take 12 % more time.
+
+One trace does what many origins do, and without their noise: a lens for such a source makes spots
+and lines that are much narrower than its blur, and origins draw each of them as so many dots. A
+letter in the sun, which blurs it over 5.9 pixels, on 384 x 384 control points (relative L2; busy
+cores):
 
 | image of the same lens | error |
 |---|---|
@@ -19,10 +25,11 @@ from collections.abc import Mapping
 
 import numpy as np
 import torch
-from scipy.fft import next_fast_len
 from torch import Tensor
 
-from workbench.extended.blur import Blur
+from workbench.design.blurred_light import LightBlurring
+from workbench.design.lens_blur import LensBlur
+from workbench.extended.blur_changes import changes_at
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
@@ -40,8 +47,8 @@ class BlurredPlan:
         What is traced.
     cells : tuple[int, int]
         Cells along x and y between the rays.
-    blur : Blur
-        What any part of the lens makes of the source.
+    blur : LensBlur
+        What the parts of the lens make of the source.
     mirrored : tuple[bool, bool]
         As for `BeamPlan`.
     """
@@ -50,21 +57,21 @@ class BlurredPlan:
         self,
         scene: Scene,
         cells: tuple[int, int],
-        blur: Blur,
+        blur: LensBlur,
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        receiver, self._parts = scene.receiver, blur.parts
+        receiver, self._parts = scene.receiver, blur.mean.parts
         n_x, n_y = (self._parts * n for n in receiver.pixels)
         fine = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
         fine = fine.model_copy(update={"source": scene.source.sharp})
         self._pixels, self._blur = receiver.pixels, blur
         self._plan = BeamPlan(fine, Corners(*cells), mirrored=mirrored)
-        self._waves: dict[tuple[int, int], Tensor] = {}
+        self._blurring: dict[tuple[int, int], LightBlurring] = {}
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
-        x, y = self._blur.widths
+        x, y = self._blur.mean.widths
         blurred = Said("its light is blurred over {x:.3g} × {y:.3g} pixels", x=x, y=y)
         return *self._plan.notes, blurred
 
@@ -72,26 +79,27 @@ class BlurredPlan:
         """Image and light account of a lens; see `BeamPlan.trace`."""
         (n_x, n_y), (m_x, m_y), parts = self._pixels, margin, self._parts
         sharp, account = self._plan.trace(heights, (parts * m_x, parts * m_y))
-        wide = n_y + 2 * m_y, n_x + 2 * m_x
-        # One image for each place in a pixel: [parts, parts, *wide].
-        places = sharp.view(wide[0], parts, wide[1], parts).permute(1, 3, 0, 2)
-        b_x, b_y = self._blur.margin
-        grid = next_fast_len(wide[0] + 2 * b_y), next_fast_len(wide[1] + 2 * b_x)
-        waves = torch.fft.rfft2(places, s=grid) * self._kernels(grid, sharp)
-        image = torch.fft.irfft2(waves.sum((0, 1)), s=grid)[
-            b_y : b_y + wide[0], b_x : b_x + wide[1]
-        ]
-        image = image.clamp_min(0)  # but for rounding it is not negative
+        if margin not in self._blurring:
+            self._blurring[margin] = self._made(margin, sharp.device)
+        # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
+        image = self._blurring[margin].image(sharp.float()).clamp_min(0)
         seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
         on_screen = min(seen, account.arrived)
         lost = {**account.lost, "off_screen": account.arrived - on_screen}
         return Light(image, Account(on_screen, lost))
 
-    def _kernels(self, grid: tuple[int, int], like: Tensor) -> Tensor:
-        """Frequencies of the blur about each place in a pixel, [parts, parts, ...]."""
-        if grid not in self._waves:
-            parts = self._parts
-            kernels = self._blur.at((np.arange(parts) + 0.5) / parts - 0.5)
-            found = torch.as_tensor(kernels.reshape(parts, parts, *kernels.shape[1:])).to(like)
-            self._waves[grid] = torch.fft.rfft2(found, s=grid)
-        return self._waves[grid]
+    def _made(self, margin: tuple[int, int], device: torch.device) -> LightBlurring:
+        """The blurring of images with so many pixels beyond the screen on each side."""
+        (n_x, n_y), (m_x, m_y) = self._pixels, margin
+        mean, change = self._blur.mean, self._blur.change
+        places = (np.arange(self._parts) + 0.5) / self._parts - 0.5
+        kernels = mean.at(places)
+        changes, factors = kernels[None][:0], np.zeros((0, n_y + 2 * m_y, n_x + 2 * m_x))
+        if change is not None:
+            changes, factors = changes_at(mean, places), change.at(self._pixels, margin)
+        return LightBlurring(
+            *(
+                torch.as_tensor(part, dtype=torch.float32, device=device)
+                for part in (kernels, changes, factors)
+            )
+        )

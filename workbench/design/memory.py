@@ -54,7 +54,7 @@ _OF_SAMPLES = 8
 _OF_TWO_FACES, _WITHOUT_KERNEL = 6, 60
 # Images that there are at the same time: steps and slivers of each thread, sums, cotangents.
 _IMAGES = 4
-# More of them where light is blurred: waves of the image, of the blur, and of both.
+# More of them where light is blurred: waves of the image, of the blur and its changes, in float32.
 _BLURRED = 2
 # Vectors of L-BFGS besides the two of each step that it remembers.
 _VECTORS = 12

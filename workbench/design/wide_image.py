@@ -8,6 +8,7 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.design.blurred_plan import BlurredPlan
+from workbench.design.lens_blur import LensBlur
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
@@ -39,9 +40,9 @@ class WideImage:
         How far from the receiver's middle light falls.
     mirrored : tuple[bool, bool]
         Whether all lenses are mirror images of themselves in x, in y; see `BeamPlan`.
-    blur : Blur, optional
-        What each part of the lens makes of the source, if that is the same everywhere: light of
-        its middle is traced then, and blurred.
+    blur : LensBlur, optional
+        What the parts of the lens make of the source, if that is nearly the same everywhere: light
+        of its middle is traced then, and blurred.
     asked_light : float, optional
         Flux that the image shall have. By default what arrives, however much that is.
 
@@ -52,7 +53,7 @@ class WideImage:
     blurred : bool
         Whether it is the light of a source whose size blurs it.
     blur_widths : tuple[float, float]
-        Widths of ``blur`` along x and y, parts of those of the receiver; 0 without one.
+        Mean widths of ``blur`` along x and y, parts of those of the receiver; 0 without one.
     """
 
     def __init__(
@@ -62,7 +63,7 @@ class WideImage:
         cells: tuple[int, int] | Corners,
         light_extent: tuple[float, float],
         mirrored: tuple[bool, bool] = (False, False),
-        blur: Blur | None = None,
+        blur: LensBlur | None = None,
         asked_light: float | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
@@ -79,7 +80,7 @@ class WideImage:
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
         self.blurred = blur is not None or corners.origins > 1
-        x, y = blur.widths if blur else (0.0, 0.0)
+        x, y = blur.mean.widths if blur else (0.0, 0.0)
         self.blur_widths = x / n_x, y / n_y
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:

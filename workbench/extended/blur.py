@@ -19,8 +19,9 @@ _MOST_PLACES = 8
 # Places of evenly spread light in the width of an even blur: only at its edge do they differ.
 _EVEN_PLACES = 128.0
 # Light that is to be blurred is divided into so many parts of the blur's width, but not in more
-# than so many parts of a pixel.
-_PARTS, _MOST_PARTS = 16.0, 3
+# than so many parts of a pixel: of a lens that blurs the sun over 4.6 pixels, the image is 0.43 %
+# off with thirds and 0.33 % with quarters, which take 1.3 times the time.
+_PARTS, _MOST_PARTS = 16.0, 4
 # A blur that is wider than so many images is as good as one of this width: wherever its light is
 # put, one edge of it is in the image at most. Transforms of all of it would take all memory.
 _WIDEST = 2.0

@@ -19,7 +19,7 @@ from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
-from workbench.optics.source_beams import between_origins, light_apart
+from workbench.optics.source_beams import Spots, between_origins, light_apart, spots_of
 from workbench.optics.tracers import beam_kernel_of
 from workbench.said import Said
 from workbench.scene import Scene
@@ -126,6 +126,11 @@ class BeamPlan:
         with torch.no_grad():
             tracer = self._tracer
             return light_apart(tracer.nodes(heights), self._of_source, tracer.mirrored)
+
+    def spots(self, heights: Mapping[str, Tensor]) -> Spots:
+        """What samples make of the source, of which 2 x 2 cells were asked for; see `spots_of`."""
+        with torch.no_grad():
+            return spots_of(self._tracer.nodes(heights))
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens.

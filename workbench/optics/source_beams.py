@@ -19,10 +19,12 @@ one sample to the next: there, beams between samples are right.
 """
 
 import math
+from typing import NamedTuple
 
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.optics.kernels.beam_image import Splits
 from workbench.optics.light import Nodes
 from workbench.optics.samples import Corners, places
@@ -30,6 +32,26 @@ from workbench.optics.samples import Corners, places
 # Parts of the width of the source's image by which those of neighbouring samples may be apart.
 _FAR = 0.25
 _TINY = 1e-300
+
+
+class Spots(NamedTuple):
+    """What samples of a lens make of a source, as far as each maps it linearly onto the receiver.
+
+    Attributes
+    ----------
+    places : ndarray, shape (2, k)
+        Columns and rows where light of the middle of the source lands.
+    spread : ndarray, shape (2, 2, k)
+        Squares of the half-widths along columns and along rows, pixels squared, and the product of
+        column and row that makes spots lean: J J^T of the map J from the source, whose half-widths
+        count as 1.
+    flux : ndarray, shape (k,)
+        Of the middle, in any unit.
+    """
+
+    places: Array
+    spread: Array
+    flux: Array
 
 
 def between_origins(
@@ -92,6 +114,24 @@ def light_apart(nodes: Nodes, cells: tuple[int, int], mirrored: tuple[bool, bool
         farthest = torch.maximum(farthest, parts.abs().amax(0))
     lands = farthest.isfinite()
     return float(flux[lands & (farthest > _FAR)].sum() / flux[lands].sum().clamp_min(_TINY))
+
+
+def spots_of(nodes: Nodes) -> Spots:
+    """What samples make of a source of which there are the middle and eight places of its rim.
+
+    Parameters
+    ----------
+    nodes : Nodes
+        As for `between_origins`, with 2 x 2 cells of the source, none of them mirrored; samples
+        from where not all light lands are left out.
+    """
+    grids = _grids(nodes.hits, (2, 2)).double().cpu()
+    hits, flux = grids[:2].flatten(1, 2), grids[2, ..., 1, 1].flatten()
+    ways = torch.stack([hits[..., 1, 2] - hits[..., 1, 0], hits[..., 2, 1] - hits[..., 0, 1]]) / 2
+    spread = torch.einsum("sik,sjk->ijk", ways, ways)
+    lands = (flux > 0) & spread.isfinite().all(0).all(0) & hits[..., 1, 1].isfinite().all(0)
+    found = hits[..., 1, 1][:, lands], spread[..., lands], flux[lands]
+    return Spots(*(part.numpy() for part in found))
 
 
 def _cells(cells: tuple[int, int], mirrored: tuple[bool, bool]) -> tuple[int, int]:
