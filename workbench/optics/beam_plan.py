@@ -154,9 +154,9 @@ class BeamPlan:
         hits, account, room = found
         del found  # or there are three arrays of all rays at the same time
         (n_x, n_y), (m_x, m_y) = self._pixels, margin
-        shift = hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
-        wide = (n_x + 2 * m_x, n_y + 2 * m_y)
-        nodes, lost = hits + shift, dict(account.lost)
+        wide, nodes, lost = (n_x + 2 * m_x, n_y + 2 * m_y), hits, dict(account.lost)
+        if m_x or m_y:  # or all hits are copied for nothing
+            nodes = hits + hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         image, landed = beam_image(nodes, wide, splits, self._choice.fused)
         cut = 0.0
         if room is not None:
