@@ -1,7 +1,9 @@
 """What one edge of a beam of light adds to the pixels that it crosses; and the adjoint.
 
 See `workbench.optics.kernels.beam_raster`. Most edges are in one pixel, and most others in two or
-three: these need no loop.
+three: these need no loop. Of a longer one that is wholly on the image, the pixels at both ends tell
+how often it crosses into the next column or row: its loop has no branch but its end. Where these
+are many (*LED to a rectangle* by 64 origins, 256 × 256 samples and pixels) this saves a fifth.
 """
 
 import numpy as np
@@ -57,6 +59,30 @@ def _crossings(x, y, d_x, d_y, j, i, to_j, to_i):  # type: ignore[no-untyped-def
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
+def _first(start, way, pixel, last):  # type: ignore[no-untyped-def]
+    """Where an edge leaves its first pixel along an axis, and how far it is from there to the next.
+
+    Both as parts of the edge; infinite is the first one if the edge never leaves that pixel.
+    """
+    each = 1.0 / way
+    ahead = 1.0 if way > 0.0 else 0.0
+    leaves = (np.float64(pixel) + ahead - start) * each
+    return leaves if pixel != last else np.inf, abs(each)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _cross(pixel, last, leaves, each, crosses):  # type: ignore[no-untyped-def]
+    """The pixel of an edge along an axis, the next one if it crosses, and where the edge leaves it.
+
+    Without branches: no processor foresees which axis it is.
+    """
+    one = 1 if last > pixel else -1
+    pixel += one if crosses else 0
+    leaves += each if crosses else 0.0
+    return pixel, leaves if pixel != last else np.inf
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def _enter(x, y, d_x, d_y, n_x, n_y):  # type: ignore[no-untyped-def]
     """Where an edge enters the rows of the image, and where it leaves them or ends.
 
@@ -92,6 +118,21 @@ def _add_piece(begin, end, x, d_x, flow, i, j, steps):  # type: ignore[no-untype
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
+def _add_long(x, y, d_x, d_y, first_j, first_k, to_j, to_k, flow, steps):  # type: ignore[no-untyped-def]
+    """Add what crosses an edge over many pixels, from the first to the last of them."""
+    j, k, begin = np.int64(first_j), np.int64(first_k), 0.0
+    leaves_x, each_x = _first(x, d_x, j, to_j)
+    leaves_y, each_y = _first(y, d_y, k, to_k)
+    for _ in range(abs(to_j - j) + abs(to_k - k)):
+        end = min(leaves_x, leaves_y, 1.0)
+        _add_piece(begin, end, x, d_x, flow, np.uintp(k), np.uintp(j), steps)
+        begin, by_x = end, leaves_x <= leaves_y
+        j, leaves_x = _cross(j, to_j, leaves_x, each_x, by_x)
+        k, leaves_y = _cross(k, to_k, leaves_y, each_y, not by_x)
+    _add_piece(begin, 1.0, x, d_x, flow, np.uintp(k), np.uintp(j), steps)
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
 def add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
     """Add what crosses an edge to ``steps``: what a pixel has more than its left neighbour."""
     n_y, n_x = steps.shape[0], steps.shape[1] - 1
@@ -111,6 +152,8 @@ def add_edge(x, y, to_x, to_y, jump, steps):  # type: ignore[no-untyped-def]
             if last < 1.0:
                 _add_piece(last, 1.0, x, d_x, flow, np.uintp(to_k), np.uintp(to_j), steps)
             return
+        _add_long(x, y, d_x, d_y, j, k, to_j, to_k, d_y * jump, steps)
+        return
     t, end, column, i, leaves_x, leaves_y = _enter(x, y, d_x, d_y, n_x, n_y)
     while t < end and 0 <= i < n_y:
         until = min(leaves_x, leaves_y, end)
@@ -132,6 +175,26 @@ def _see_piece(begin, end, x, d_x, i, j, cotangent, right):  # type: ignore[no-u
     lit = length * here
     later = middle * lit
     return length * right[i, j + _ONE] + lit * ahead, lit - later, later
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _see_long(x, y, d_x, d_y, first_j, first_k, to_j, to_k, cotangent, right):  # type: ignore[no-untyped-def]
+    """Integrals along an edge over many pixels; see `see_edge`."""
+    j, k, begin = np.int64(first_j), np.int64(first_k), 0.0
+    beside, from_start, to_end = 0.0, 0.0, 0.0
+    leaves_x, each_x = _first(x, d_x, j, to_j)
+    leaves_y, each_y = _first(y, d_y, k, to_k)
+    for _ in range(abs(to_j - j) + abs(to_k - k)):
+        end = min(leaves_x, leaves_y, 1.0)
+        more, start, rest = _see_piece(
+            begin, end, x, d_x, np.uintp(k), np.uintp(j), cotangent, right
+        )
+        beside, from_start, to_end = beside + more, from_start + start, to_end + rest
+        begin, by_x = end, leaves_x <= leaves_y
+        j, leaves_x = _cross(j, to_j, leaves_x, each_x, by_x)
+        k, leaves_y = _cross(k, to_k, leaves_y, each_y, not by_x)
+    more, start, rest = _see_piece(begin, 1.0, x, d_x, np.uintp(k), np.uintp(j), cotangent, right)
+    return beside + more, from_start + start, to_end + rest
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -166,6 +229,8 @@ def see_edge(x, y, to_x, to_y, cotangent, right):  # type: ignore[no-untyped-def
                 )
                 beside, from_start, to_end = beside + more, from_start + start, to_end + end
             return beside * d_y, from_start, to_end
+        beside, from_start, to_end = _see_long(x, y, d_x, d_y, j, k, to_j, to_k, cotangent, right)
+        return beside * d_y, from_start, to_end
     beside, from_start, to_end = 0.0, 0.0, 0.0
     t, end, column, i, leaves_x, leaves_y = _enter(x, y, d_x, d_y, n_x, n_y)
     while t < end and 0 <= i < n_y:
