@@ -32,6 +32,7 @@ DIFFERENCES = [
     PrecisionDifference("flame", 1e-6, 1e-7, 1e-5),
     PrecisionDifference("ball", 2e-6, 2e-7, 2e-5),
 ]
+TRACED = [SimpleNamespace(scene="one face, point", difference=0.02, noise=0.019)]
 BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
 
 
@@ -62,7 +63,13 @@ def test_every_benchmark_has_a_picture():
 
 @pytest.mark.parametrize(
     ("name", "rows"),
-    [("quick", COURSES), ("kernels", MEASURED), ("precision", DIFFERENCES), ("bound", BOUNDED)],
+    [
+        ("quick", COURSES),
+        ("kernels", MEASURED),
+        ("precision", DIFFERENCES),
+        ("bound", BOUNDED),
+        ("mitsuba", TRACED),
+    ],
 )
 def test_writes_a_png(name, rows):
     file = BytesIO()

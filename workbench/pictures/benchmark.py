@@ -28,6 +28,7 @@ COLOURS = {
 }
 _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
+_TRACED = (("difference", "o"), ("noise", "|"))
 _ERRORS = (("sharp", "s"), ("bound", "|"), ("light", "o"), ("lens", "^"))
 
 
@@ -119,6 +120,22 @@ class BoundRow(Protocol):
         """Of the designed lens."""
 
 
+class TracedRow(Protocol):
+    """One lens in two tracers."""
+
+    @property
+    def scene(self) -> str:
+        """What is traced."""
+
+    @property
+    def difference(self) -> float:
+        """Of both images."""
+
+    @property
+    def noise(self) -> float:
+        """What it would be by the scatter of rays alone."""
+
+
 def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
     """Draw the picture of a benchmark as PNG.
 
@@ -207,6 +224,11 @@ def bounds(rows: Sequence[BoundRow]) -> Figure:
     return _marks(rows, _ERRORS, "relative L2 error")
 
 
+def tracers(rows: Sequence[TracedRow]) -> Figure:
+    """How far two tracers are apart, and by how much of that their rays scatter."""
+    return _marks(rows, _TRACED, "relative L2 difference")
+
+
 def _marks(rows: Sequence[Any], kinds: Sequence[tuple[str, str]], label: str) -> Figure:
     """Figures of scenes, each kind by a mark of its own."""
     figure = Figure(figsize=(7, 1.2 + 0.35 * len(rows)), layout="constrained")
@@ -251,5 +273,6 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "precision": differences,
     "skips": comparisons,
     "bound": bounds,
+    "mitsuba": tracers,
     "paper": page,
 }

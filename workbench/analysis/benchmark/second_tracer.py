@@ -94,6 +94,11 @@ class SeenTwice:
     found: CrossCheck
 
     @property
+    def scene(self) -> str:
+        """All of that in one."""
+        return f"{self.optic}, {self.source}, {self.receiver}, {self.outline}"
+
+    @property
     def difference(self) -> float:
         """See `CrossCheck`."""
         return self.found.difference
