@@ -7,6 +7,7 @@ import torch
 from workbench.design import auto
 from workbench.design.loss import share
 from workbench.design.run import run
+from workbench.interruption import Interrupted, given_up_when
 from workbench.optics.beam_plan import BeamPlan
 
 
@@ -25,6 +26,13 @@ def letter():
 def test_the_first_iteration_reduces_the_loss_to_a_third(make_scene, letter):
     first, second, *_ = run(make_scene({"lens.control_points": [24, 24]}), letter)
     assert second.state.loss < 0.3 * first.state.loss
+
+
+def test_a_run_that_nobody_wants_is_left_before_its_first_gradient(make_scene, letter):
+    steps = run(make_scene({"lens.control_points": [24, 24]}), letter)
+    next(steps)
+    with given_up_when(lambda: True), pytest.raises(Interrupted):
+        next(steps)
 
 
 @pytest.mark.parametrize("iterations", [1, 2, 5, 15])

@@ -220,7 +220,7 @@ class Follow(QObject):
         if self._design is None:
             self._take_next()
         elif self._design.has_lens:
-            self._design.job.gate.stop()
+            self._design.job.gate.give_up()
         self._say(tr(_UNDER_WAY))
 
     def _snapshots(
@@ -265,7 +265,7 @@ class Follow(QObject):
                 self._late = 0
             self._look.start(_FRAME_MS)
         if self._next is not None:
-            design.job.gate.stop()
+            design.job.gate.give_up()
 
     def _put(self, design: _Design, best: "Result") -> None:
         """Give the document the best lens so far."""

@@ -4,6 +4,7 @@
    the next nor mix their frames.
 2. A frame is made only once the window has taken the last one: what nobody sees is not computed.
    Before a pause and at the end of a run it is made in any case.
+   Of a run that is given up nobody looks at the last one.
 3. A paused run waits at the gate's condition, which stopping wakes; it never polls.
 """
 
@@ -18,7 +19,7 @@ from ui.threads.background import Task
 from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
-from workbench.interruption import interrupted_when
+from workbench.interruption import given_up_when, interrupted_when
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -33,7 +34,7 @@ class Gate:
     def __init__(self) -> None:
         self._changed = Condition()
         self._held = False
-        self._stopped = False
+        self._stopped = self._given_up = False
 
     @property
     def held(self) -> bool:
@@ -44,6 +45,11 @@ class Gate:
     def stopped(self) -> bool:
         """Whether the run has to end."""
         return self._stopped
+
+    @property
+    def given_up(self) -> bool:
+        """Whether nobody wants what the run has not shown yet."""
+        return self._given_up
 
     def hold(self) -> None:
         """Make the next `passes` wait."""
@@ -61,6 +67,11 @@ class Gate:
         with self._changed:
             self._stopped = True
             self._changed.notify_all()
+
+    def give_up(self) -> None:
+        """Turn the run away as soon as it can be left, since another one is to begin."""
+        self._given_up = True
+        self.stop()
 
     def passes(self) -> bool:
         """Wait while held; whether the run may go on."""
@@ -119,7 +130,10 @@ def _run(job: RunJob, task: Task) -> None:
         task.report("waits")
     snapshots = job.history.follow(_snapshots(job))
     try:
-        with interrupted_when(lambda: gate.stopped):
+        with (
+            interrupted_when(lambda: gate.stopped),
+            given_up_when(lambda: gate.given_up or not task.wanted),
+        ):
             for snapshot in snapshots:
                 unseen = snapshot
                 if gate.held or job.mailbox.empty:
@@ -129,7 +143,7 @@ def _run(job: RunJob, task: Task) -> None:
                     break
     finally:
         snapshots.close()
-        if unseen is not None:
+        if unseen is not None and not gate.given_up:
             _post(job, unseen)
 
 

@@ -36,6 +36,7 @@ from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
+from workbench.interruption import check_given_up
 from workbench.optics.plan import device_of
 from workbench.said import Said
 from workbench.scene import Scene
@@ -224,6 +225,7 @@ def _evaluated(
     if smoothness is not None:
         penalty = smoothness.penalty(heights)
         value = value + penalty
+    check_given_up()  # gradients take as long again
     (gradient,) = torch.autograd.grad(value, [x])
     check_gradient(gradient)
     if smoothness is not None:

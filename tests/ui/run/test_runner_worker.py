@@ -11,7 +11,7 @@ from ui.run.worker import RunJob
 from ui.threads.background import Task
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.faces import FaceArrays
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up, check_interruption
 
 
 @pytest.fixture
@@ -40,6 +40,28 @@ def test_frames_are_made_only_when_the_mailbox_is_empty(session, as_run, work, m
     work(job, as_run(50))
     assert made == [0, 50]
     assert job.mailbox.take().snapshot.iteration == 50
+
+
+def test_a_run_that_is_given_up_draws_no_last_frame(session, snapshots, work, monkeypatch):
+    made = []
+    make_frame = worker_module.make_frame
+    monkeypatch.setattr(
+        worker_module,
+        "make_frame",
+        lambda *given: made.append(given[1].iteration) or make_frame(*given),
+    )
+    job = RunJob(session)
+
+    def run(scene, target, start=None, locked=None):
+        yield snapshots(0)
+        job.gate.give_up()
+        yield snapshots(1)
+        check_given_up()
+        yield snapshots(2)
+
+    result, error = work(job, run)
+    assert made == [0] and error is None
+    assert result.iterations == 1
 
 
 def test_frame_holds_what_is_drawn(session, as_run, work):
