@@ -107,6 +107,13 @@ def test_lenses_of_several_images_are_judged_by_twice_as_many(make_scene, bars):
     assert cells_of(JUDGED, alone) != cells_of(FINE, alone)
 
 
+def test_light_of_many_origins_is_judged_by_four_times_as_many(make_scene):
+    slanted = {"kind": "area", "center": [0.0, 0.0, -0.4], "half_width": [0.2, 0.2]}
+    scene = make_scene({"version": 2, "source": slanted})
+    assert cells_of(JUDGED, scene).origins == 4 * cells_of(FINE, scene).origins > 4
+    assert cells_of(JUDGED, make_scene({})).origins == 1
+
+
 def test_an_edit_keeps_the_better_lens_that_was_there(make_scene, bars):
     """What is judged at last is the best lens of a run, which is not always the best of all."""
     scene = make_scene(FINE_NET)
