@@ -12,7 +12,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.arrays import Array, Index
+from workbench.arrays import Array
 from workbench.geometry.basis import local_basis
 from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
@@ -53,18 +53,18 @@ class Patches:
         self._half_width = net.half_width
         self._knots = net.knots
         self._positions = net.positions
-        self.to_powers, self._members = [], []
-        for knots, degree, spans in zip(net.knots, net.degree, self._spans, strict=True):
-            powers, members = _power_basis(knots, degree, spans)
-            self.to_powers.append(torch.as_tensor(powers, dtype=dtype, device=device))
-            self._members.append(torch.as_tensor(members, device=device))
+        self.to_powers = [
+            torch.as_tensor(_power_basis(*each), dtype=dtype, device=device)
+            for each in zip(net.knots, net.degree, self._spans, strict=True)
+        ]
 
     def table(self, heights: Tensor) -> Tensor:
         """Coefficients of s^a t^b of every patch, shape (patches, (p + 1)(q + 1))."""
         (p, q), (across, up) = self._degree, self._spans
-        members_x, members_y = self._members
-        near = heights[members_x[:, None, :, None], members_y[None, :, None, :]]
-        table = torch.einsum("kia,klij,ljb->klab", self.to_powers[0], near, self.to_powers[1])
+        # Along one axis, then along the other: of the heights near each patch, which are 16 times
+        # as many as all for degrees of 3, no copy is made.
+        strips = torch.einsum("kia,kji->kaj", self.to_powers[0], heights.unfold(0, p + 1, 1))
+        table = torch.einsum("kalj,ljb->klab", strips.unfold(2, q + 1, 1), self.to_powers[1])
         return table.reshape(across * up, (p + 1) * (q + 1))
 
     def slope_bounds(self, heights: Tensor) -> tuple[float, float]:
@@ -149,16 +149,15 @@ def _rises(values: Tensor, sites: Array, axis: int) -> Tensor:
     return values.diff(dim=axis) / (distance[:, None] if axis == 0 else distance)
 
 
-def _power_basis(knots: Array, degree: int, spans: int) -> tuple[Array, Index]:
-    """Power coefficients of the basis functions on each span, and which functions these are.
+def _power_basis(knots: Array, degree: int, spans: int) -> Array:
+    """Power coefficients of the basis functions on each span: on span k, those from k on.
 
     Taylor's series at the middle of the span, where it loses the fewest digits: coefficient m is
     the m-th derivative times h^m/m!.
     """
     middle = (np.arange(spans) + 0.5) / spans
     powers = np.zeros((spans, degree + 1, degree + 1))
-    first, _ = local_basis(knots, degree, middle)
     for m in range(degree + 1):
         _, derivative = local_basis(knots, degree, middle, derivative=m)
         powers[:, :, m] = derivative / (math.factorial(m) * float(spans) ** m)
-    return powers, first[:, None] + np.arange(degree + 1)
+    return powers
