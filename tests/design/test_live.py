@@ -148,7 +148,7 @@ def test_light_goes_where_it_went_when_all_but_the_target_is_edited(designed):
     assert 0 < first.seconds < second.seconds
 
 
-def test_a_face_that_is_not_as_good_is_not_taken(designed):
+def test_a_face_that_is_not_good_is_not_taken(designed):
     spy, bad = Spy(), designed.result.state.heights["exit"] + 0.05 * np.eye(16)
     steps = LiveDesign(spy, refit=lambda *_: bad).snapshots(moved(designed, 5.01), before=designed)
     first, second = next(steps), next(steps)

@@ -40,10 +40,6 @@ Refit = Callable[[Scene, Array, Scene], Array | None]
 
 # Relative error of a lens by transport where none was made for this target yet.
 _BY_TRANSPORT = 0.06
-# A face that sends light where the former one sent it has at most so many times its error, or
-# something else is in its way: 1.05 times where an index changes by 2 %, 1.3 times where a screen
-# is 10 % farther, and up to 2.4 times while a source is dragged about.
-_AS_GOOD = 3.0
 
 
 class LiveDesign:
@@ -156,7 +152,7 @@ class LiveDesign:
     ) -> Generator[Snapshot, None, str]:
         """A run from a face that sends light where the one before the edit sent it.
 
-        Why it ended; empty if there is no such face, or it is not as good.
+        Why it ended; empty if there is no such face, or it is not good.
         """
         began = time.perf_counter()
         heights = self._where_it_went(before, scene, target)
@@ -165,7 +161,7 @@ class LiveDesign:
         steps = self._generate(scene, target, heights, NO_LOCKS)
         try:
             first = self._first(steps)
-            if first is None or not self._is_as_good(first.state, before, target):
+            if first is None or not self._is_near(first.state, target):
                 return ""
             spent = time.perf_counter() - began - first.seconds
             yield _after(first, spent)
@@ -192,12 +188,6 @@ class LiveDesign:
             return next(steps)
         except RunFailed:
             return None
-
-    def _is_as_good(self, state: LensState, before: Session, target: Array) -> bool:
-        """Whether a face that sends light where one of before sent it makes the same image."""
-        assert before.result is not None  # it had a lens
-        most = _AS_GOOD * relative_error(before.result.state, target)
-        return self._is_near(state, target) and relative_error(state, target) <= most
 
     def _is_near(self, state: LensState, target: Array) -> bool:
         known = self._by_transport
