@@ -144,6 +144,7 @@ class FocusView(LightImageView, ComputingView):
         for control in (self._slider, self._back, self._more):
             control.setEnabled(at_a_distance)
         if not at_a_distance:
+            self._want_nothing()
             self._place.setText(tr(_NO_DISTANCE))
         elif self._seen():
             self._tell(tr("traced when the design rests…"))

@@ -1,5 +1,6 @@
 """Light before and behind the screen: traced for eyes, the latest distance first."""
 
+import dataclasses
 import threading
 import time
 
@@ -8,6 +9,7 @@ import pytest
 
 from ui.views import focus_view
 from ui.views.focus_view import FocusView
+from ui.words import tr
 from workbench.analysis.validation import validate, validating
 from workbench.errors import RunFailed
 from workbench.files.session import Session
@@ -91,6 +93,18 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
         assert f"z = {z:.4g} cm: error" in view._place.text()
     view._back.click()
     assert view.z == scene.screen.z
+
+
+def test_a_far_field_that_comes_meanwhile_is_not_traced(view, wavy, make_scene, session, qtbot):
+    far = {"half_angle": [20.0, 10.0], "pixels": [32, 32]}
+    scene = make_scene({"screen": None, "far_field": far})
+    view.show_frame(wavy(2))
+    assert view._rest.isActive()
+    view.show_frame(wavy(3, dataclasses.replace(session, scene=scene, result=None)))
+    assert not view._rest.isActive()
+    assert not view._slider.isEnabled()
+    qtbot.wait(2 * view._rest.interval())
+    assert view._place.text() == tr(focus_view._NO_DISTANCE)
 
 
 def test_few_rays_answer_at_once_and_many_when_the_slider_stays(view, frame, traces, qtbot):
