@@ -35,6 +35,8 @@ from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
 
 _PLACES = 257  # of maps, along the longer side of the lens
+# Inches that a row of two panels takes beside these, how wide a panel is, and its tallest row.
+_BESIDE, _PANEL, _ROW = 0.75, 2.4, 3.1
 
 
 def gather(
@@ -145,7 +147,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
             PagePicture(
                 f"Images and {' and '.join(faces)}",
                 partial(pictures.draw_images, session=session, irradiance=light),
-                3.1 * (1 + len(faces)),
+                _row(scene.receiver.half_extent, scene.optic.half_width) * (1 + len(faces)),
             ),
             PagePicture(
                 f"Cross-sections through the middle of the {scene.receiver.called}",
@@ -156,6 +158,11 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
         note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
         "red is too much light, blue too little.",
     )
+
+
+def _row(*half_widths: tuple[float, float]) -> float:
+    """How high a row of panels of such shapes is, inches: no higher than the tallest needs."""
+    return min(_BESIDE + _PANEL * max(y / x for x, y in half_widths), _ROW)
 
 
 def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
@@ -171,7 +178,7 @@ def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
         maps = surface_maps(optic, heights, count, face)
         draw = partial(pictures.draw_manufacture, maps=maps, limits=limits, unit=scene.unit)
         name = f"Thickness, slope and curvature of the {optic.face_in_words(face)}"
-        drawn.append(PagePicture(name, draw, 6.2))
+        drawn.append(PagePicture(name, draw, 2 * _row(optic.half_width)))
     return Section(
         "Manufacture",
         manufacture_rows(manufacture(optic, heights), limits, scene.unit),

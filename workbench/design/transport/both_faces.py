@@ -52,11 +52,6 @@ class BothFaces:
     ----------
     scene : Scene
         With a lens of two freeform faces; an extended source counts as a point at its centre.
-
-    Attributes
-    ----------
-    collimated : bool
-        Whether light comes from infinitely far.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -72,7 +67,6 @@ class BothFaces:
         x, y = nets["exit"].positions
         base = scene.optic.base.height_at(x[:, None], y[None, :])
         self._thickness = float(base.mean()) - scene.optic.datum
-        self.collimated = self._light.collimated
 
     def heights(
         self,

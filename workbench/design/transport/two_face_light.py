@@ -65,8 +65,6 @@ class TwoFaceLight:
 
     Attributes
     ----------
-    collimated : bool
-        Whether it comes from infinitely far.
     coming : tuple of three ndarray
         Unit vectors along which it comes.
     """
@@ -80,7 +78,7 @@ class TwoFaceLight:
         rays = through_cells(origins, lens, (cells, cells))
         x, y, z = (part.expand(cells, cells) for part in rays.position)
         self._rays = rays._replace(position=(x, y, z - self._path.datum))
-        self.collimated, self.coming = origins.infinite, _arrays(rays.direction)
+        self.coming = _arrays(rays.direction)
         middles = places((cells, cells), 0).part
         self._bases = {face: net.grid(middles, middles) for face, net in nets.items()}
         # Middles of cells in half-widths, and from which of them light came to these places of a
