@@ -18,7 +18,7 @@ from workbench.optics.halves import Halves
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.face_numbers import Across, FaceOptics, Number, Up
 from workbench.optics.kernels.face_trace import LOOPS
-from workbench.optics.kernels.function import Sums, kind_of, trace
+from workbench.optics.kernels.function import Passes, Sums, kind_of, trace
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.kernels.passes import GridLanding, GridPasses
 from workbench.optics.kernels.spread import Spread, make_canvases, make_spread, pad
@@ -116,15 +116,18 @@ class FusedFaceSamples:
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         spread = make_spread(self._receiver, filter, self._kind)
-        light = trace(heights[self._face.name], self._level, self._dtype, _FacePasses(self, spread))
-        return self._face.light(*light, self._before)
+        traced = self._traced(heights, _FacePasses(self, spread))
+        return self._face.light(*traced, self._before)
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self._receiver, BoxFilter(), self._kind)
-        landing = GridLanding(_FacePasses(self, spread))
-        traced = trace(heights[self._face.name], self._level, self._dtype, landing)
+        traced = self._traced(heights, GridLanding(_FacePasses(self, spread)))
         return Nodes(*self._face.light(*traced, self._before))
+
+    def _traced(self, heights: Mapping[str, Tensor], passes: Passes) -> tuple[Tensor, Sums]:
+        face = self._face
+        return trace(heights[face.name], face.net, self._level, self._dtype, passes)
 
     def steps(self, heights: AnyArray) -> int:
         """Steps of Newton's method for a lens of heights above the level."""

@@ -8,6 +8,7 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray
+from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.light import Nodes
 
@@ -40,13 +41,17 @@ def kind_of(dtype: torch.dtype) -> type[np.floating[Any]]:
     return np.float32 if dtype == torch.float32 else np.float64
 
 
-def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> tuple[Tensor, Sums]:
+def trace(
+    heights: Tensor, net: ControlNet, level: float, dtype: torch.dtype, passes: Passes
+) -> tuple[Tensor, Sums]:
     """Run a kernel so that torch can differentiate its image.
 
     Parameters
     ----------
     heights : Tensor, shape (n_u, n_v)
         Control heights of any float type, on the CPU.
+    net : ControlNet
+        Control net that the kernel is made for.
     level : float
         Taken off the heights before they become ``dtype``, so that float32 keeps their digits.
     dtype : torch.dtype
@@ -58,7 +63,13 @@ def trace(heights: Tensor, level: float, dtype: torch.dtype, passes: Passes) -> 
     -------
     tuple of Tensor and Sums
         Flux in each pixel, shape (n_y, n_x), differentiable; and the sums.
+
+    Raises
+    ------
+    ValueError
+        If these are heights of a net of another size.
     """
+    _check_size(heights, net)
     sums: list[Sums] = []
     flux = _Trace.apply(passes, sums, (heights - level).to(dtype))  # type: ignore[no-untyped-call]
     return flux, sums[0]
@@ -82,15 +93,25 @@ class PassesOfTwo(Protocol):
 
 def trace_two(
     heights: tuple[Tensor, Tensor],
+    nets: tuple[ControlNet, ControlNet],
     levels: tuple[float, float],
     dtype: torch.dtype,
     passes: PassesOfTwo,
 ) -> Nodes:
     """As `trace`, through two faces."""
+    for each, net in zip(heights, nets, strict=True):
+        _check_size(each, net)
     accounts: list[Account] = []
     above = [(each - z).to(dtype) for each, z in zip(heights, levels, strict=True)]
     nodes, room = _Trace.apply(passes, accounts, *above)  # type: ignore[no-untyped-call]
     return Nodes(nodes, accounts[0], room)
+
+
+def _check_size(heights: Tensor, net: ControlNet) -> None:
+    """Refuse heights beyond which a kernel would read: it knows the size of its own net alone."""
+    if heights.shape != net.shape:
+        ours, theirs = (" × ".join(map(str, shape)) for shape in (net.shape, heights.shape))
+        raise ValueError(f"the kernel traces {ours} control heights, not {theirs}")
 
 
 class _Trace(torch.autograd.Function):

@@ -79,8 +79,9 @@ class FusedOrigins:
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
-        traced = trace(heights[self._face.name], self._level, self._dtype, self._passes)
-        return Nodes(*self._face.light(*traced, self._before))
+        face = self._face
+        traced = trace(heights[face.name], face.net, self._level, self._dtype, self._passes)
+        return Nodes(*face.light(*traced, self._before))
 
 
 class _OriginPasses:

@@ -62,7 +62,7 @@ class ParallelRays(ABC):
         mirrored: tuple[bool, bool],
         locked: Mask | None,
     ) -> None:
-        samples = emitter.samples
+        samples, self._net = emitter.samples, net
         self._name, self._dtype, self.kind = face, path.dtype, kind_of(path.dtype)
         self._halves, self._emitter = Halves.of(samples, (1, 1), mirrored), emitter
         self.mirrored = self._halves.mirrored
@@ -118,7 +118,7 @@ class ParallelRays(ABC):
         face = heights[self._name]
 
         def traced(rays: Rays) -> tuple[Tensor, Sums]:
-            return trace(face, self._level, self._dtype, self.passes(rays, spread))
+            return trace(face, self._net, self._level, self._dtype, self.passes(rays, spread))
 
         flux, sums = traced(self._moving)
         if self._still:
@@ -133,7 +133,7 @@ class ParallelRays(ABC):
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         spread = make_spread(self.receiver, BoxFilter(), self.kind)
         landing = GridLanding(self.passes(self._moving, spread))
-        traced = trace(heights[self._name], self._level, self._dtype, landing)
+        traced = trace(heights[self._name], self._net, self._level, self._dtype, landing)
         return Nodes(*self.light(*traced))
 
 

@@ -86,8 +86,9 @@ class FusedPointRays:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         path = self._path
         spread = make_spread(path.receiver, filter, self.kind)
-        light = trace(heights[self._exit.name], path.datum, path.dtype, _PointPasses(self, spread))
-        return self._exit.light(*light, {name: part.item() for name, part in path.lost.items()})
+        passes, face = _PointPasses(self, spread), self._exit
+        light = trace(heights[face.name], face.net, path.datum, path.dtype, passes)
+        return face.light(*light, {name: part.item() for name, part in path.lost.items()})
 
     def ready(self, level: float) -> Sorted:
         """The rays, sorted for a lens much like the last one, or for a plate of some height."""

@@ -89,7 +89,9 @@ class FusedTwoFaces:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         given = self._given
         first, second = (heights[face.name] for face in given.faces)
-        return trace_two((first, second), given.levels, self._dtype, _TwoFacePasses(given))
+        return trace_two(
+            (first, second), given.nets, given.levels, self._dtype, _TwoFacePasses(given)
+        )
 
 
 class _Given:
@@ -100,6 +102,7 @@ class _Given:
         self.faces = _faces(front)
         entrance, leaving = self.faces
         self.front, self.kind = front, kind
+        self.nets = entrance.net, leaving.net
         self.levels = entrance.level, leaving.level
         self.mirrored = [axis for axis in (0, 1) if mirrored[axis]]
         self.bases = tuple(
