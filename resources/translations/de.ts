@@ -4680,6 +4680,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>&amp;Wiederherstellen: {redo}</translation>
         </message>
         <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped: {command} ({keys}) can make the lens better</source>
+            <translation>Gestoppt: {command} ({keys}) kann die Linse besser machen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped: {command} ({keys}) can make the mirror better</source>
+            <translation>Gestoppt: {command} ({keys}) kann den Spiegel besser machen</translation>
+        </message>
+        <message>
             <location filename="../../ui/window/workspace.py" />
             <source>Loading the 3D scene…</source>
             <translation>3D-Szene wird geladen …</translation>

@@ -4680,6 +4680,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>&amp;Rétablir : {redo}</translation>
         </message>
         <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped: {command} ({keys}) can make the lens better</source>
+            <translation>Arrêté : {command} ({keys}) peut améliorer la lentille</translation>
+        </message>
+        <message>
+            <location filename="../../ui/window/window_state.py" />
+            <source>Stopped: {command} ({keys}) can make the mirror better</source>
+            <translation>Arrêté : {command} ({keys}) peut améliorer le miroir</translation>
+        </message>
+        <message>
             <location filename="../../ui/window/workspace.py" />
             <source>Loading the 3D scene…</source>
             <translation>Chargement de la scène 3D…</translation>

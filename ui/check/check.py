@@ -70,9 +70,9 @@ class Check(QObject):
         if self._background.busy:
             self._forget()
         elif self._shown is not None and (self._asked is None or self._asked_rays != self._rays):
+            self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
             self._asked, self._asked_rays = self._shown, self._rays
             self.figures_changed.emit(tr("checking…"))
-            self.under_way_changed.emit(True)
             session, shot = self._shown.session, self._shown.snapshot
             lens = CheckedLens(
                 session,

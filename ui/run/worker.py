@@ -116,6 +116,11 @@ class RunJob:
         object.__setattr__(self, "history", History(earlier))
 
 
+def frame_of(session: "Session", result: Result) -> Frame:
+    """The lens of a session with the light that it is known to make."""
+    return make_frame(session, _as_snapshot(result, session.scene.run), History(result))
+
+
 def work(job: RunJob, task: Task) -> None:
     """Do a job; meant for a thread. Reports that it has to wait for what it traces with."""
     if job.preview:
@@ -152,17 +157,17 @@ def _show(job: RunJob) -> None:
     if job.gate.stopped:
         return
     if result is not None:
-        snapshot = _as_snapshot(result, job.session.scene.run)
-    else:
-        from workbench.optics.kernels.ready import without_waiting
+        job.mailbox.put(frame_of(job.session, result))
+        return
+    from workbench.optics.kernels.ready import without_waiting
 
-        snapshots = _snapshots(job)
-        try:
-            with without_waiting():
-                snapshot = next(snapshots)
-        finally:
-            snapshots.close()
-    job.mailbox.put(make_frame(job.session, snapshot, History(result)))
+    snapshots = _snapshots(job)
+    try:
+        with without_waiting():
+            snapshot = next(snapshots)
+    finally:
+        snapshots.close()
+    job.mailbox.put(make_frame(job.session, snapshot, History()))
 
 
 def _snapshots(job: RunJob) -> Generator[Snapshot, None, str]:

@@ -2,10 +2,13 @@
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtGui import QKeySequence
+
 from ui.commands.availability import Situation
 from ui.run.lens_on_show import LensOnShow
 from ui.window.early_parts import EarlyParts
 from ui.words import later, tr
+from workbench.design.endings import STOPPED
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
@@ -91,7 +94,17 @@ class WindowState:
         ended = "" if result is None else tr(result.ended)
         if following:
             self._early.status.go_on(following)
+        elif now.state == "idle" and result is not None and result.ended == STOPPED:
+            self._early.status.show_state(self._stopped(now.optic.called))
         elif now.state == "idle" and ended:
             self._early.status.show_state(ended[0].upper() + ended[1:])
         else:
             self._early.status.show_state(tr(_STATES[now.state]))
+
+    def _stopped(self, called: str) -> str:
+        """Of a lens that can still get better, and by what."""
+        go_on = self._early.commands["continue"]
+        return tr("Stopped: {command} ({keys}) can make the {optic} better", optic=called).format(
+            command=go_on.text().replace("&", ""),
+            keys=go_on.shortcut().toString(QKeySequence.SequenceFormat.NativeText),
+        )

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from ui.check.check import Check
 from ui.document.document import Document
 from ui.run import follow as followed
 from ui.run.control import RunControl
@@ -21,6 +22,7 @@ class Engine:
     def __init__(self, snapshots, iterations=5):
         self.leave = threading.Semaphore(_FREE)
         self.asked, self.open, self.iterations = [], 0, iterations
+        self.gets_worse = False
         self._snapshots = snapshots
 
     def hold(self):
@@ -34,7 +36,10 @@ class Engine:
                 if iteration:
                     self.leave.acquire()
                 found = self._snapshots(iteration, self.iterations)
-                yield replace(found, state=replace(found.state, loss=1e-5 / (1 + iteration)))
+                worse = self.gets_worse and iteration > 1
+                state = replace(found.state, loss=1.0 if worse else 1e-5 / (1 + iteration))
+                merit = 2.0 if worse else found.merit
+                yield replace(found, state=state, merit=merit, best=not worse)
             return "converged"
         finally:
             self.open -= 1
@@ -277,7 +282,30 @@ def test_following_design_ends_when_a_check_begins(desk, qtbot):
     qtbot.waitUntil(lambda: not desk.follow._background.running)
     desk.follow.hold(False)
     assert desk.document.session.result is lens
+    assert lens.ended == "stopped"
     assert desk.follow.text == ""
+
+
+def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
+    check = Check(desk.document)
+    desk.control.runner.frame_ready.connect(check.show_frame)
+    check.under_way_changed.connect(desk.follow.hold)
+    asked = []
+    check._background.begin = lambda work, lens: asked.append(lens)
+    desk.engine.iterations, desk.engine.gets_worse = 1000, True
+    desk.engine.hold()
+    desk.edit(7)
+    desk.come_to_a_lens()
+    lens = desk.document.session.result
+    desk.step()
+    assert desk.frames[-1].state.heights != lens.state.heights
+    check.toggle()
+    qtbot.wait(300)  # for a preview
+    assert asked[0].heights == lens.state.heights
+    assert desk.frames[-1].state.heights == lens.state.heights
+    assert desk.document.session.heights == lens.state.heights
+    assert check._asked is not None
+    check.close()
 
 
 def paper(scene):

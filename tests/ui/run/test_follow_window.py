@@ -56,6 +56,28 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     assert document.session.result is result
 
 
+def test_a_check_while_a_lens_follows_keeps_that_lens_and_says_what_improves_it(
+    following, qtbot, monkeypatch
+):
+    window = following
+    monkeypatch.setattr(window.loaded.check, "_rays", 20_000)
+    fill(qtbot, editor(window.forms, "screen.z"), "6")
+    qtbot.waitUntil(lambda: window.document.session.result is not None)
+    window.commands["check"].trigger()
+    lens = window.document.session.result
+    assert window.status.text == "Stopped: Continue (Shift+F5) can make the lens better"
+    qtbot.waitUntil(lambda: window.status._check.text().startswith("Checked"))
+    assert window.document.session.result is lens
+    assert window.status.text == "Stopped: Continue (Shift+F5) can make the lens better"
+    check = window.loaded.runs.check
+    window.loaded.control.ended.disconnect(check._finish)  # a check of its lens takes long
+    with qtbot.waitSignal(window.loaded.control.ended):
+        window.commands["continue"].trigger()
+    better = window.document.session.result
+    assert better.state.loss < lens.state.loss
+    assert better.iterations > lens.iterations
+
+
 def test_the_log_says_nothing_of_lenses_that_follow(following, qtbot):
     lines = following.log.toPlainText()
     with settled(following, qtbot):

@@ -46,7 +46,7 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
     qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
-    assert state(window) == "Stopped"
+    assert state(window) == "Stopped: Continue (Shift+F5) can make the lens better"
 
 
 def test_a_paused_run_is_shown_as_paused_everywhere(window, as_run, qtbot):
