@@ -51,7 +51,7 @@ def test_faces_share_a_scale_that_ends_at_what_the_largest_needs():
     assert scale_of("height", 1.0, "mm") == ("viridis", 0.0, 1.0, "mm")
     bowl = surface(5 - np.sqrt(25 - X**2 - Y**2))
     assert top_of([low, bowl], "curvature") == pytest.approx(0.2, rel=0.02)
-    assert scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1/mm")
+    assert scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1 / mm")
     assert scale_of("material", 1.0, "mm") is None
 
 

@@ -68,7 +68,7 @@ def test_rounding_of_a_flat_face_does_not_make_the_scale(make_scene):
     assert image.artists[0].get_clim() == pytest.approx((-1e-5, 1e-5))
 
 
-def test_small_numbers_beside_the_bar_are_written_out(make_scene):
+def test_small_numbers_beside_the_bar_have_a_common_power(make_scene):
     axes = Figure().subplots()
     image = SurfaceImage(axes, make_scene(), ASPECTS[0])
     lens = make_scene().lens
@@ -76,7 +76,9 @@ def test_small_numbers_beside_the_bar_are_written_out(make_scene):
     axes.figure.draw_without_rendering()
     bar = axes.child_axes[0].yaxis
     assert bar.get_offset_text().get_text() == ""
-    assert "0.0000010" in {label.get_text() for label in bar.get_ticklabels()}
+    assert bar.get_label_text() == "height (10⁻⁶ cm)"
+    texts = {label.get_text() for label in bar.get_ticklabels()}
+    assert {"−1.0", "−0.5", "0.0", "0.5", "1.0"} <= texts
 
 
 def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):

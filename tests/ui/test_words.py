@@ -249,6 +249,13 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
     axes.set_ylabel("distance (mm)")
     translate_axes(figure)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (mm) bei y = 0.5 mm", "Abstand (mm)")
+    axes.set_xlabel("x (10⁻³ m) at y = 0.5 m")
+    axes.set_ylabel("10⁻⁶ flux / mm²")
+    translate_axes(figure)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (
+        "x (10⁻³ m) bei y = 0.5 m",
+        "10⁻⁶ Fluss / mm²",
+    )
 
 
 def test_labels_stand_in_the_pictures_of_the_engine():

@@ -35,7 +35,7 @@ Words in small letters alone could be names of fields; each is marked by itself.
 
 _WITH_UNIT = re.compile(r"(.*\w) (\(.*\))")
 _AT = re.compile(r"(.* \(.*\)) at (.*)")
-_FLUX = "flux / "
+_FLUX = re.compile(r"(10\S+ )?flux / (.*)")
 
 
 def translate(figure: Figure) -> None:
@@ -62,8 +62,8 @@ def _say(texts: Iterable[Text]) -> None:
 
 
 def _said(english: str) -> str:
-    if english.startswith(_FLUX):
-        return tr("flux / {unit}").format(unit=english.removeprefix(_FLUX))
+    if flux := _FLUX.fullmatch(english):
+        return (flux[1] or "") + tr("flux / {unit}").format(unit=flux[2])
     if at := _AT.fullmatch(english):
         return tr("{axis} at {place}").format(axis=_said(at[1]), place=at[2])
     parts = _WITH_UNIT.fullmatch(english)

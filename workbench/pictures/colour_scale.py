@@ -3,14 +3,18 @@
 from typing import Any
 
 from matplotlib import colormaps
+from matplotlib.font_manager import findfont
 from pyvista import Color
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonCore import VTK_FONT_FILE, vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+
+from workbench.pictures.numbers import power_of, with_power
 
 _COLOURS, _LABELS = 256, 5
 # Place and size, in parts of the picture.
 _PLACE, _WIDTH, _HEIGHT = (0.3, 0.02), 0.4, 0.1
-_FONT = 14
+_FONT = 12
+_LETTERS = findfont("DejaVu Sans")  # those that VTK has of itself lack high figures: 10⁻⁶ is 10
 
 
 class ColourScale:
@@ -35,6 +39,8 @@ class ColourScale:
         self._bar.SetHeight(_HEIGHT)
         self._texts = self._bar.GetTitleTextProperty(), self._bar.GetLabelTextProperty()
         for text in self._texts:
+            text.SetFontFamily(VTK_FONT_FILE)
+            text.SetFontFile(_LETTERS)
             text.SetFontSize(_FONT)
             text.ItalicOff()
             text.BoldOff()
@@ -49,13 +55,15 @@ class ColourScale:
         if scale is None:
             return
         name, low, high, unit = scale
-        self._table.SetTableRange(low, high)
+        power = power_of(low, high)
+        self._table.SetTableRange(low / 10.0**power, high / 10.0**power)
         if name != self._shown:
             self._table.SetNumberOfTableValues(_COLOURS)
             for number in range(_COLOURS):
                 self._table.SetTableValue(number, *colormaps[name](number))
             self._shown = name
-        self._bar.SetTitle(f"{title} ({unit})\n" if title else f"{unit}\n")
+        named = f"{title} ({unit})" if title else unit
+        self._bar.SetTitle(f"{with_power(named, power)}\n")
 
     def recolour(self, ink: str) -> None:
         """Write in another colour."""

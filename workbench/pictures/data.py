@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.pictures.numbers import without_power
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -71,7 +72,7 @@ def _image(axes: "Axes", image: Any) -> list[Column]:
     (low_x, high_x), (low_y, high_y) = axes.get_xlim(), axes.get_ylim()
     across, down = (x >= low_x) & (x <= high_x), (y >= low_y) & (y <= high_y)
     x, y, values = x[across], y[down], values[np.ix_(down, across)]
-    unit = axes.child_axes[0].get_ylabel()
+    unit = without_power(axes.child_axes[0].get_ylabel())
     named = unit if unit.startswith(image.get_label()) else f"{image.get_label()} ({unit})"
     return [
         Column(_plain(name), np.array(column, dtype=np.float64).ravel())
@@ -88,4 +89,5 @@ def _filled(values: Array, length: int) -> Array:
 
 
 def _plain(name: str) -> str:
-    return name.translate(_PLAIN)
+    """The name of what is not in multiples of a power of ten, as the numbers at its axis may be."""
+    return without_power(name).translate(_PLAIN)

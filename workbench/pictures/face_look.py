@@ -55,7 +55,7 @@ def scale_of(by: FaceColours, top: float, unit: str) -> tuple[str, float, float,
     """Colours of `face_colours` by their name, the lowest and highest value, and their unit."""
     if by == "height":
         return _HEIGHTS, 0.0, top, unit
-    return (SIGNED, -top, top, f"1/{unit}") if by == "curvature" else None
+    return (SIGNED, -top, top, f"1 / {unit}") if by == "curvature" else None
 
 
 def face_colours(

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from workbench.arrays import Array
 from workbench.pictures.images import LIGHT, full_scale
+from workbench.pictures.numbers import write_numbers
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -75,6 +76,8 @@ def _draw_curves(axes: "Axes", scene: Scene, series: Sequence[InFocus]) -> None:
     axes.set_xlabel(f"z of the screen ({scene.unit})", fontsize=_FONT)
     axes.set_ylabel("%", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT)
+    write_numbers(axes, "x")
+    write_numbers(axes, "y")
     axes.grid(visible=True, linewidth=0.6, alpha=0.35)
     axes.legend(loc="best", fontsize=_FONT)
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from workbench.pictures.maps import ticks
+from workbench.pictures.maps import even_ticks
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class FocusCurve:
         axes.set_xlabel(f"z of the screen ({scene.unit})", fontsize=_FONT, labelpad=2)
         axes.set_ylabel("error (%)", fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
-        axes.yaxis.set_major_locator(ticks())
+        even_ticks(axes)
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
 
     def update(self, errors: Sequence[tuple[float, float]], z: float) -> bool:

@@ -27,7 +27,6 @@ from workbench.pictures.maps import (
     map_image,
     round_scale,
     settled_scale,
-    write_out,
 )
 from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
@@ -192,7 +191,6 @@ class IrradianceImage(UpdatedPicture):
         self._logarithmic = logarithmic
         even, decades = Normalize(0, self._top), LogNorm(self._top / _DECADES, self._top)
         self._image.set_norm(decades if logarithmic else even)
-        write_out(self._image.colorbar)
 
 
 class ErrorImage(UpdatedPicture):

@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 from matplotlib.colors import Colormap
-from matplotlib.ticker import MaxNLocator, ScalarFormatter
+from matplotlib.ticker import MaxNLocator
 
 from workbench.arrays import Array
+from workbench.pictures.numbers import power_of, with_power, write_bar_numbers, write_numbers
 from workbench.units import sized
 
 if TYPE_CHECKING:
@@ -101,8 +102,7 @@ def map_image(
     axes.set_xlabel(extent.label(0), fontsize=_FONT, labelpad=2)
     axes.set_ylabel(extent.label(1), fontsize=_FONT, labelpad=2)
     axes.tick_params(labelsize=_FONT)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(ticks())
+    even_ticks(axes)
     return image
 
 
@@ -128,7 +128,9 @@ def show_constant(image: Any, value: float, unit: str) -> None:
     image.set_data(np.full(image.get_array().shape, value))
     image.set_clim(*sorted((0.0, 2 * value)) if value else (0.0, 1.0))
     bar = colour_bar(image.axes, image, f"{unit}, constant", "neither")
-    bar.set_ticks([value], labels=[f"{value:.6g}"])
+    power = power_of(value, value)
+    bar.set_ticks([value], labels=[f"{value / 10.0**power:.6g}"])
+    bar.set_label(with_power(f"{unit}, constant", power))
 
 
 def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
@@ -138,24 +140,17 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
     bar.set_label(unit, fontsize=_FONT)
     bar.ax.tick_params(labelsize=_FONT)
-    write_out(bar)
+    write_bar_numbers(bar)
     bar.outline.set_linewidth(0.6)
     return bar
 
 
-def write_out(bar: Any) -> None:
-    """Numbers of an even scale in full: a power of ten above it would be cut off.
-
-    A bar forgets that when its image gets another norm.
-    """
-    if isinstance(bar.formatter, ScalarFormatter):
-        bar.formatter.set_useOffset(False)
-        bar.formatter.set_scientific(False)
-
-
-def ticks() -> MaxNLocator:
-    """Places of ticks, as many as there is room for."""
-    return MaxNLocator("auto", steps=[1, 2, 5, 10], min_n_ticks=2)
+def even_ticks(axes: "Axes") -> None:
+    """Ticks of both axes, as many as there is room for; names of the axes come before."""
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 5, 10], min_n_ticks=2))
+    write_numbers(axes, "x")
+    write_numbers(axes, "y")
 
 
 def round_scale(largest: float) -> float:

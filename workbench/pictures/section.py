@@ -9,7 +9,7 @@ import numpy.typing as npt
 from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.images import full_scale, target_irradiance
-from workbench.pictures.maps import Extent, ticks
+from workbench.pictures.maps import Extent, even_ticks
 from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
@@ -126,8 +126,7 @@ class SectionCurves(UpdatedPicture):
         self._unit = light_unit(scene)
         axes.set_ylabel(self._unit.words, fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
-        for axis in (axes.xaxis, axes.yaxis):
-            axis.set_major_locator(ticks())
+        even_ticks(axes)
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
         (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
@@ -151,7 +150,7 @@ class SectionCurves(UpdatedPicture):
         if self._shown == (cut.name, cut.ends, top):
             return False
         self._shown = (cut.name, cut.ends, top)
+        self._axes.set_xlabel(cut.name, fontsize=_FONT, labelpad=2)
         self._axes.set_ylim(0, top)
         self._axes.set_xlim(*cut.ends)
-        self._axes.set_xlabel(cut.name, fontsize=_FONT, labelpad=2)
         return True

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 
+from workbench.pictures.numbers import write_numbers
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -38,6 +40,7 @@ def draw_errors(axes: "Axes", nominal: float, errors: Sequence[float]) -> None:
     axes.set_xlabel("relative L2 error (%)", fontsize=_FONT)
     axes.set_ylabel("lenses up to there (%)", fontsize=_FONT)
     axes.tick_params(labelsize=_FONT)
+    write_numbers(axes, "x")
     axes.grid(visible=True, linewidth=0.6, alpha=0.35)
     axes.legend(loc="lower right", fontsize=_FONT)  # below the curve
 
