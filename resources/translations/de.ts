@@ -4459,81 +4459,6 @@
             <translation>Von diesem Entwurf gibt es kein Bild: sein Licht lässt sich nicht durchrechnen.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>as designed</source>
-            <translation>wie entworfen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>lenses up to there</source>
-            <translation>Linsen bis dorthin</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>z of the screen</source>
-            <translation>z des Schirms</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>iteration</source>
-            <translation>Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>distance</source>
-            <translation>Abstand</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>loss</source>
-            <translation>Zielfunktion</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>this run</source>
-            <translation>dieser Lauf</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>verified</source>
-            <translation>geprüft</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>irradiance</source>
-            <translation>Bestrahlungsstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>intensity</source>
-            <translation>Strahlstärke</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>flux / {unit}</source>
-            <translation>Fluss / {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>{axis} at {place}</source>
-            <translation>{axis} bei {place}</translation>
-        </message>
-        <message>
             <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>kleinste / mittlere {number:.2f}</translation>
@@ -4618,6 +4543,91 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../ui/widgets/message_bar.py" />
             <source>Close this message</source>
             <translation>Diese Meldung schließen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>as designed</source>
+            <translation>wie entworfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>lenses up to there</source>
+            <translation>Linsen bis dorthin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>z of the screen</source>
+            <translation>z des Schirms</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>Second minus first</source>
+            <translation>Zweites minus erstes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>The receivers cover different places: nothing to subtract.</source>
+            <translation>Die Empfänger decken verschiedene Orte ab: nichts abzuziehen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>iteration</source>
+            <translation>Iteration</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>distance</source>
+            <translation>Abstand</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>loss</source>
+            <translation>Zielfunktion</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>this run</source>
+            <translation>dieser Lauf</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>verified</source>
+            <translation>geprüft</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>irradiance</source>
+            <translation>Bestrahlungsstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>intensity</source>
+            <translation>Strahlstärke</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>error</source>
+            <translation>Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>flux / {unit}</source>
+            <translation>Fluss / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} bei {place}</translation>
         </message>
         <message>
             <location filename="../../ui/window/early_parts.py" />

@@ -4459,81 +4459,6 @@
             <translation>Il n'y a pas d'image de cette conception : sa lumière ne peut être tracée.</translation>
         </message>
         <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>as designed</source>
-            <translation>comme conçu</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>lenses up to there</source>
-            <translation>lentilles jusque-là</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>z of the screen</source>
-            <translation>z de l'écran</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>iteration</source>
-            <translation>itération</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>time</source>
-            <translation>temps</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>distance</source>
-            <translation>distance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>loss</source>
-            <translation>coût</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>this run</source>
-            <translation>cette exécution</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>verified</source>
-            <translation>vérifié</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>target</source>
-            <translation>cible</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>irradiance</source>
-            <translation>éclairement</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>intensity</source>
-            <translation>intensité</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>error</source>
-            <translation>erreur</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>flux / {unit}</source>
-            <translation>flux / {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/plot_words.py" />
-            <source>{axis} at {place}</source>
-            <translation>{axis} à {place}</translation>
-        </message>
-        <message>
             <location filename="../../ui/views/region_marks.py" />
             <source>least / mean {number:.2f}</source>
             <translation>minimum / moyenne {number:.2f}</translation>
@@ -4618,6 +4543,91 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../ui/widgets/message_bar.py" />
             <source>Close this message</source>
             <translation>Fermer ce message</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>as designed</source>
+            <translation>comme conçu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>lenses up to there</source>
+            <translation>lentilles jusque-là</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>z of the screen</source>
+            <translation>z de l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>Second minus first</source>
+            <translation>Second moins premier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>The receivers cover different places: nothing to subtract.</source>
+            <translation>Les récepteurs couvrent des endroits différents : rien à soustraire.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>iteration</source>
+            <translation>itération</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>time</source>
+            <translation>temps</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>distance</source>
+            <translation>distance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>loss</source>
+            <translation>coût</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>this run</source>
+            <translation>cette exécution</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>verified</source>
+            <translation>vérifié</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>target</source>
+            <translation>cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>irradiance</source>
+            <translation>éclairement</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>intensity</source>
+            <translation>intensité</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>error</source>
+            <translation>erreur</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>flux / {unit}</source>
+            <translation>flux / {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/widgets/plot_words.py" />
+            <source>{axis} at {place}</source>
+            <translation>{axis} à {place}</translation>
         </message>
         <message>
             <location filename="../../ui/window/early_parts.py" />

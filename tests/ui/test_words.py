@@ -7,9 +7,10 @@ from typing import get_args
 
 import pytest
 import torch
+from matplotlib.backend_bases import MouseEvent
 from matplotlib.figure import Figure
 from PySide6.QtCore import QLocale
-from PySide6.QtWidgets import QDialogButtonBox, QLabel
+from PySide6.QtWidgets import QDialogButtonBox, QLabel, QWidget
 
 import ui
 import workbench
@@ -19,8 +20,9 @@ from tests.ui.hands import rows
 from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
+from ui.run.comparison import RunComparison
 from ui.run.kept import called, renamed, with_followed, with_run
-from ui.views.plot_words import LABELS, translate, translate_axes
+from ui.widgets.plot_words import LABELS, translate, translate_axes
 from ui.words import begun, error_text, inside, later, speak, spoken, spoken_by_system, tr
 from workbench.design.endings import ending
 from workbench.design.loss import check_light
@@ -256,6 +258,30 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
         "x (10⁻³ m) bei y = 0.5 m",
         "10⁻⁶ Fluss / mm²",
     )
+
+
+def test_two_runs_are_compared_in_the_language_that_is_spoken(session, history, speaking, qtbot):
+    session, _ = with_run(session, history(5).result())
+    session, _ = with_run(session, history(6).result())
+    session = renamed(session, session.runs[1], "target")  # a word of pictures, but a name here
+    speaking("de")
+    window = QWidget()
+    qtbot.addWidget(window)
+    shown = RunComparison(lambda run: "", window)
+    shown.show_pair(session.runs)
+    axes = shown._figure.axes
+    titles = ["Lauf 1: auto, 12 × 10", "target"]
+    assert [each.get_title() for each in axes] == [
+        *titles,
+        "Zweites minus erstes",
+        "Zielfunktion",
+    ]
+    assert [text.get_text() for text in axes[3].get_legend().get_texts()] == titles
+    assert (axes[3].get_xlabel(), axes[3].get_ylabel()) == ("Iteration", "Zielfunktion")
+    assert {each.child_axes[0].get_ylabel() for each in axes[:3]} == {"Fluss / cm²"}
+    place = axes[0].transData.transform((0.5, 0.25))
+    MouseEvent("motion_notify_event", shown._canvas, *place)._process()
+    assert shown.readout == "0.25 → 0.25 / cm² bei x = 0.5 cm, y = 0.25 cm"
 
 
 def test_labels_stand_in_the_pictures_of_the_engine():

@@ -1,6 +1,7 @@
 """Two kept runs beside each other: light, difference, losses, figures, and fields that differ."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
@@ -21,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from ui.run.kept import called
 from ui.run.run_figures import figures_of
+from ui.widgets.plot_words import translate
 from ui.words import later, tr
 from workbench.design.session import KeptRun
 from workbench.pictures.comparison import Comparison
@@ -90,7 +92,9 @@ class RunComparison(QDialog):
     def show_pair(self, pair: Pair) -> None:
         """Show two runs."""
         self._pair = pair
-        self._picture = Comparison(self._figure, pair)
+        one, other = (replace(run, name=called(run)) for run in pair)
+        self._picture = Comparison(self._figure, (one, other))
+        translate(self._figure, self._picture.titles)
         self._recolour()
         self.show_figures()
 
@@ -124,7 +128,7 @@ class RunComparison(QDialog):
         if self._picture is None or event.inaxes is None:
             return
         words = self._picture.in_words(event.inaxes, event.xdata, event.ydata)
-        self._readout.setText(words or tr(_POINT))
+        self._readout.setText(tr(words or _POINT))
 
     def _add(self, rows: Sequence[tuple[str, tuple[str, str]]]) -> None:
         for name, values in rows:

@@ -6,8 +6,8 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QSizePolicy
 
 from ui.views.canvas import PlotCanvas
-from ui.views.plot_words import translate
 from ui.views.view import View
+from ui.widgets.plot_words import translate
 from ui.words import tr
 from workbench.pictures.focus_curve import FocusCurve
 

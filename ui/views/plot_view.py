@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from ui.shown.frame import same_task
 from ui.views.canvas import PlotCanvas
-from ui.views.plot_words import translate, translate_axes
 from ui.views.view import View
+from ui.widgets.plot_words import translate, translate_axes
 from ui.words import later, tr
 from workbench.pictures.data import Column, shown_data
 

@@ -12,6 +12,7 @@ from workbench.measured.light_unit import LightUnit, light_unit
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
+from workbench.said import Said
 from workbench.scene import Scene, Unit
 from workbench.targets.raster import averaged
 
@@ -83,11 +84,14 @@ class Comparison:
         Their light.
     difference : ndarray, shape (n_y, n_x), optional
         Second minus first; None where the receivers cover different places.
+    titles : tuple of str
+        What the runs are called in the picture: their names, cut to what there is room for.
     """
 
     def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun]) -> None:
         one, other = (RunImage.of(run, runs[0].scene.unit) for run in runs)
         self.lights = one, other
+        self.titles = _short(one.name), _short(other.name)
         self.difference = difference(one, other)
         figure.clear()
         figure.set_layout_engine("constrained")
@@ -95,16 +99,20 @@ class Comparison:
         alike = one.unit.words == other.unit.words
         top = max(one.top, other.top)
         self._places = dict(zip((first, second), self.lights, strict=True))
-        for axes, light in self._places.items():
+        for (axes, light), title in zip(self._places.items(), self.titles, strict=True):
             image = receiver_map(axes, light.name, light.scene, LIGHT)
             image.set_data(light.irradiance)
             image.set_clim(0, top if alike else light.top)
             colour_bar(axes, image, light.unit.words, extend="max")
-            _title(axes, light.name)
+            _title(axes, title)
         self._draw_difference(third)
         _title(fourth, "Loss")
         draw_courses(
-            fourth, [LossCourse(run.name, run.result.losses, run.result.times()) for run in runs]
+            fourth,
+            [
+                LossCourse(title, run.result.losses, run.result.times())
+                for title, run in zip(self.titles, runs, strict=True)
+            ],
         )
 
     def in_words(self, axes: "Axes | None", x: float, y: float) -> str:
@@ -114,10 +122,12 @@ class Comparison:
         if light is None or light.at(x, y) is None:
             return ""
         extent = Extent.of_receiver(light.scene)
-        at = f"at {extent.in_words(0, x)}, {extent.in_words(1, y)}"
         if self.difference is None:
-            return f"{light.at(x, y):.4g} {light.unit.short} {at}"
-        return f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.unit.short} {at}"
+            value = f"{light.at(x, y):.4g} {light.unit.short}"
+        else:
+            value = f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.unit.short}"
+        place = {"x": extent.in_words(0, x), "y": extent.in_words(1, y)}
+        return Said("{value} at {x}, {y}", value=value, **place)
 
     def _draw_difference(self, axes: "Axes") -> None:
         one, _ = self.lights
@@ -125,8 +135,9 @@ class Comparison:
         _title(axes, "Second minus first")
         if self.difference is None:
             axes.set_axis_off()
-            why = "The receivers cover different\nplaces: nothing to subtract."
-            axes.text(0.5, 0.5, why, ha="center", va="center", transform=axes.transAxes)
+            why = "The receivers cover different places: nothing to subtract."
+            at, middle = axes.transAxes, "center"
+            axes.text(0.5, 0.5, why, fontsize=_FONT, ha=middle, va=middle, transform=at)
             return
         image = receiver_map(axes, "difference", one.scene, SIGNED)
         image.set_data(self.difference)
@@ -144,6 +155,9 @@ def difference(one: RunImage, other: RunImage) -> Array | None:
     return averaged(other.irradiance, one.irradiance.shape) - one.irradiance
 
 
-def _title(axes: "Axes", name: str) -> None:
-    short = name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"
-    axes.set_title(short, fontsize=_FONT + 1)
+def _short(name: str) -> str:
+    return name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"
+
+
+def _title(axes: "Axes", text: str) -> None:
+    axes.set_title(text, fontsize=_FONT + 1)

@@ -1,7 +1,7 @@
 """Words in pictures of the engine, in the language of the window."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import cast
 
 from matplotlib.figure import Figure
@@ -26,9 +26,12 @@ LABELS = later(
         "relative L2 error",
         "lenses up to there",
         "z of the screen",
+        "Second minus first",
+        "Loss",
+        "The receivers cover different places: nothing to subtract.",
     )
 )
-"""What stands at axes and in legends, as far as it is no unit and no number.
+"""What stands at axes, in legends and over pictures, as far as it is no unit and no number.
 
 Words in small letters alone could be names of fields; each is marked by itself.
 """
@@ -38,14 +41,23 @@ _AT = re.compile(r"(.* \(.*\)) at (.*)")
 _FLUX = re.compile(r"(10\S+ )?flux / (.*)")
 
 
-def translate(figure: Figure) -> None:
+def translate(figure: Figure, names: Collection[str] = ()) -> None:
     """Say labels and legends of a picture that has just begun in the language that is spoken.
 
     Lines are named in it, too, since a legend may be made of them later.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Shows the picture.
+    names : collection of str
+        Texts in it that are no words of the program and stay.
     """
-    _say(cast("list[Text]", figure.findobj(Text)))
+    texts = cast("list[Text]", figure.findobj(Text))
+    _say(text for text in texts if text.get_text() not in names)
     for line in cast("list[Line2D]", figure.findobj(Line2D)):
-        line.set_label(_said(str(line.get_label())))
+        if (label := str(line.get_label())) not in names:
+            line.set_label(_said(label))
 
 
 def translate_axes(figure: Figure) -> None:
