@@ -1789,6 +1789,11 @@
             <translation>Teile eines Befehlsnamens eingeben</translation>
         </message>
         <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>No command has all of this in its name: {words}</source>
+            <translation>Kein Befehl hat all das im Namen: {words}</translation>
+        </message>
+        <message>
             <location filename="../../ui/commands/shortcuts.py" />
             <source>Keyboard shortcuts</source>
             <translation>Tastenkürzel</translation>

@@ -1789,6 +1789,11 @@
             <translation>Saisir des parties du nom d'une commande</translation>
         </message>
         <message>
+            <location filename="../../ui/commands/palette.py" />
+            <source>No command has all of this in its name: {words}</source>
+            <translation>Aucune commande n'a tout cela dans son nom : {words}</translation>
+        </message>
+        <message>
             <location filename="../../ui/commands/shortcuts.py" />
             <source>Keyboard shortcuts</source>
             <translation>Raccourcis clavier</translation>

@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
     QHeaderView,
+    QLabel,
     QLineEdit,
     QTreeWidget,
     QTreeWidgetItem,
@@ -21,6 +22,7 @@ SEPARATOR = " \N{RIGHTWARDS ARROW} "
 """Between the menu and the command in a name."""
 
 _SHARE, _ROWS = 0.45, 14  # of the window's width, and commands seen at once
+_MARGIN = 12  # around a sentence in place of the list
 _MOVES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
 
 
@@ -55,9 +57,14 @@ class CommandPalette(QDialog):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self._found.itemClicked.connect(self._do)
+        self._nothing = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
+        self._nothing.setTextFormat(Qt.TextFormat.PlainText)  # what is typed may have tags
+        self._nothing.setWordWrap(True)
+        self._nothing.setMargin(_MARGIN)
         column = QVBoxLayout(self)
         column.addWidget(self._field)
-        column.addWidget(self._found)
+        column.addWidget(self._found, 1)
+        column.addWidget(self._nothing, 1)
         self._find("")
         self._field.setFocus()
         row = self._found.sizeHintForRow(0)
@@ -97,6 +104,11 @@ class CommandPalette(QDialog):
             self._found.addTopLevelItem(item)
         able = (item for item in self._items() if not item.isDisabled())
         self._found.setCurrentItem(next(able, None))  # type: ignore[arg-type]
+        self._nothing.setText(
+            tr("No command has all of this in its name: {words}").format(words=text)
+        )
+        self._nothing.setVisible(not fitting)
+        self._found.setVisible(bool(fitting))
 
     def _items(self) -> list[QTreeWidgetItem]:
         items = (self._found.topLevelItem(k) for k in range(self._found.topLevelItemCount()))

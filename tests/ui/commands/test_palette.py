@@ -40,6 +40,17 @@ def test_typing_finds_names_with_all_words(palette, qtbot):
     assert all("Flame" in name and "example" in name for name in names)
 
 
+def test_where_no_command_fits_that_is_said_in_place_of_the_list(palette, qtbot):
+    qtbot.keyClicks(palette._field, "<b>no such")
+    assert palette._nothing.isVisible() and not palette._found.isVisible()
+    assert palette._nothing.text() == "No command has all of this in its name: <b>no such"
+    qtbot.keyClick(palette._field, Qt.Key.Key_Down)
+    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
+    assert palette.isVisible()  # nothing to do
+    palette._field.clear()
+    assert palette._found.isVisible() and not palette._nothing.isVisible()
+
+
 def test_commands_that_begin_with_the_word_come_first(palette, qtbot):
     qtbot.keyClicks(palette._field, "s")
     names = [name for name, _ in listed(palette)]
