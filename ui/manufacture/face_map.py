@@ -63,8 +63,8 @@ class FaceContent:
         return self._drawn
 
     def unit(self, session: "Session") -> str:
-        """Unit of the map."""
-        return map_unit(self.name, session.scene.unit)
+        """Unit of the map, as it stands behind a number."""
+        return map_unit(self.name, session.scene.unit).removeprefix("1 ")
 
 
 class FaceMap(ImageView):

@@ -249,3 +249,7 @@ class PlotCanvas(FigureCanvasQTAgg):
         for artist in self._artists:
             if artist.axes is not None and artist.axes.get_visible():
                 self.figure.draw_artist(artist)
+        for axes in self.figure.axes:
+            if axes.images and axes.get_visible():
+                for edge in axes.spines.values():  # of which an image has covered one half
+                    self.figure.draw_artist(edge)

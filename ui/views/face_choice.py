@@ -22,6 +22,11 @@ class FaceChoice(QComboBox):
         """The name of the chosen face; empty before an optic is known."""
         return str(self.currentData() or "")
 
+    @property
+    def needed(self) -> str:
+        """What the chosen face is called; empty where the optic has one alone."""
+        return self.currentText() if self.count() > 1 else ""
+
     def choose(self, face: str) -> None:
         """Choose one by its name."""
         self.setCurrentIndex(self.findData(face))

@@ -1,6 +1,6 @@
 """The shape of a freeform face as a map."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, BinaryIO
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout
@@ -9,6 +9,7 @@ from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from ui.words import tr
 from workbench.arrays import Array
+from workbench.pictures.data import Column
 from workbench.pictures.maps import Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 
     from ui.shown.frame import Frame
     from workbench.files.session import Session
+
+
+_FONT = 9  # of the name of a face in files
 
 
 class SurfaceContent:
@@ -50,8 +54,8 @@ class SurfaceContent:
         return self.image.values
 
     def unit(self, session: "Session") -> str:
-        """The aspect's own."""
-        return self.aspect.unit.format(session.scene.unit)
+        """The aspect's own, as it stands behind a number."""
+        return self.aspect.unit.format(session.scene.unit).removeprefix("1 ")
 
 
 class SurfaceView(ImageView):
@@ -77,6 +81,22 @@ class SurfaceView(ImageView):
         row.addStretch(1)
         self._box.insertLayout(0, row)
         self._turn()
+
+    def write(self, file: BinaryIO, format: str) -> None:
+        """Write the picture as "png" or "svg"; where there are two faces, it says which one."""
+        if self._axes is not None:
+            self._axes.set_title(self._faces.needed, loc="left", fontsize=_FONT)
+        super().write(file, format)
+        if self._axes is not None:
+            self._axes.set_title("", loc="left")
+            self._canvas.draw_idle()
+
+    def data(self) -> list[Column]:
+        """What the map shows, in numbers; where there are two faces, of which one."""
+        columns, face = super().data(), self._faces.needed
+        if face:
+            columns[-1] = columns[-1]._replace(name=f"{face}: {columns[-1].name}")
+        return columns
 
     def _turn(self) -> None:
         self._content.aspect = aspect = ASPECTS[self._aspects.currentIndex()]

@@ -1,5 +1,7 @@
 """The map of the exit face."""
 
+import io
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint
@@ -55,6 +57,19 @@ def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilte
     qtbot.waitUntil(lambda: reading().startswith("45° at x = 0.2"))
 
 
+def test_a_curvature_under_the_pointer_is_one_over_a_length(view, session, qtbot):
+    view._aspects.setCurrentIndex(2)
+    assert view._content.unit(session) == "/ cm"
+
+
+def test_the_frame_of_an_image_is_drawn_over_it(view, monkeypatch):
+    drawn, figure = [], view._canvas.figure
+    monkeypatch.setattr(figure, "draw_artist", drawn.append)
+    view._canvas.show_changes(everything=False)
+    (axes,) = figure.axes
+    assert drawn == [axes.images[0], *axes.spines.values()]
+
+
 def test_nothing_is_computed_while_hidden(view, tilted, monkeypatch, qtbot):
     view.hide()
     monkeypatch.setattr(view._content.image, "update", lambda heights: pytest.fail("computed"))
@@ -84,7 +99,14 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     assert view._faces.face == "exit" and np.allclose(view._values, 0)
     view._faces.choose("entrance")
     qtbot.waitUntil(lambda: view._values is not None and np.ptp(view._values) > 0.09)
+    *_, written = view.data()
+    assert written.name == "Entrance face: height [cm]"
+    titles = []
+    view._canvas.figure.savefig = lambda *_, **__: titles.append(view._axes.get_title("left"))
+    view.write(io.BytesIO(), "png")
+    assert titles == ["Entrance face"] and view._axes.get_title("left") == ""
     one = frames(1, heights=FaceArrays({"exit": np.full((12, 10), 0.5)}))
     view.show_frame(one)
     qtbot.waitUntil(lambda: not view._faces.isVisible())
     assert view._faces.face == "exit"
+    assert view.data()[-1].name == "height [cm]"
