@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.transport.chart import Chart, between
+from workbench.design.transport.chart import Chart
 from workbench.design.transport.view import ReceiverView
 
 CELLS = 64
@@ -46,11 +46,6 @@ class _Identity:
 
     def map(self):
         return self._chart.x, self._chart.y
-
-
-def test_values_between_cells_are_linear():
-    values = np.arange(12.0).reshape(3, 4)
-    assert between(values, (np.array([0.5, 2.7]), np.array([1.0, 3.0]))) == pytest.approx([3, 11])
 
 
 def test_transport_in_a_chart_keeps_all_light(view):

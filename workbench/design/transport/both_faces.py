@@ -58,8 +58,8 @@ class BothFaces:
         nets = freeform_nets(scene.optic)
         self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
         self._cells = cells_for(nets)
-        self._light = TwoFaceLight(scene, self._cells)
         self._fits = {face: SlopeFit(net, self._cells) for face, net in nets.items()}
+        self._light = TwoFaceLight(scene, self._fits, self._cells)
         self._plate = {
             face: np.full(net.shape, float(self._limits[face].undesigned.mean()))
             for face, net in nets.items()

@@ -26,20 +26,16 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.between import Pair, between, whence
 from workbench.design.transport.halves import doubled
 from workbench.design.transport.push import push
 from workbench.design.transport.view import ReceiverView
 
-Pair = tuple[Array, Array]
 # Slopes along x and y that light needs at places in cells of the lens to places u, v.
 SlopesFor = Callable[[Pair, Pair], Pair]
 
 # Cells over which coordinates are smoothed: where light comes from is known to a cell.
 _SMOOTH = 1.0
-# Newton steps back from a coordinate to its cell, at most; the part of all cells that each goes at
-# most; the least part by which cells may be narrower there; and how many cells steps go on average
-# where they end.
-_STEPS, _FAR, _NARROW, _CLOSE = 12, 0.1, 0.1, 0.001
 # Parts of a cell of the view along an axis, in a chart.
 _PARTS = 6
 
@@ -72,7 +68,7 @@ class Chart(NamedTuple):
             Of the receiver.
         wanted : ndarray, shape (cells, cells)
             Light in each of its cells; all together 1.
-        bends : callable
+        slopes_for : callable
             Says the slopes.
         begins : tuple of two ndarray
             In which cell of the lens the light of each of its cells comes from.
@@ -109,21 +105,7 @@ class Chart(NamedTuple):
 
     def _back(self, to_x: Array, to_y: Array) -> Pair:
         """The cells of the view at places of the chart."""
-        most, far = len(self.x) - 0.5, _FAR * len(self.x)
-        (xx, xy), (yx, yy) = np.gradient(self.x), np.gradient(self.y)
-        at: Pair = to_x, to_y
-        for _ in range(_STEPS):
-            off_x, off_y = between(self.x, at) - to_x, between(self.y, at) - to_y
-            a, b, c, d = (between(np.asarray(f), at) for f in (xx, xy, yx, yy))
-            area = np.maximum(a * d - b * c, _NARROW)
-            step_x, step_y = (
-                (step / area).clip(-far, far)
-                for step in (d * off_x - b * off_y, a * off_y - c * off_x)
-            )
-            at = (at[0] - step_x).clip(-0.5, most), (at[1] - step_y).clip(-0.5, most)
-            if np.abs(step_x).mean() + np.abs(step_y).mean() < _CLOSE:
-                break
-        return at
+        return whence((self.x, self.y), (to_x, to_y), (to_x, to_y))
 
 
 def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins: Pair) -> Pair:
@@ -159,10 +141,3 @@ def _along_seen(view: ReceiverView, wanted: Array, slopes_for: SlopesFor, begins
         t + gaussian_filter(f, _SMOOTH, mode="nearest") for t, f in zip(seen, off, strict=True)
     )
     return along_x, along_y
-
-
-def between(values: Array, at: Pair) -> Array:
-    """Values of cells at places between their middles, and at the nearest one beyond them."""
-    from scipy.ndimage import map_coordinates  # late: it takes long to import
-
-    return np.asarray(map_coordinates(values, at, order=1, mode="nearest"))

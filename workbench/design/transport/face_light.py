@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 from workbench.arrays import Array
-from workbench.design.transport.chart import Pair
+from workbench.design.transport.between import Pair
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
 from workbench.optics.face_samples import SampledFace

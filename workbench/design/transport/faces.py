@@ -7,7 +7,8 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.limits import HeightLimits
-from workbench.design.transport.chart import Pair, SlopesFor, between
+from workbench.design.transport.between import Pair, between
+from workbench.design.transport.chart import SlopesFor
 from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.face_light import FaceLight
 from workbench.scene import Scene

@@ -4,34 +4,28 @@ Both faces are known at even cells, and taken as straight between these: a searc
 themselves took three quarters of the time of a first lens.
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 import torch
 from torch import Tensor
-from torch.nn.functional import grid_sample
 
 from workbench.arrays import Array
-from workbench.geometry.surface import freeform_nets
+from workbench.design.transport.between import Pair, between, whence
+from workbench.design.transport.face import SlopeFit
+from workbench.design.transport.meeting import met
+from workbench.design.transport.view import ReceiverView
+from workbench.geometry.surface import ControlNet
 from workbench.optics.intersection import RIM
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
-from workbench.optics.samples import places
 from workbench.optics.sources import emitter_of
 from workbench.optics.sources.origins import through_cells
 from workbench.optics.surfaces import Meeting
 from workbench.scene import Scene
 
 Vector = tuple[Array, Array, Array]
-
-# Steps of a search at most, and how near it comes on average, in cells.
-_MOST_STEPS, _NEAR = 40, 0.01
-# How far each step of one for places goes at most, in half-widths, and the least area of a cell
-# there, as a part of what it was.
-_FAR, _LEAST_AREA = 0.2, 1e-3
-# How fast a face is taken to fall away from a ray, for each length, at least: with less, Newton
-# steps of light that comes steeply to a steep face do not settle.
-_LEAST_FALL = 0.5
 
 
 class LightInLens(NamedTuple):
@@ -60,6 +54,8 @@ class TwoFaceLight:
     ----------
     scene : Scene
         With a lens of two freeform faces; an extended source counts as a point at its centre.
+    fits : mapping of str to SlopeFit
+        The splines of each face in the middles of even cells.
     cells : int
         Along each axis.
 
@@ -69,23 +65,20 @@ class TwoFaceLight:
         Unit vectors along which it comes.
     """
 
-    def __init__(self, scene: Scene, cells: int) -> None:
+    def __init__(self, scene: Scene, fits: Mapping[str, SlopeFit], cells: int) -> None:
         lens = scene.optic
-        nets = freeform_nets(lens)
         scene = scene.model_copy(update={"source": scene.source.sharp})
-        self._path = Path.of(scene, nets["exit"], torch.float64)
+        self._path = Path.of(scene, ControlNet.of(lens), torch.float64)
         origins = emitter_of(scene.source, lens).origins
         rays = through_cells(origins, lens, (cells, cells))
         x, y, z = (part.expand(cells, cells) for part in rays.position)
         self._rays = rays._replace(position=(x, y, z - self._path.datum))
         self.coming = _arrays(rays.direction)
-        middles = places((cells, cells), 0).part
-        self._bases = {face: net.grid(middles, middles) for face, net in nets.items()}
-        # Middles of cells in half-widths, and from which of them light came to these places of a
-        # face last.
-        even = torch.as_tensor(2 * middles - 1)
-        self._own, self._cells = torch.stack(torch.meshgrid(even, even, indexing="ij")), cells
-        self._from = dict.fromkeys(nets, self._own)
+        self._widths = 2 * lens.half_width[0] / cells, 2 * lens.half_width[1] / cells
+        self._fits = fits
+        # From which cells light came to the cells of a face last.
+        self._own, self._cells = ReceiverView.grid(cells), cells
+        self._from = dict.fromkeys(fits, self._own)
 
     def through(self, heights: dict[str, Array]) -> LightInLens:
         """The light in a lens with these control heights, z as in the scene."""
@@ -118,77 +111,42 @@ class TwoFaceLight:
         place : tuple of three ndarray
             Where that light meets it.
         """
-        meets = self._in_half_widths(*map(torch.as_tensor, place[:2]))
-        cell = _whence(meets, self._own, self._from[face])
-        self._from[face] = cell
-        x, y = _between(torch.stack([*map(torch.as_tensor, values)]), cell).numpy()
+        meets = self._in_cells(*place[:2])
+        self._from[face] = cell = whence(meets, self._own, self._from[face])
+        x, y = (between(each, cell) for each in values)
         return x, y
 
     def _meet(self, face: str, rays: RayBundle, heights: Array) -> Meeting:
         """Where rays meet a face that is straight between the middles of cells."""
-        grid = [
-            torch.as_tensor(part) for part in self._bases[face].evaluate(heights - self._path.datum)
-        ]
-        face_at = torch.stack(grid)
-        (x, y, z), (d_x, d_y, d_z) = rays.position, rays.direction
+        (x, y, z), (d_x, d_y, d_z) = _arrays(rays.position), _arrays(rays.direction)
         a, b = d_x / d_z, d_y / d_z
-        up = grid[0].mean() - z
-        near = 2 * _NEAR * min(self._path.outline.half_width) / self._cells
-        for _ in range(_MOST_STEPS):
-            met_z, z_x, z_y = _between(face_at, self._in_half_widths(x + a * up, y + b * up))
-            step = (met_z - z - up) / (1 - a * z_x - b * z_y).clamp_min(_LEAST_FALL)
-            up = up + step
-            if step.abs().mean() < near:
-                break
-        x, y = x + a * up, y + b * up
-        _, z_x, z_y = _between(face_at, self._in_half_widths(x, y))
-        length = (z_x.square() + z_y.square() + 1).rsqrt()
-        met = torch.as_tensor(self._path.outline.contains((x / RIM).numpy(), (y / RIM).numpy()))
-        return Meeting((x, y, z + up), (-z_x * length, -z_y * length, length), met)
+        heights, fit = heights - self._path.datum, self._fits[face]
+        found = fit.surface(heights), *fit.slopes(heights)
+        up, z_x, z_y = met(found, self._widths, (x - a * z, y - b * z), (a, b))
+        x, y = x + a * (up - z), y + b * (up - z)
+        length = 1 / np.sqrt(z_x**2 + z_y**2 + 1)
+        inside = self._path.outline.contains(x / RIM, y / RIM)
+        position, normal = (x, y, up), (-z_x * length, -z_y * length, length)
+        return Meeting(_tensors(position), _tensors(normal), torch.as_tensor(inside))
 
-    def _in_half_widths(self, x: Tensor, y: Tensor) -> Tensor:
-        r_x, r_y = self._path.outline.half_width
-        return torch.stack([x / r_x, y / r_y])
+    def _in_cells(self, x: Array, y: Array) -> Pair:
+        at_x, at_y = (
+            place / width + (self._cells - 1) / 2
+            for place, width in zip((x, y), self._widths, strict=True)
+        )
+        return at_x, at_y
 
     def _lifted(self, place: Vector) -> Vector:
         x, y, z = place
         return x, y, z + self._path.datum
 
 
-def _whence(places: Tensor, wanted: Tensor, begin: Tensor) -> Tensor:
-    """Where places of even cells are wanted ones, all of them in half-widths, (2, n, m).
-
-    Newton steps, halved where they lead no nearer: where an image is dark, faces spread light over
-    many times the area that it comes from. Beyond the last light the nearest counts.
-    """
-    cells = places.shape[-1]
-    along_x, along_y = torch.gradient(places * (cells / 2), dim=(1, 2))
-    near = 2 * _NEAR / cells
-    known = torch.cat([places, along_x, along_y])
-    nearest, least = begin, torch.full_like(begin[0], torch.inf)
-    step, cell = torch.zeros_like(begin), begin
-    for _ in range(_MOST_STEPS):
-        found = _between(known, cell)
-        off, (x_x, y_x, x_y, y_y) = found[:2] - wanted, found[2:]
-        far = off.square().sum(0)
-        nearer = far < least
-        nearest, least = torch.where(nearer, cell, nearest), torch.minimum(far, least)
-        if least.sqrt().mean() < near:
-            break
-        area = (x_x * y_y - x_y * y_x).clamp_min(_LEAST_AREA)
-        newton = torch.stack([y_y * off[0] - x_y * off[1], x_x * off[1] - y_x * off[0]]) / area
-        step = torch.where(nearer, newton.clamp(-_FAR, _FAR), step / 2)
-        cell = (nearest - step).clamp(-1, 1)
-    return nearest
-
-
-def _between(values: Tensor, at: Tensor) -> Tensor:
-    """Values (k, cells, cells) of even cells at places (2, n, m) in half-widths, (k, n, m)."""
-    grid = at.flip(0).movedim(0, -1)[None]  # torch wants the last axis first
-    return grid_sample(values[None], grid, padding_mode="border", align_corners=False)[0]
-
-
 def _arrays(vector: tuple[Tensor, Tensor, Tensor]) -> Vector:
     shape = np.broadcast_shapes(*(part.shape for part in vector))
     x, y, z = (part.expand(shape).numpy() for part in vector)
+    return x, y, z
+
+
+def _tensors(vector: Vector) -> tuple[Tensor, Tensor, Tensor]:
+    x, y, z = map(torch.as_tensor, vector)
     return x, y, z

@@ -14,11 +14,13 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
+from workbench.design.transport.perspective import in_perspective
 from workbench.scene import Scene
 
 # Samples along an axis for the light that is wanted in cells: for each pixel and for each cell, at
 # least.
 _PER_PIXEL, _PER_CELL = 6.0, 2
+_ONE = 0, 0, 1
 
 
 class ReceiverView(NamedTuple):
@@ -58,18 +60,13 @@ class ReceiverView(NamedTuple):
 
     def at(self, place: tuple[Array, Array], cells: int) -> tuple[Array, Array]:
         """Where on the receiver places are that are given in so many cells of the rectangle."""
-        u, v, _ = self._on_receiver(*place, cells)
-        return u, v
+        x, y = self._seen(place, cells)
+        u, v, far = (a * x + b * y + c for a, b, c in self.back)
+        return u / far, v / far
 
     def seen(self, cells: int) -> tuple[Array, Array]:
         """Where the middles of cells are seen, two arrays of shape (cells, cells)."""
-        x, y = (
-            ((2 * place + 1) / cells - 1) * half + middle
-            for place, half, middle in zip(
-                self.grid(cells), self.half_extent, self.middle, strict=True
-            )
-        )
-        return x, y
+        return self._seen(self.grid(cells), cells)
 
     @staticmethod
     def grid(cells: int) -> tuple[Array, Array]:
@@ -92,32 +89,25 @@ class ReceiverView(NamedTuple):
             into_0, into_1 = (_overlaps(count, cells) for count in image.shape)
             return np.asarray(into_0 @ image @ into_1.T)
         samples = max(_PER_CELL, math.ceil(_PER_PIXEL * max(image.shape) / cells))
-        even = (np.arange(samples * cells) + 0.5) / samples - 0.5
-        u, v, stretch = self._on_receiver(even[:, None], even[None, :], cells)
+        (m_x, m_y), (r_x, r_y) = self.middle, self.half_extent
+        seen = np.array([[2 * r_x / cells, 0, m_x - r_x], [0, 2 * r_y / cells, m_y - r_y], _ONE])
         left, right, bottom, top = self.scene.receiver.bounds
-        columns = np.floor((u - left) / (right - left) * image.shape[0]).astype(np.int64)
-        rows = np.floor((v - bottom) / (top - bottom) * image.shape[1]).astype(np.int64)
-        inside = (columns >= 0) & (columns < image.shape[0]) & (rows >= 0) & (rows < image.shape[1])
-        pixel = (right - left) * (top - bottom) / image.size
-        sample = 4 * self.half_extent[0] * self.half_extent[1] / inside.size
-        light = np.zeros(inside.shape)
-        light[inside] = image[columns[inside], rows[inside]] * stretch[inside] * (sample / pixel)
-        return np.asarray(light.reshape(cells, samples, cells, samples).sum((1, 3)))
+        n_x, n_y = image.shape[0] / (right - left), image.shape[1] / (top - bottom)
+        pixels = np.array([[n_x, 0, -left * n_x], [0, n_y, -bottom * n_y], _ONE])
+        return in_perspective(image, pixels @ self.back @ seen, cells, samples)
 
     @property
     def leans(self) -> bool:
         """Whether it differs from the receiver's own coordinates."""
         return not np.array_equal(self.back, np.eye(3))
 
-    def _on_receiver(self, x: Array, y: Array, cells: int) -> tuple[Array, Array, Array]:
-        """Places u, v of others in cells of the rectangle, and areas there over areas here."""
-        seen = (
-            ((2 * place + 1) / cells - 1) * half + middle
-            for place, half, middle in zip((x, y), self.half_extent, self.middle, strict=True)
+    def _seen(self, place: tuple[Array, Array], cells: int) -> tuple[Array, Array]:
+        """Where places in cells of the rectangle are seen."""
+        x, y = (
+            ((2 * at + 1) / cells - 1) * half + middle
+            for at, half, middle in zip(place, self.half_extent, self.middle, strict=True)
         )
-        x, y = np.broadcast_arrays(*seen)
-        u, v, far = (a * x + b * y + c for a, b, c in self.back)
-        return u / far, v / far, np.abs(np.linalg.det(self.back) / far**3)
+        return x, y
 
 
 def _overlaps(pixels: int, cells: int) -> Array:
