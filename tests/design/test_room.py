@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workbench.design import room as room_module
 from workbench.design.room import Room
 from workbench.design.run import run
 from workbench.design.shortfall import Shortfall, wider_entrance
@@ -206,3 +207,13 @@ def test_a_wider_entrance_range_has_room_before_the_source_and_below_the_exit_fa
     assert wider_entrance(make_scene(FREE | ENTRANCE | near)) == pytest.approx((-0.15, 0.15))
     touching = {"source": {"kind": "point", "position": [0, 0, -0.105]}}
     assert wider_entrance(make_scene(FREE | ENTRANCE | touching)) is None
+
+
+def test_the_exit_face_alone_begins_with_the_lens_that_both_faces_were_compared_with(
+    make_scene, corner, monkeypatch
+):
+    room = Room(make_scene(FREE | {"lens.entrance": {"shape": "freeform"}}), corner)
+    assert room.first is not None
+    expected = Room(room.alone().scene, corner).first
+    monkeypatch.setattr(room_module, "first_lens", None)
+    assert room.alone().first["exit"] == pytest.approx(expected["exit"], abs=1e-12)

@@ -125,7 +125,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     if goes_on:
         next(steps)  # has been shown
     elif len(room.limits) > 1 and not locked:
-        steps = with_gain(steps, scene, target, auto_steps)
+        steps = with_gain(steps, room, auto_steps)
     return (yield from steps)
 
 

@@ -11,7 +11,7 @@ from workbench.design.aim import first_lens
 from workbench.design.heights import FreeHeights, HeightRange
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
-from workbench.design.transport import First
+from workbench.design.transport import First, behind_flat_entrance
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.said import Said
@@ -73,6 +73,17 @@ class Room:
             release_freed_memory()
         found = self._found[0]
         return None if found is None else found.heights
+
+    def alone(self) -> "Room":
+        """The room of the exit face alone behind a flat entrance face.
+
+        A first lens of both faces was compared with one of it, which is not looked for again.
+        """
+        room = Room(behind_flat_entrance(self.scene), self.target)
+        found = None if self._found is None else self._found[0]
+        if found is not None and found.alone is not None:
+            room._found = (First({self._face: found.alone}),)
+        return room
 
     @property
     def begin(self) -> dict[str, Array]:

@@ -3,15 +3,12 @@
 from collections.abc import Callable, Generator
 from contextlib import closing
 
-from workbench.arrays import Array
 from workbench.design.endings import GAINED, NO_IMAGE
 from workbench.design.room import Room
 from workbench.design.step import Step
-from workbench.design.transport import behind_flat_entrance
 from workbench.errors import RunFailed
 from workbench.interruption import check_interruption
 from workbench.said import Said
-from workbench.scene import Scene
 
 Steps = Generator[Step, None, str]
 
@@ -19,15 +16,15 @@ Steps = Generator[Step, None, str]
 _ITERATIONS = 15
 
 
-def with_gain(both: Steps, scene: Scene, target: Array, steps: Callable[[Room], Steps]) -> Steps:
+def with_gain(both: Steps, room: Room, steps: Callable[[Room], Steps]) -> Steps:
     """Pass on the steps of two faces, and say at the end how the exit face alone would do.
 
     Parameters
     ----------
     both : generator
         Steps from the first lens of two faces on.
-    scene, target
-        As for `Room`.
+    room : Room
+        Theirs.
     steps : callable
         Makes steps in a room: that of the undesigned lens, then those from the first lens on.
 
@@ -48,7 +45,7 @@ def with_gain(both: Steps, scene: Scene, target: Array, steps: Callable[[Room], 
     losses = losses[: 1 + _ITERATIONS]
     alone: list[float] = []
     try:
-        with closing(steps(Room(behind_flat_entrance(scene), target))) as one:
+        with closing(steps(room.alone())) as one:
             next(one)  # undesigned
             for step, _ in zip(one, losses, strict=False):
                 check_interruption()

@@ -36,10 +36,14 @@ class First(NamedTuple):
         these are too narrow for the task.
     notes : tuple of str
         How it was chosen, in words, for a run's log.
+    alone : ndarray, shape (n_u, n_v), optional
+        Control heights of the exit face behind a flat entrance face, the best that were compared
+        with those of both faces.
     """
 
     heights: dict[str, Array]
     notes: tuple[str, ...] = ()
+    alone: Array | None = None
 
 
 def first_of(scene: Scene, target: Array) -> First | None:
@@ -70,7 +74,8 @@ def first_of(scene: Scene, target: Array) -> First | None:
         return None
     errors = {name: error for name, (error, _) in found.items()}
     best = min(errors, key=lambda name: errors[name] * _HANDICAP.get(name, 1.0))
-    return First(found[best][1], (_chosen(errors, best),))
+    alone = found[_ALONE][1]["exit"] if _ALONE in found else None
+    return First(found[best][1], (_chosen(errors, best),), alone)
 
 
 def first_of_several(
@@ -116,7 +121,9 @@ def first_of_several(
     }
     handicap: dict[str, float] = {_LINES: 1 / _ONE_FACE}
     best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
-    return First(dict(found[best]), (_chosen(errors, best),))
+    one_face = [name for name in found if name != _LINES] if two_faces else []
+    exit_alone = found[min(one_face, key=errors.__getitem__)]["exit"] if one_face else None
+    return First(dict(found[best]), (_chosen(errors, best),), exit_alone)
 
 
 def _chosen(errors: Mapping[Said, float], best: Said) -> Said:
