@@ -6,9 +6,8 @@ that could not do. A goal says the ways; see `workbench.design.transport.two_fac
 `workbench.design.transport.lines`.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Protocol, Self
+from typing import Protocol
 
 import numpy as np
 
@@ -24,18 +23,11 @@ from workbench.interruption import check_interruption
 from workbench.scene import Scene, WantedImage
 
 Vector = tuple[Array, Array, Array]
-Heights = dict[str, Array]
 
 # Cells along each axis, of lens and screen alike; finer nets get more. Each is a ray to follow.
 _CELLS = 128
-# Rounds of transport, each with light that knows more of the lens; and where one of so many times
-# fewer control points along an axis, but no fewer than these, is known. With all rounds and fits on
-# 960 cells first lenses of the examples *Wide angle* and *Thin plate* begin at 1.6 and 1.6 % for 6
-# and 5.6 s of the processor, with two on them at 2.0 and 1.7 % for 4.9 and 2.4 s, with one at 4.2
-# and 1.7 %. Lines through several images need all of them: *Photograph at two distances* ends at
-# 0.88 % in place of 0.82 %.
-_ROUNDS, _KNOWN_ROUNDS = 3, 2
-_COARSER, _FEWEST = 4, 32
+# Rounds of transport, each with light that knows more of the lens.
+_ROUNDS = 3
 # What is left of the bending at the entrance face in each trial after one whose face did not fit
 # between its limits.
 _LESS, _TRIALS = 0.9, 4
@@ -64,7 +56,6 @@ class BothFaces:
 
     def __init__(self, scene: Scene) -> None:
         nets = freeform_nets(scene.optic)
-        self._scene, self._nets = scene, nets
         self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
         self._cells = cells_for(nets)
         self._fits = {face: SlopeFit(net, self._cells) for face, net in nets.items()}
@@ -83,7 +74,7 @@ class BothFaces:
         goal_of: Callable[[Sequence[Transport]], Goal],
         fraction: float,
         fits: int,
-    ) -> Heights | None:
+    ) -> dict[str, Array] | None:
         """Control heights of a lens whose light goes where transports to images say.
 
         Parameters
@@ -103,29 +94,22 @@ class BothFaces:
             By the names of the faces, scene units; those of the exit face beyond their limits where
             these are too narrow. None if no light leaves a plate.
         """
-        rounds, heights = _ROUNDS, self._plate
-        coarser = self._coarser() if len(images) == 1 else None
-        if coarser is not None:
-            rough = coarser.heights(images, goal_of, fraction, fits)
-            if rough is None:
-                return None
-            rounds, fits, heights = _KNOWN_ROUNDS, 1, coarser.carried(rough, self._nets)
+        heights = self._plate
         traced = self._light.through(heights)
-        flux = self._light.through(self._plate).flux if traced.flux is None else traced.flux
-        if flux is None:
+        if traced.flux is None:
             return None
         transports = [
-            Transport(flux, *wanted_cells(each.scene, each.target, self._cells), FEW_ROUNDS)
+            Transport(traced.flux, *wanted_cells(each.scene, each.target, self._cells), FEW_ROUNDS)
             for each in images
         ]
-        for number in range(rounds):
+        for number in range(_ROUNDS):
             if number:
                 traced = self._light.through(heights)
                 # A lens that no light leaves is improved blindly.
                 if traced.flux is not None:
-                    most = FEW_ROUNDS if number + 1 < rounds else MOST_ROUNDS
+                    rounds = FEW_ROUNDS if number + 1 < _ROUNDS else MOST_ROUNDS
                     for transport in transports:
-                        transport.improve(traced.flux, most)
+                        transport.improve(traced.flux, rounds)
             goal = goal_of(transports)
             for fit in range(fits):
                 check_interruption()
@@ -135,23 +119,6 @@ class BothFaces:
                 traced = self._light.through({**heights, "entrance": entrance})
                 heights = {"entrance": entrance, "exit": self._exit(traced, goal, entrance)}
         return heights
-
-    def carried(self, heights: Mapping[str, Array], nets: Mapping[str, ControlNet]) -> Heights:
-        """Control heights of the same faces on other nets."""
-        return {face: self._nets[face].carry(z, nets[face]) for face, z in heights.items()}
-
-    def _coarser(self) -> Self | None:
-        """The same task on fewer control points; None where they are few."""
-        shapes = {
-            face: tuple(math.ceil(count / _COARSER) for count in net.shape)
-            for face, net in self._nets.items()
-        }
-        if min(min(shape) for shape in shapes.values()) < _FEWEST:
-            return None
-        optic = self._scene.optic
-        entrance = optic.entrance.model_copy(update={"control_points": shapes["entrance"]})
-        changes = {"entrance": entrance, "control_points": shapes["exit"]}
-        return type(self)(self._scene.with_optic(optic.model_copy(update=changes)))
 
     def _entrance(self, traced: LightInLens, goal: Goal, fraction: float) -> Array:
         """The entrance face that bends light by a part, or by less where that does not fit."""
