@@ -44,15 +44,25 @@ def test_grids_of_a_source_have_rows_in_pairs_and_the_middle_where_half_is_trace
         assert up % 2 == 1
 
 
-def test_wider_sources_and_more_control_points_need_more(make_scene):
+@pytest.fixture
+def cells_of(make_scene):
+    """Samples of the lens and cells of the source, by its half-width and control points along x."""
+
     def cells(width, points):
         led = {"kind": "area", "center": [0, 0, -1.0], "half_width": [width, width]}
-        return source_cells(
-            make_scene({"version": 2, "source": led, "lens.control_points": [points, 2 * points]})
-        )
+        changes = {"lens.control_points": [points, 2 * points], "screen.pixels": [80, 100]}
+        return source_cells(make_scene({"version": 2, "source": led} | changes))
 
-    assert cells(0.4, 40).origins > cells(0.1, 40).origins
-    assert (cells(0.1, 40).x, cells(0.1, 40).y) == (180, 360)
+    return cells
+
+
+def test_wider_sources_and_more_control_points_need_more(cells_of):
+    assert cells_of(0.4, 40).origins > cells_of(0.1, 40).origins
+    assert (cells_of(0.1, 40).x, cells_of(0.1, 40).y) == (180, 360)
+
+
+def test_fine_nets_need_no_more_than_pixels_but_each_control_point_is_seen(cells_of):
+    assert (cells_of(0.1, 100).x, cells_of(0.1, 100).y) == (288, 380)
 
 
 @pytest.mark.parametrize("name", ["led-dome", "phone-torch"])
