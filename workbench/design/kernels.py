@@ -5,7 +5,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import torch
 
+from workbench.design.transport.between import between, whence
 from workbench.design.transport.envelope import c_transform
+from workbench.design.transport.meeting import met
+from workbench.design.transport.perspective import in_perspective
 from workbench.design.transport.push import mapped, push
 from workbench.optics.kernels import ready
 
@@ -26,6 +29,10 @@ def compile_all(
         if goes_on():
             mass = np.full((2, 2), 0.25)
             push(mass, *mapped(c_transform(np.zeros((2, 2)), 1.0, 1.0), 1.0, 1.0))
+            pair = mass, mass
+            between(mass, whence(pair, pair, pair))
+            met((mass, mass, mass), (1.0, 1.0), pair, pair)
+            in_perspective(mass, np.eye(3), cells=2, samples=1)
     finally:  # what cannot be compiled is raised, and keeps no other kernel from being ready
         for dtype in dtypes:
             ready.compile_all(goes_on, dtype)
