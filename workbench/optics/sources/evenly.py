@@ -130,6 +130,8 @@ def _quarter(count: int, outline: Outline, aspect: float) -> tuple[Array, Array,
         nearest = cKDTree(places).query(all_of_it)[1]
         areas = np.bincount(nearest, minlength=count)
         sums = [np.bincount(nearest, part, count) for part in all_of_it.T]
-        places = np.column_stack(sums) / areas[:, None]
+        # Of a slim source, places may have nothing near them: they stay, and have no share.
+        filled = areas[:, None] > 0
+        places = np.where(filled, np.column_stack(sums) / np.maximum(areas, 1)[:, None], places)
     x, y = (places / size).T
     return x, y, areas / len(all_of_it)
