@@ -10,6 +10,7 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.design.blurred_plan import BlurredPlan
+from workbench.design.density import Density
 from workbench.design.lens_blur import BlurChange, LensBlur
 from workbench.design.near_sources import fitting_source_cells
 from workbench.design.several_images import AnyImage, SeveralImages
@@ -22,16 +23,11 @@ from workbench.scene import Scene, WantedImage
 
 
 @dataclass(frozen=True)
-class Level:
-    """How many cells of light make an image.
+class Level(Density):
+    """How many cells of light make an image, along each axis for light of one origin.
 
     Attributes
     ----------
-    per_pixel, per_control_point : float
-        Cells along an axis for each pixel along it, and for each control point, at least.
-    enough : float
-        So many cells for each pixel are enough also for the control points of a fine net, as long
-        as there are `_SEEN` of them for each.
     thinning : float
         With which power of the number of origins of the light cells along an axis get fewer. In
         proportion would be 0.5; but all see the same face, and a descent has to see all of it.
@@ -39,22 +35,18 @@ class Level:
         Times as many origins of the light of a source of some size.
     """
 
-    per_pixel: float
-    per_control_point: float
-    enough: float
     thinning: float
     origins: int = 1
 
-    def cells(self, pixels: int, points: int) -> float:
-        """Cells along an axis of so many pixels and control points, for light of one origin."""
-        wanted = max(self.per_pixel * pixels, self.per_control_point * points)
-        return min(wanted, max(self.enough * pixels, _SEEN * points))
 
-
-COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, thinning=0.5)
+# Cells for each control point along an axis, at least: waves of the face between them are seen by
+# none. A lens of 65 control points, which 64 origins saw by 50 cells, was 5.4 % off where the run
+# saw 0.4 %.
+_SEEN = 1.5
+COARSE = Level(per_pixel=1.5, per_control_point=1.2, enough=math.inf, seen=_SEEN, thinning=0.5)
 """Tells which of two first lenses is the better one."""
 
-FINE = Level(per_pixel=3.0, per_control_point=1.9, enough=3.6, thinning=0.25)
+FINE = Level(per_pixel=3.0, per_control_point=1.9, enough=3.6, seen=_SEEN, thinning=0.25)
 """All lenses of a run are judged by it, so that their losses can be compared.
 
 With 2.1 cells for each control point a flame is 1.51 % off after 10.5 s of the processor, with 1.9
@@ -97,10 +89,6 @@ _UNSEEN = 0.2
 # So few as 16 do not do for small blurs either: a letter of 64 × 64 pixels by an LED that blurs it
 # over 3 of them is 7.7 % off with 16 of them, of which the run sees 3.9 %; 6.3 % with 64.
 _PER_PIXEL, _FEWEST_ORIGINS, _MOST_ORIGINS = 1.5, 64, 128
-# Cells for each control point along an axis, at least: waves of the face between them are seen by
-# none. A lens of 65 control points, which 64 origins saw by 50 cells, was 5.4 % off where the run
-# saw 0.4 %.
-_SEEN = 1.5
 # Cells of all origins together, at most.
 _MOST_BEAMS = 1 << 22
 # Cells that tell how far the light of a lens reaches.
@@ -176,9 +164,9 @@ def cells_of(
         origins *= level.origins
     count = scene.source.point_count * origins
     finer = _MIRRORED ** sum(mirrored) / count**level.thinning
-    least = _SEEN if count > 1 else 0.0
+    least = level.seen if count > 1 else 0.0
     cells = [
-        max(level.cells(pixels, points) * finer, least * points)
+        max(level.along(pixels, points) * finer, least * points)
         for pixels, points in zip(scene.receiver.pixels, scene.optic.net_shape, strict=True)
     ]
     finest = max(1.0, math.sqrt(math.prod(cells) * count / _MOST_BEAMS)) if count > 1 else 1.0

@@ -17,19 +17,17 @@ from collections.abc import Mapping
 import numpy as np
 from torch import Tensor
 
+from workbench.design.density import Density
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
 
-# Samples of the lens along an axis, for each pixel and for each control point of the finest net: of
-# an LED close by, 112 samples through 32 control points saw 5.1 % where 5.8 % were there. So many
-# for each pixel are enough also for the control points of a fine net, as long as there are `_SEEN`
-# of them for each: a torch whose image has 256 pixels is 3.61 % off after 12 steps with 922 samples
-# through 360 control points, and 3.59 % verified. With 4.5 for each of these, steps take 3.1 times
-# as long: 6 s in a window.
-_PER_PIXEL, _PER_CONTROL_POINT = 1.0, 4.5
-_ENOUGH, _SEEN = 3.6, 1.9
+# Samples of the lens along an axis, by the control points of the finest net: of an LED close by,
+# 112 samples through 32 control points saw 5.1 % where 5.8 % were there. A torch whose image has
+# 256 pixels is 3.61 % off after 12 steps with 922 samples through 360 control points, and 3.59 %
+# verified; 4.5 for each of these are 3.1 times as many rays, and took 6 s a step in a window.
+_SAMPLES = Density(per_pixel=1.0, per_control_point=4.5, enough=3.6, seen=1.9)
 # Cells of the source along an axis for each radian that it is wide from the lens, by which its
 # image bends; and the most. With 6 of them, that LED's lens was 4.1 % off where the run saw 3.6 %.
 _PER_RADIAN, _MOST = 14.0, 14
@@ -58,7 +56,7 @@ def source_cells(scene: Scene, mirrored: tuple[bool, bool] = (False, False)) -> 
         return None
     finest = np.max([net.shape for net in freeform_nets(optic).values()], axis=0)
     m_x, m_y = (
-        2 * math.ceil(_samples(pixels, points) / 2)
+        2 * math.ceil(_SAMPLES.along(pixels, points) / 2)
         for pixels, points in zip(receiver.pixels, finest.tolist(), strict=True)
     )
     across, up = (
@@ -72,12 +70,6 @@ def source_cells(scene: Scene, mirrored: tuple[bool, bool] = (False, False)) -> 
     even = max(2 * math.ceil(across / 2), 2)
     rows = 2 + 4 * math.ceil((up - 2) / 4) if mirrored[1] else 1 + 2 * math.ceil((up - 1) / 2)
     return Corners.and_of_source(m_x, m_y, (even, max(rows, 2 if mirrored[1] else 3)))
-
-
-def _samples(pixels: int, points: int) -> float:
-    """Samples of the lens along an axis of so many pixels and control points."""
-    wanted = max(_PER_PIXEL * pixels, _PER_CONTROL_POINT * points)
-    return min(wanted, max(_ENOUGH * pixels, _SEEN * points))
 
 
 def fitting_source_cells(

@@ -25,6 +25,13 @@ def test_few_rays_are_left_to_one_thread():
     assert threads.parts(10**9) == torch.get_num_threads()
 
 
+@pytest.mark.parametrize("lines", [1, 2, 100])
+def test_parts_of_lines_have_each_of_them_once(lines):
+    found = []
+    threads.run_lines(lambda begin, end: found.extend(range(begin, end)), lines, 10**6)
+    assert sorted(found) == [*range(lines)]
+
+
 @pytest.fixture
 def three_threads(monkeypatch):
     monkeypatch.setattr(torch, "get_num_threads", lambda: 3)

@@ -36,12 +36,11 @@ def c_transform(potential: Array, weight_0: float, weight_1: float) -> Array:
 def _lowest_along_rows(values: Array, weight: float) -> Array:
     """min_j ½ w (k − j)² + values[a, j], transposed: shape (m_1, m_0)."""
     lowest = np.empty(values.shape[::-1])
-    bounds = threads.split(len(values), values.size)
 
-    def work(part: int) -> None:
-        _envelopes(values, weight, bounds[part], bounds[part + 1], lowest)
+    def work(begin: int, end: int) -> None:
+        _envelopes(values, weight, begin, end, lowest)
 
-    threads.run(work, len(bounds) - 1)
+    threads.run_lines(work, len(values), values.size)
     return lowest
 
 

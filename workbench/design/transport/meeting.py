@@ -38,13 +38,12 @@ def met(face: Face, cell: tuple[float, float], place: Pair, rise: Pair) -> Face:
     grids = [np.ascontiguousarray(part, np.float64) for part in face]
     x, y, a, b = (np.ascontiguousarray(part, np.float64) for part in (*place, *rise))
     found = np.empty_like(x), np.empty_like(x), np.empty_like(x)
-    begin = float(grids[0].mean())
-    bounds = threads.split(len(x), x.size)
+    start = float(grids[0].mean())
 
-    def work(part: int) -> None:
-        _met(*grids, *cell, x, y, a, b, begin, *found, bounds[part], bounds[part + 1])
+    def work(begin: int, end: int) -> None:
+        _met(*grids, *cell, x, y, a, b, start, *found, begin, end)
 
-    threads.run(work, len(bounds) - 1)
+    threads.run_lines(work, len(x), x.size)
     return found
 
 

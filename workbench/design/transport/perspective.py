@@ -29,12 +29,11 @@ def in_perspective(image: Array, onto: Array, cells: int, samples: int) -> Array
     light = np.empty((cells, cells))
     image, onto = (np.ascontiguousarray(each, np.float64) for each in (image, onto))
     area = abs(float(np.linalg.det(onto))) / samples**2
-    bounds = threads.split(cells, cells**2 * samples**2)
 
-    def work(part: int) -> None:
-        _in_perspective(image, onto, area, samples, bounds[part], bounds[part + 1], light)
+    def work(begin: int, end: int) -> None:
+        _in_perspective(image, onto, area, samples, begin, end, light)
 
-    threads.run(work, len(bounds) - 1)
+    threads.run_lines(work, cells, cells**2 * samples**2)
     return light
 
 

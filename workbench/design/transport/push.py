@@ -28,12 +28,11 @@ def mapped(potential: Array, weight_0: float, weight_1: float) -> tuple[Array, A
         Coordinates along the two axes, within the cells of the grid.
     """
     to_0, to_1 = np.empty_like(potential), np.empty_like(potential)
-    bounds = threads.split(len(potential), potential.size)
 
-    def work(part: int) -> None:
-        _mapped(potential, weight_0, weight_1, bounds[part], bounds[part + 1], to_0, to_1)
+    def work(begin: int, end: int) -> None:
+        _mapped(potential, weight_0, weight_1, begin, end, to_0, to_1)
 
-    threads.run(work, len(bounds) - 1)
+    threads.run_lines(work, len(potential), potential.size)
     return to_0, to_1
 
 

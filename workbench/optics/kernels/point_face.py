@@ -97,9 +97,7 @@ def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray
     """
     (p, _, across), (q, _, up) = (part.shape for part in powers)
     table = np.empty((across * up, p, q), heights.dtype)
-    parts = threads.parts(across * up)
-    ends = threads.bounds(across, parts)
-    threads.run(lambda k: _table(heights, *powers, ends[k], ends[k + 1], table), parts)
+    threads.run_lines(lambda *span: _table(heights, *powers, *span, table), across, across * up)
     return table
 
 

@@ -59,6 +59,15 @@ def run(work: Callable[[int], None], parts: int) -> None:
                 other.result()
 
 
+def run_lines(work: Callable[[int, int], None], lines: int, rays: int) -> None:
+    """Call ``work(begin, end)`` for the parts of so many lines, with so many rays in all.
+
+    As `run`, with the parts of `split`.
+    """
+    ends = split(lines, rays)
+    run(lambda part: work(ends[part], ends[part + 1]), len(ends) - 1)
+
+
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(threads, thread_name_prefix="trace")
