@@ -1530,8 +1530,8 @@
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />
-            <source>The same error without the scatter of the rays: what the optic itself is off. 0 if so few rays cannot tell.</source>
-            <translation>Derselbe Fehler ohne die Streuung der Strahlen: die Abweichung der Optik selbst. 0, wenn so wenige Strahlen es nicht sagen können.</translation>
+            <source>The same error without the scatter of the rays: what the optic itself is off. With &lt; if so few rays cannot tell it from none.</source>
+            <translation>Derselbe Fehler ohne die Streuung der Strahlen: die Abweichung der Optik selbst. Mit &lt;, wenn so wenige Strahlen ihn nicht von keinem unterscheiden können.</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />

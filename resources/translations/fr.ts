@@ -1530,8 +1530,8 @@
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />
-            <source>The same error without the scatter of the rays: what the optic itself is off. 0 if so few rays cannot tell.</source>
-            <translation>La même erreur sans la dispersion des rayons : l'écart de l'optique elle-même. 0 si si peu de rayons ne peuvent le dire.</translation>
+            <source>The same error without the scatter of the rays: what the optic itself is off. With &lt; if so few rays cannot tell it from none.</source>
+            <translation>La même erreur sans la dispersion des rayons : l'écart de l'optique elle-même. Avec &lt; si si peu de rayons ne la distinguent pas d'une erreur nulle.</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />

@@ -52,6 +52,19 @@ def test_pairs_find_the_distance_and_its_interval(rng):
     assert np.mean(found) == pytest.approx(exact**2, abs=3 * error)
 
 
+def test_an_image_that_no_ray_comes_to_is_off_by_all_of_the_target(rng):
+    """Of 16 images of one pixel's light at most, two are dark: they make the interval wide."""
+    wanted = np.ones((2, 2))
+    images = np.zeros((16, 2, 2))
+    for number, lit in enumerate(images[2:]):
+        lit.flat[number % 4] = 3.0
+    apart = [(each / max(each.sum(), 1.0) - wanted / 4).ravel() for each in images]
+    pairs = [a @ b for i, a in enumerate(apart) for j, b in enumerate(apart) if i != j]
+    found = CorrectedDistance.of_pairs(images, wanted)
+    assert found.square == pytest.approx(np.mean(pairs) / 0.25)
+    assert found.interval[1] > found.distance
+
+
 def test_equal_images_have_their_distance_and_no_doubt(rng):
     wanted, other = rng.random((2, 6, 5))
     found = CorrectedDistance.of_pairs([other] * 16, wanted)

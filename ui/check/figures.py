@@ -58,7 +58,7 @@ _TIPS = later(
         "95 % of other rays": "Where the error with scatter lies for as many other rays.",
         "without ray noise": (
             "The same error without the scatter of the rays: what the optic itself "
-            "is off. 0 if so few rays cannot tell."
+            "is off. With < if so few rays cannot tell it from none."
         ),
         "95 % confidence": "Where the error of the optic itself lies.",
         "loss of the paper": (

@@ -104,25 +104,22 @@ def _print_images(found: Validation, lights: Sequence[Array | None], scene: Scen
     for number, (image, light, receiver) in enumerate(images, start=1):
         if found.further:
             print(f"{chr(10) * (number > 1)}Image {number}")
-        _print_image(image, light, receiver.place)
+        print_image(image, light, receiver.place)
 
 
-def _print_image(found: Validation, own: Array | None, place: str) -> None:
+def print_image(found: Validation, own: Array | None, place: str) -> None:
+    """Print what the check says of an image, and how far the optimiser's ``own`` is from it."""
     if found.by_cells:
         _print_cells(found.by_cells, own, place)
     _print(found, None if own is None else relative_l2(found.irradiance, own))
 
 
 def _print_cells(found: ByCells, own: Array | None, place: str) -> None:
-    low, high = found.relative_l2_corrected_interval
     difference = None if own is None else relative_l2(found.irradiance, own)
     for name, value in (
-        (
-            "verified error",
-            f"{found.relative_l2_corrected:.5f}  (relative L2, {low:.5f} to {high:.5f})",
-        ),
+        ("verified error", _error(found, "relative L2, ")),
         ("by", "; ".join(filter(None, (found.way, found.less_exact)))),
-        ("loss", f"{found.loss:.4g}"),
+        ("loss", f"{found.loss:.4g}" if found.relative_l2_corrected > 0 else "-"),
         ("optimiser's image", _or_dash(difference, ".5f", "  (relative L2 difference to it)")),
         (place, f"{found.efficiency:.5f}"),
     ):
@@ -140,8 +137,7 @@ def _print(found: Validation, difference: float | None) -> None:
     lines = {
         "relative L2": f"{found.relative_l2:.5f}  (noise {found.noise:.1g}, "
         f"95 % {_interval(found.relative_l2_interval)})",
-        "without ray noise": f"{found.relative_l2_corrected:.5f}  "
-        f"(95 % {_interval(found.relative_l2_corrected_interval)})",
+        "without ray noise": _error(found, "95 % "),
         "loss": f"{found.loss:.4g}",
         "PSNR": _or_dash(quality.psnr, ".2f", " dB"),
         "SSIM": f"{quality.ssim:.5f}",
@@ -157,6 +153,13 @@ def _print(found: Validation, difference: float | None) -> None:
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
     for light in found.regions:  # two may have one name
         print(f"{light.title}: {light.words}")
+
+
+def _error(found: ByCells | Validation, of_what: str) -> str:
+    """The error of the lens itself, or its upper end where it cannot be told from none."""
+    low, high = interval = found.relative_l2_corrected_interval
+    least = f"{found.relative_l2_corrected:.5f}" if low > 0 else f"< {high:.5f}"
+    return f"{least}  ({of_what}{_interval(interval)})"
 
 
 def _print_compared(found: CrossCheck) -> None:

@@ -28,7 +28,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
         *_cell_rows(found.by_cells),
         Fact("relative L2 error", percent(found.relative_l2)),
         Fact("95 % of other rays", _interval(found.relative_l2_interval)),
-        Fact("without ray noise", percent(found.relative_l2_corrected)),
+        Fact("without ray noise", _lens_error(found)),
         Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
         Fact("loss of the paper", f"{found.loss:.4g}"),
         Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
@@ -59,11 +59,15 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
         return ()
     columns, rows = found.cells
     off, over_noise = percent(found.difference), found.difference_over_noise
+    size = f"{columns} × {rows}"
     return (
-        Fact("verified error", percent(found.relative_l2_corrected)),
+        Fact("verified error", _lens_error(found)),
         Fact("it is surely", _interval(found.relative_l2_corrected_interval)),
-        Fact("cells", _with(f"{columns} × {rows}", found.less_exact)),
-        *_independent_rows(found.independent),
+        *(
+            (Fact("cells", _with(size, found.less_exact)),)
+            if found.independent is None
+            else (Fact("cells", size), _independent_row(found.independent, found.less_exact))
+        ),
         Fact(
             "random rays are off by",
             f"{off}, –"
@@ -73,12 +77,10 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     )
 
 
-def _independent_rows(found: IndependentError | None) -> tuple[Fact, ...]:
+def _independent_row(found: IndependentError, remark: Said | None) -> Fact:
     """What has the error where cells do not tell it as exactly."""
-    if found is None:
-        return ()
     said = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
-    return (Fact("error by independent images", said),)
+    return Fact("error by independent images", _with(said, remark))
 
 
 def bound_rows(found: Bound) -> tuple[Fact, ...]:
@@ -172,6 +174,12 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     x, y = found.place
     value = sized(f"{found.value:.5g}", unit)
     return f"{value} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
+
+
+def _lens_error(found: ByCells | Validation) -> str:
+    """The error of the lens itself, or its upper end where it cannot be told from none."""
+    low, high = found.relative_l2_corrected_interval
+    return percent(found.relative_l2_corrected) if low > 0 else f"< {percent(high)}"
 
 
 def _interval(ends: tuple[float, float]) -> Said:
