@@ -118,6 +118,18 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)
 
 
+def test_light_spread_about_parts_is_the_mean_of_parts_as_wide():
+    """Over all of three parts about the middle one, it is that of the pixel; wider, it goes on."""
+    blur = Blur((3.4, 2.1), "ellipse")
+    (m_x, m_y), whole = blur.margin, blur.spread()[0]
+    about = blur.spread(3, 3.0)
+    assert about.shape == (9, 2 * m_y + 3, 2 * m_x + 3)
+    np.testing.assert_allclose(about.sum(axis=(1, 2)), 1, atol=1e-12)
+    np.testing.assert_allclose(about[4, 1:-1, 1:-1], whole, atol=2e-3)
+    x = np.arange(2 * m_x + 3) - m_x - 1
+    assert about[3].sum(0) @ x == pytest.approx(-1 / 3, abs=1e-3)
+
+
 @pytest.mark.parametrize(
     ("blur", "seen"),
     [

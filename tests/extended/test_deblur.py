@@ -14,7 +14,7 @@ from workbench.extended import deblur as deblur_module
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
-from workbench.extended.deblur import deblur, error_allowed, spread_light
+from workbench.extended.deblur import deblur, deblur_into_spots, error_allowed, spread_light
 
 
 def letters(n_y: int, n_x: int) -> np.ndarray:
@@ -205,3 +205,16 @@ def test_light_in_parts_of_pixels_comes_nearer_than_light_spread_over_whole_ones
         )
         errors.append(np.linalg.norm(image / image.sum() - target / target.sum()))
     assert errors[1] < 0.95 * errors[0]
+
+
+def test_wider_spots_of_light_allow_less():
+    target = np.zeros((24, 30))
+    target[6:15, 8:22] = 1
+    blur = Blur((5.0, 5.0), "ellipse")
+    bounds = [deblur(target, blur).bound]
+    for width in (0.02, 0.7, 1.4):
+        found = deblur_into_spots(target, blur, width)
+        assert found.bound <= found.error
+        bounds.append(found.bound)
+    assert bounds[1] == pytest.approx(bounds[0], rel=0.15)  # its places are others
+    assert bounds[1] < bounds[2] < bounds[3]

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from workbench.design.task import begin
+from workbench.extended.diffraction import diffraction
 from workbench.jobs import JOBS
 from workbench.jobs.far_field import StreetLight
 from workbench.jobs.led import LedRectangle
-from workbench.jobs.proposals import blur_widths, diffraction
+from workbench.jobs.proposals import blur_widths
 from workbench.jobs.prospect import prospecting
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch

@@ -33,7 +33,7 @@ DIFFERENCES = [
     PrecisionDifference("ball", 2e-6, 2e-7, 2e-5),
 ]
 TRACED = [SimpleNamespace(scene="one face, point", difference=0.02, noise=0.019)]
-BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, light=0.049, lens=0.057)]
+BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, spots=0.052, light=0.049, lens=0.057)]
 
 
 @pytest.fixture(scope="module")

@@ -181,12 +181,12 @@ class Blur:
         """
         return self._at(*self.offsets(finer))
 
-    def _at(self, x: Array, y: Array) -> Array:
-        """Kernels with the middle at places x, y in a pixel."""
+    def _at(self, x: Array, y: Array, more: int = 0) -> Array:
+        """Kernels with the middle at places x, y in a pixel, or up to ``more`` pixels beyond."""
         (left, right), (low, high) = (
             (edges[..., :-1], edges[..., 1:])
             for edges in (
-                np.arange(-m - 0.5, m + 1) - offsets[:, None]
+                np.arange(-m - more - 0.5, m + more + 1) - offsets[:, None]
                 for m, offsets in zip(self.margin, (x, y), strict=True)
             )
         )
@@ -221,29 +221,36 @@ class Blur:
         """
         return self._at(places, places)
 
-    def spread(self, parts: int = 1) -> Array:
+    def spread(self, parts: int = 1, wider: float = 1.0) -> Array:
         """Light in each pixel about parts of one whose light is spread evenly before it is blurred.
 
         Parameters
         ----------
         parts : int
             Into so many along each axis a pixel is cut.
+        wider : float
+            The light of each part is spread over a square so many times as wide about its middle.
 
         Returns
         -------
         ndarray, shape (parts parts, 2 m_y + 1, 2 m_x + 1)
-            Parts in the same row one after the other.
+            Parts in the same row one after the other. Margins m are wider where light is spread
+            beyond the pixel.
         """
-        across, up = (self._even_places(axis, parts) for axis in (0, 1))
-        return np.stack([self._at(x, y).mean(axis=0) for y in up for x in across])
+        across, up = (self._even_places(axis, parts, wider) for axis in (0, 1))
+        more = max(math.ceil((wider - 1) / (2 * parts)), 0)
+        return np.stack([self._at(x, y, more).mean(axis=0) for y in up for x in across])
 
-    def _even_places(self, axis: int, parts: int) -> Array:
-        """Places that stand for the light of each part of a pixel, shape (parts, places)."""
+    def _even_places(self, axis: int, parts: int, wider: float) -> Array:
+        """Places that stand for the light about each part of a pixel, shape (parts, places)."""
         most: float = _MOST_PLACES
         if self.points is None:
             most = min(most, _EVEN_PLACES / max(self.widths[axis], _LEAST))
-        count = parts * math.ceil(most / parts)
-        return ((np.arange(count) + 0.5) / count - 0.5).reshape(parts, -1)
+        middles, each = (
+            (np.arange(count) + 0.5) / count - 0.5
+            for count in (parts, math.ceil(most * max(wider, 1.0) / parts))
+        )
+        return middles[:, None] + each * (wider / parts)
 
     def _points(self, axis: int) -> Array:
         """Where its points are along an axis, pixels from its middle."""

@@ -37,6 +37,8 @@ _LIGHT, _FALLING_LIGHT, _FALLS_EVERY = (0.003,), tuple(np.geomspace(0.02, 0.002,
 # The search ends when the certificate is less than this part of the error below it, or this much.
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
 _STEPS, _LOOK_EVERY = 120, 60
+SPOTS = 3
+"""Places of spots along each axis of a pixel."""
 # Light at more places in a pixel comes closer, but of large images, it would take all memory: so
 # many places at most, on all pixels together.
 _MOST_LIGHT = 6_000_000
@@ -128,12 +130,19 @@ def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
     if blur.within_a_pixel:
         m_x, m_y = blur.margin
         return Deblurred(np.pad(wanted, ((m_y, m_y), (m_x, m_x))), wanted, 0.0, 0.0)
-    size = float(np.linalg.norm(wanted))
     finer = blur.kernels(finer=2)
     certifier = Certifier(finer, wanted)
     m_x, m_y = blur.margin
     grid = (target.shape[0] + 4 * m_y) * (target.shape[1] + 4 * m_x)
     kernels = finer if len(finer) * grid <= _MOST_LIGHT else blur.kernels()
+    return (yield from _certified(kernels, certifier, wanted))
+
+
+def _certified(
+    kernels: Array, certifier: Certifier, wanted: Array
+) -> Generator[None, None, Deblurred]:
+    """Search until the result is close to what is certified, or as long as it is worth it."""
+    size = float(np.linalg.norm(wanted))
     search = _search(kernels.astype(np.float32), wanted.astype(np.float32), _FALLING_LIGHT)
     best, error, bound = None, np.inf, -1.0
     for step, look in enumerate(islice(search, _STEPS)):
@@ -149,6 +158,27 @@ def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
             break
     assert best is not None
     return Deblurred(best.light.sum(axis=0), best.image, error, bound)
+
+
+def deblur_into_spots(target: Array, blur: Blur, width: float) -> Deblurred:
+    """The light of spots of some width that, blurred, comes closest to a target.
+
+    Parameters
+    ----------
+    target, blur
+        As for `deblur`.
+    width : float
+        Light is even over squares of this width, pixels.
+
+    Returns
+    -------
+    Deblurred
+        What was found, certified for such squares about the middles of `SPOTS` × `SPOTS` parts of
+        each pixel. Its light is that of the middles.
+    """
+    wanted = target / target.sum()
+    kernels = blur.spread(SPOTS, SPOTS * width)
+    return finished(_certified(kernels, Certifier(kernels, wanted), wanted))
 
 
 def error_allowed(target: Array, blur: Blur) -> float:

@@ -3,9 +3,8 @@
 import math
 from typing import Any
 
-import numpy as np
-
 from workbench.extended.blur import Blur
+from workbench.extended.diffraction import diffraction
 from workbench.jobs.slopes import needed_slopes
 from workbench.scene import Scene
 
@@ -15,7 +14,6 @@ _THINNEST, _LEAST_MM = 0.05, 1.0
 _RISE, _BODY = 0.75, 0.04
 # Pixels along the longer side of an image; so many pixels describe what is blurred.
 _MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8
-_MICRO = 1e-3  # millimetres
 
 
 def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
@@ -71,24 +69,6 @@ def blur_widths(scene: Scene) -> tuple[float, float]:
         )
     )
     return x, y
-
-
-def diffraction(scene: Scene) -> float:
-    """Scale below which diffraction washes details out, in the receiver's measure.
-
-    √(λ · distance) on a screen: a wider part of the lens could aim better, a narrower one spreads
-    more. In a far field, wavelength over width of the lens.
-    """
-    optic, receiver = scene.optic, scene.receiver
-    wavelength = _MICRO * wavelength_um(scene)
-    if not receiver.at_distance:
-        return float(np.degrees(wavelength / (2 * min(optic.half_width))))
-    return math.sqrt(wavelength * abs(receiver.plane_z - optic.leaving_z))
-
-
-def wavelength_um(scene: Scene) -> float:
-    """Of the light, as far as the scene says it; that of green light otherwise."""
-    return (scene.lens.wavelength_um if scene.lens is not None else None) or 0.55
 
 
 def _lens(given: dict[str, Any], thickness: float | None) -> dict[str, Any]:

@@ -11,7 +11,8 @@ from workbench.arrays import Array
 from workbench.design.needs import grazed
 from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
-from workbench.jobs.proposals import blur_widths, diffraction
+from workbench.extended.diffraction import diffraction
+from workbench.jobs.proposals import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes
 from workbench.said import Said
 from workbench.scene import Scene

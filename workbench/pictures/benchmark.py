@@ -29,7 +29,7 @@ COLOURS = {
 _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 _TRACED = (("difference", "o"), ("noise", "|"))
-_ERRORS = (("sharp", "s"), ("bound", "|"), ("light", "o"), ("lens", "^"))
+_ERRORS = (("sharp", "s"), ("bound", "|"), ("spots", "1"), ("light", "o"), ("lens", "^"))
 
 
 class CourseRow(Protocol):
@@ -110,6 +110,10 @@ class BoundRow(Protocol):
     @property
     def bound(self) -> float:
         """What no lens is below."""
+
+    @property
+    def spots(self) -> float:
+        """What no light in spots is below."""
 
     @property
     def light(self) -> float:

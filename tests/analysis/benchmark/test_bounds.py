@@ -14,6 +14,8 @@ def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
     example = BenchmarkTask.of("sun-plate", run={"iterations": 4}, **small)
     found = compare_with_bound("photo", example, lambda case, state: progress.append((case, state)))
     assert 0 < found.bound <= found.light < found.lens < found.sharp
+    assert found.bound <= found.spots < found.lens
+    assert found.to_spots == found.lens / found.spots
     assert found.ratio == found.lens / found.bound
     assert progress[0] == ("photo", "its bound") and progress[-1] == ("photo", "iteration 4")
     assert "| photo | " in table([found]).to_markdown()

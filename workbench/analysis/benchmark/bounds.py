@@ -15,6 +15,8 @@ from workbench.arrays import Array
 from workbench.design.run import run
 from workbench.design.snapshot import Snapshot
 from workbench.extended.bound import Bound
+from workbench.extended.deblur import deblur_into_spots
+from workbench.extended.diffraction import diffraction
 
 _PICTURES = ("letter", "photo", "ball", "flame")
 _RAYS = 1 << 20
@@ -32,6 +34,9 @@ class BoundedDesign:
         The error of the target itself, blurred as the source blurs it.
     bound : float
         What no lens is below, certified.
+    spots : float
+        What no light is below in spots of the width √(λ · distance), certified: narrower ones are
+        washed out by diffraction.
     light : float
         The error of the best light that is known.
     lens : float
@@ -41,6 +46,7 @@ class BoundedDesign:
     scene: str
     sharp: float
     bound: float
+    spots: float
     light: float
     lens: float
 
@@ -48,6 +54,11 @@ class BoundedDesign:
     def ratio(self) -> float:
         """The lens over its bound."""
         return self.lens / self.bound
+
+    @property
+    def to_spots(self) -> float:
+        """The lens over what no light in such spots is below."""
+        return self.lens / self.spots
 
     @property
     def to_light(self) -> float:
@@ -69,9 +80,12 @@ def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> Bou
     scene, target = example.scene, example.target
     notify(name, "its bound")
     bound = Bound(scene, target)
-    spread = bound.blur.seen_in(scene.receiver.pixels).spread()[0]
-    blurred = fftconvolve(target, spread, mode="same")
+    blur = bound.blur.seen_in(scene.receiver.pixels)
+    blurred = fftconvolve(target, blur.spread()[0], mode="same")
     found = bound.deblurred
+    notify(name, "its bound for spots")
+    pixel = 2 * scene.receiver.half_extent[0] / scene.receiver.pixels[0]
+    spots = deblur_into_spots(target, blur, diffraction(scene) / pixel).bound
     best: Snapshot | None = None
     for snapshot in run(scene, target):
         notify(name, f"iteration {snapshot.iteration}")
@@ -80,7 +94,7 @@ def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> Bou
     seen = validate(scene, target, best.state.heights, _RAYS, accuracy=ACCURACY)
     # By cells where they are exact: scatter of so few rays is a third of the error of a good lens.
     lens = (seen.by_cells or seen).relative_l2_corrected
-    return BoundedDesign(name, _error(blurred, target), found.bound, found.error, lens)
+    return BoundedDesign(name, _error(blurred, target), found.bound, spots, found.error, lens)
 
 
 def table(found: Sequence[BoundedDesign]) -> Table:
@@ -89,9 +103,11 @@ def table(found: Sequence[BoundedDesign]) -> Table:
         TableColumn("scene", "picture"),
         TableColumn("sharp", "its sharp lens, blurred", ".1%"),
         TableColumn("bound", "no lens is below", ".2%"),
+        TableColumn("spots", "no light in spots of √(λ · distance)", ".2%"),
         TableColumn("light", "best light", ".2%"),
         TableColumn("lens", "this lens", ".2%"),
         TableColumn("ratio", "over the bound", ".2f"),
+        TableColumn("to_spots", "over that for spots", ".2f"),
         TableColumn("to_light", "over the best light", ".2f"),
     )
     return Table("Lenses for the sun and their bounds", columns, found)
