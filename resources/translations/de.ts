@@ -2981,7 +2981,7 @@
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off:.2g} {unit} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
+            <translation>Auf {size} Kontrollpunkten unverändert: {name}.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
@@ -6996,8 +6996,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/by_cells.py" />
-            <source>off by up to {off:.2g} %, not {wanted:.2g} %: {why}</source>
-            <translation>bis zu {off:.2g} % daneben, nicht {wanted:.2g} %: {why}</translation>
+            <source>off by up to {off:g} %, not {wanted:.2g} %: {why}</source>
+            <translation>bis zu {off:g} % daneben, nicht {wanted:.2g} %: {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/cells/image.py" />
@@ -7153,6 +7153,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/tracing/trace.py" />
             <source>{rays} are too many; at most {most}</source>
             <translation>{rays} sind zu viele; höchstens {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>so few rays of the file come to the screen that some of {parts} parts of them make no image: the check needs a file of more rays</source>
+            <translation>es kommen so wenige Strahlen der Datei auf dem Schirm an, dass einige von {parts} Teilen davon kein Bild ergeben: die Prüfung braucht eine Datei mit mehr Strahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>so few rays of the file come to the far field that some of {parts} parts of them make no image: the check needs a file of more rays</source>
+            <translation>es kommen so wenige Strahlen der Datei im Fernfeld an, dass einige von {parts} Teilen davon kein Bild ergeben: die Prüfung braucht eine Datei mit mehr Strahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/design/blurred_plan.py" />

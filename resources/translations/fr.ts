@@ -2981,7 +2981,7 @@
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Sur {size} points de contrôle, {name} s'écarte de {off:.2g} {unit} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
+            <translation>Sur {size} points de contrôle, inchangé : {name}.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
@@ -6996,8 +6996,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/by_cells.py" />
-            <source>off by up to {off:.2g} %, not {wanted:.2g} %: {why}</source>
-            <translation>jusqu'à {off:.2g} % d'écart, et non {wanted:.2g} % : {why}</translation>
+            <source>off by up to {off:g} %, not {wanted:.2g} %: {why}</source>
+            <translation>jusqu'à {off:g} % d'écart, et non {wanted:.2g} % : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/cells/image.py" />
@@ -7153,6 +7153,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/tracing/trace.py" />
             <source>{rays} are too many; at most {most}</source>
             <translation>{rays} sont de trop ; au plus {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>so few rays of the file come to the screen that some of {parts} parts of them make no image: the check needs a file of more rays</source>
+            <translation>si peu de rayons du fichier arrivent sur l'écran que certaines de {parts} parties d'entre eux ne font pas d'image : la vérification a besoin d'un fichier de plus de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>so few rays of the file come to the far field that some of {parts} parts of them make no image: the check needs a file of more rays</source>
+            <translation>si peu de rayons du fichier arrivent dans le champ lointain que certaines de {parts} parties d'entre eux ne font pas d'image : la vérification a besoin d'un fichier de plus de rayons</translation>
         </message>
         <message>
             <location filename="../../workbench/design/blurred_plan.py" />

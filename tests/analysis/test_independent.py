@@ -15,6 +15,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
+from workbench.errors import RunFailed
 from workbench.watch import finished
 
 LED = {"kind": "area", "center": [0.1, 0, -0.5], "half_width": [0.1, 0.1]}
@@ -52,17 +53,18 @@ def test_pairs_find_the_distance_and_its_interval(rng):
     assert np.mean(found) == pytest.approx(exact**2, abs=3 * error)
 
 
-def test_an_image_that_no_ray_comes_to_is_off_by_all_of_the_target(rng):
-    """Of 16 images of one pixel's light at most, two are dark: they make the interval wide."""
-    wanted = np.ones((2, 2))
-    images = np.zeros((16, 2, 2))
-    for number, lit in enumerate(images[2:]):
-        lit.flat[number % 4] = 3.0
-    apart = [(each / max(each.sum(), 1.0) - wanted / 4).ravel() for each in images]
-    pairs = [a @ b for i, a in enumerate(apart) for j, b in enumerate(apart) if i != j]
-    found = CorrectedDistance.of_pairs(images, wanted)
-    assert found.square == pytest.approx(np.mean(pairs) / 0.25)
-    assert found.interval[1] > found.distance
+def test_a_dark_image_leaves_everything_open(rng):
+    images = rng.random((16, 4, 5))
+    images[3] = 0
+    found = CorrectedDistance.of_pairs(images, np.ones((4, 5)))
+    assert (found.interval, found.off) == ((0, np.inf), np.inf)
+
+
+def test_a_file_of_too_few_rays_is_told(make_scene, tmp_path):
+    scene = make_scene({**PLATE, "source": led(tmp_path, 40)})
+    flat = {"exit": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
+    with pytest.raises(RunFailed, match="the check needs a file of more rays"):
+        validate(scene, np.ones((40, 40)), flat)
 
 
 def test_equal_images_have_their_distance_and_no_doubt(rng):

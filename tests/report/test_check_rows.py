@@ -12,11 +12,11 @@ from workbench.report.figures import check_rows
 
 @pytest.fixture
 def checked(make_scene, tmp_path):
-    """A flat plate before 500 rays of a file, on an image that their number makes rough."""
-    scene = make_scene({**PLATE, "source": led(tmp_path, 500), "screen.half_width": [1.0, 1.0]})
+    """A flat plate before 4,000 rays of a file, on an image that their number makes rough."""
+    scene = make_scene({**PLATE, "source": led(tmp_path, 4000), "screen.half_width": [1.0, 1.0]})
     heights = {"exit": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
-    even = validate(scene, np.ones((40, 40)), heights, 500, accuracy=1e-3)
-    return validate(scene, even.by_cells.irradiance, heights, 500, accuracy=1e-3)
+    even = validate(scene, np.ones((40, 40)), heights, 4000, accuracy=1e-3)
+    return validate(scene, even.by_cells.irradiance, heights, 4000, accuracy=1e-3)
 
 
 def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(checked):
@@ -26,7 +26,7 @@ def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(che
     assert rows["verified error"] == f"< {100 * high:.3f} %"
     assert rows["without ray noise"].startswith("< ")
     assert "off" not in rows["cells"]
-    assert rows["error by independent images"].startswith("500 rays, 95 % confidence; off by up")
+    assert rows["error by independent images"].startswith("4,000 rays, 95 % confidence; off by up")
 
 
 def test_so_says_the_command(checked, capsys):

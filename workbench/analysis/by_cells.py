@@ -129,7 +129,7 @@ class ByCells:
         if off <= self.wanted:
             return None
         return Said(
-            "off by up to {off:.2g} %, not {wanted:.2g} %: {why}",
+            "off by up to {off:g} %, not {wanted:.2g} %: {why}",
             off=_no_less(100 * off),
             wanted=100 * self.wanted,
             why=why,

@@ -37,7 +37,7 @@ def root(square: float) -> float:
 
 def product(image: Array, other: Array, target: Array) -> float:
     """⟨I − T, I′ − T⟩ / ‖T‖² of normalised images."""
-    sum_i, sum_o, sum_t = divisor(image), divisor(other), divisor(target)
+    sum_i, sum_o, sum_t = _sum(image), _sum(other), _sum(target)
     found = size = 0.0
     for i, o, t in _rows(image, other, target):
         wanted = t / sum_t
@@ -97,7 +97,7 @@ def psnr(image: Array, target: Array) -> float | None:
     mean_square = _mean_square(image, target)
     if mean_square == 0:
         return None
-    return 20 * math.log10(float(target.max()) / divisor(target)) - 10 * math.log10(mean_square)
+    return 20 * math.log10(float(target.max()) / _sum(target)) - 10 * math.log10(mean_square)
 
 
 def ssim(image: Array, target: Array) -> float:
@@ -106,7 +106,7 @@ def ssim(image: Array, target: Array) -> float:
     In windows of 11 × 11 pixels, a Gaussian of 1.5 pixels; images are mirrored at their edges. The
     dynamic range is the target's peak.
     """
-    sum_i, sum_t = divisor(image), divisor(target)
+    sum_i, sum_t = _sum(image), _sum(target)
     peak = float(target.max()) / sum_t
     found = 0.0
     rows = len(target)
@@ -137,7 +137,7 @@ def _windowed(image: Array) -> Array:
 
 def correlation(image: Array, target: Array) -> float | None:
     """Pearson's coefficient over the pixels; None if one image is the same everywhere."""
-    sums = divisor(image), divisor(target)
+    sums = _sum(image), _sum(target)
     means = float(image.mean()) / sums[0], float(target.mean()) / sums[1]
     squares, deviations, together = np.zeros(2), np.zeros(2), 0.0
     for parts in _rows(image, target):
@@ -183,14 +183,14 @@ def contrast(image: Array, target: Array) -> float | None:
 
 def _mean_square(image: Array, target: Array) -> float:
     """Mean of (I − T)² of normalised images."""
-    sum_i, sum_t = divisor(image), divisor(target)
+    sum_i, sum_t = _sum(image), _sum(target)
     squares = (float(np.square(i / sum_i - t / sum_t).sum()) for i, t in _rows(image, target))
     return sum(squares) / target.size
 
 
-def divisor(image: npt.NDArray[np.floating]) -> float:
+def _sum(image: Array) -> float:
     """What an image is divided by: its sum; 1 for a dark one."""
-    total = float(image.sum(dtype=np.float64))
+    total = float(image.sum())
     return total if total > 0 else 1.0
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from workbench.analysis.metrics import divisor, root
+from workbench.analysis.metrics import root
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.arrays import Array
 
@@ -58,13 +58,17 @@ class CorrectedDistance(NamedTuple):
         Parameters
         ----------
         images : sequence of ndarray, shape (n_y, n_x)
-            `BATCHES` images by independent rays, in any scale; they may be dark.
+            `BATCHES` images by independent rays, in any scale. A dark one has no shape: nothing is
+            then known, and the interval is without end.
         reference : ndarray, shape (n_y, n_x)
             What they are compared with, in any scale.
         """
         count, wanted = len(images), reference / reference.sum()
-        # One of so few rays that none of them lands is dark.
-        apart = np.array([(image / divisor(image) - wanted).ravel() for image in images])
+        if not all(image.any() for image in images):
+            return cls(0.0, (0.0, math.inf), 0.0)
+        apart = np.array(
+            [(image / image.sum(dtype=np.float64) - wanted).ravel() for image in images]
+        )
         products = apart @ apart.T / float(np.square(wanted).sum())
         np.fill_diagonal(products, 0.0)
         square = float(products.sum()) / (count * (count - 1))

@@ -88,7 +88,7 @@ def validate(
         If there are too many rays, the screen may touch the lens there, or is to be elsewhere
         while there are further images, or the lens is no body; see `check_body`.
     RunFailed
-        If no light reaches the screen.
+        If no light reaches the screen, or too few rays of a file to judge the image.
 
     Examples
     --------
@@ -169,6 +169,14 @@ def _of_one(
     references = [target] if image is None else [target, image.irradiance]
     if trace.sampled:
         unscattered = [CorrectedDistance.of_pairs(batches, reference) for reference in references]
+        if math.isinf(unscattered[0].off):
+            few = Said(
+                "so few rays of the file come to the {receiver} that some of {parts} parts of them "
+                "make no image: the check needs a file of more rays",
+                parts=BATCHES,
+                receiver=scene.receiver.called,
+            )
+            raise RunFailed(few)
         independent = IndependentError(unscattered[0], trace.rays)
     else:
         second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
