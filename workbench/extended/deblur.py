@@ -37,6 +37,8 @@ _LIGHT, _FALLING_LIGHT, _FALLS_EVERY = (0.003,), tuple(np.geomspace(0.02, 0.002,
 # The search ends when the certificate is less than this part of the error below it, or this much.
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
 _STEPS, _LOOK_EVERY = 120, 60
+# A photograph is certified to 0.96 % after as many steps for spots, to 1.23 % after these.
+_SPOT_STEPS = 360
 SPOTS = 3
 """Places of spots along each axis of a pixel."""
 # Light at more places in a pixel comes closer, but of large images, it would take all memory: so
@@ -139,13 +141,13 @@ def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
 
 
 def _certified(
-    kernels: Array, certifier: Certifier, wanted: Array
+    kernels: Array, certifier: Certifier, wanted: Array, steps: int = _STEPS
 ) -> Generator[None, None, Deblurred]:
     """Search until the result is close to what is certified, or as long as it is worth it."""
     size = float(np.linalg.norm(wanted))
     search = _search(kernels.astype(np.float32), wanted.astype(np.float32), _FALLING_LIGHT)
     best, error, bound = None, np.inf, -1.0
-    for step, look in enumerate(islice(search, _STEPS)):
+    for step, look in enumerate(islice(search, steps)):
         yield
         if (step + 1) % _LOOK_EVERY:
             continue
@@ -178,7 +180,7 @@ def deblur_into_spots(target: Array, blur: Blur, width: float) -> Deblurred:
     """
     wanted = target / target.sum()
     kernels = blur.spread(SPOTS, SPOTS * width)
-    return finished(_certified(kernels, Certifier(kernels, wanted), wanted))
+    return finished(_certified(kernels, Certifier(kernels, wanted), wanted, _SPOT_STEPS))
 
 
 def error_allowed(target: Array, blur: Blur) -> float:

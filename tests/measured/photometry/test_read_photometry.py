@@ -80,6 +80,18 @@ def test_ldt_files_tell_intensity_for_each_kilolumen_of_their_lamps() -> None:
     assert np.allclose(table.candela[:-1], 2 * values)
 
 
+def test_of_several_sets_of_lamps_in_an_ldt_file_the_first_one_shines() -> None:
+    """The others are lamps that the luminaire may have instead, as LED modules of other flux."""
+    values = candela(AROUND, GAMMA)
+    lines = ldt(0, AROUND, GAMMA, values, lumens=2000).splitlines()
+    lines[25] = "2"
+    lines[32:32] = ["1", "stronger LED", "5000", "3000", "1B", "20"]
+
+    table = read("\r\n".join(lines), "lamp.ldt")
+
+    assert np.allclose(table.candela[:-1], 2 * values)
+
+
 def test_symmetry_about_c90_is_read_in_ies_files_as_well() -> None:
     c = np.linspace(90.0, 270.0, 13)
 

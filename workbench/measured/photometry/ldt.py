@@ -35,7 +35,8 @@ def read_ldt(content: bytes) -> IntensityTable:
     n_c, n_gamma = (count(lines[k], 1, _MOST_ANGLES) for k in (_PLANES, _ANGLES))
     lamps = count(lines[_LAMPS], 1, _MOST_LAMPS)
     rest = lines[_HEAD + _LAMP * lamps :]
-    lumens = sum(_value(lines, _HEAD + _LAMP * lamp + 2) for lamp in range(lamps))
+    # Further sets are lamps that it may have instead.
+    lumens = _value(lines, _HEAD + 2)
     stored = _stored(symmetry, n_c)
     words = [word for line in rest for word in line.split()]
     needed = _RATIOS + n_c + n_gamma + len(stored) * n_gamma
