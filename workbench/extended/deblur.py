@@ -37,7 +37,7 @@ _LIGHT, _FALLING_LIGHT, _FALLS_EVERY = (0.003,), tuple(np.geomspace(0.02, 0.002,
 # The search ends when the certificate is less than this part of the error below it, or this much.
 _GAP, _NEGLIGIBLE = 0.03, 2e-4
 _STEPS, _LOOK_EVERY = 120, 60
-# A photograph is certified to 0.96 % after as many steps for spots, to 1.23 % after these.
+# A photograph is certified to 0.96 % after as many steps for spots, to 1.15 % after these.
 _SPOT_STEPS = 360
 SPOTS = 3
 """Places of spots along each axis of a pixel."""
