@@ -6476,11 +6476,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light</source>
-            <translation>Licht</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Full angle of the light: 0.533 for the sun, 0 for a laser.</source>
             <translation>Voller Winkel des Lichts: 0.533 bei der Sonne, 0 bei einem Laser.</translation>
         </message>

@@ -6476,11 +6476,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Light</source>
-            <translation>Lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Full angle of the light: 0.533 for the sun, 0 for a laser.</source>
             <translation>Angle total de la lumière : 0.533 pour le soleil, 0 pour un laser.</translation>
         </message>

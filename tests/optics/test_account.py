@@ -4,6 +4,7 @@ import pytest
 import torch
 
 from tests.accounts import account_of
+from workbench.jobs.mirror import MirrorJob
 from workbench.optics.account import LOSSES, Account, words_for
 from workbench.optics.plan import Plan
 
@@ -127,3 +128,13 @@ def test_light_that_passes_a_far_field_by_is_called_so(make_scene):
     assert "the far field by" in words["off_screen"][1]
     assert list(words) == ["on_screen", *LOSSES]
     assert not any("{" in text for pair in words.values() for text in pair)
+
+
+def test_parts_of_a_mirror_are_none_of_a_lens(make_scene):
+    account = Account(0.7, {"off_screen": 0.1, "missed_mirror": 0.2})
+    assert "fresnel_entrance" in account.lost  # every account has it
+    mirror = MirrorJob().scene()
+    parts = account.parts_in(mirror)
+    assert parts["on_screen"] == 0.7 and parts["missed_mirror"] == 0.2
+    assert "fresnel_entrance" not in parts and "missed_lens" not in parts
+    assert "fresnel_entrance" in account.parts_in(make_scene())

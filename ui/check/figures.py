@@ -272,8 +272,8 @@ def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tu
     from workbench.report.figures import account_rows, check_rows, region_rows
 
     words = words_for(scene.receiver)
-    parts = account_rows(found.account, scene.receiver, light_unit(scene))
-    titles = [words[name] for name in ("on_screen", *found.account.lost)]
+    parts = account_rows(found.account, scene, light_unit(scene))
+    titles = [words[name] for name in found.account.parts_in(scene)]
     rows = [
         *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),

@@ -28,7 +28,12 @@ class MirrorJob(Job):
     angular_diameter: Annotated[
         float,
         ANGLE,
-        about("Light", f"Full angle of the light: {SUN} for the sun, 0 for a laser.", ge=0, lt=90),
+        about(
+            "Angular diameter",
+            f"Full angle of the light: {SUN} for the sun, 0 for a laser.",
+            ge=0,
+            lt=90,
+        ),
     ] = 0.0
     distance: Annotated[
         Positive,

@@ -85,6 +85,11 @@ class Account:
         """Flux of rays that came to the screen's plane, on the screen or beside it."""
         return self.on_screen + self.lost["off_screen"]
 
+    def parts_in(self, scene: Scene) -> Mapping[str, float]:
+        """Flux on the receiver, and of each loss that there can be in a scene, by name."""
+        lost = {name: self.lost[name] for name in losses_in(scene) if name in self.lost}
+        return {"on_screen": self.on_screen, **lost}
+
     def advice(self, scene: Scene) -> Said | None:
         """Where most light goes before the receiver, and what would help, in a sentence.
 

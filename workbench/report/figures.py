@@ -15,7 +15,7 @@ from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.report.content import Fact
 from workbench.said import Said
-from workbench.scene import AnyReceiver, Scene
+from workbench.scene import Scene
 from workbench.units import sized
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
@@ -96,15 +96,12 @@ def bound_rows(found: Bound) -> tuple[Fact, ...]:
     )
 
 
-def account_rows(
-    account: Account, receiver: AnyReceiver, unit: LightUnit = IN_PARTS
-) -> tuple[Fact, ...]:
+def account_rows(account: Account, scene: Scene, unit: LightUnit = IN_PARTS) -> tuple[Fact, ...]:
     """Where the light went, in parts of what was emitted, and in lumen where these are known."""
-    parts = {"on_screen": account.on_screen, **account.lost}
-    titles = {name: title for name, (title, _) in words_for(receiver).items()}
+    titles = {name: title for name, (title, _) in words_for(scene.receiver).items()}
     return tuple(
         Fact(titles[name][:1].lower() + titles[name][1:], _part(flux / account.emitted, unit))
-        for name, flux in parts.items()
+        for name, flux in account.parts_in(scene).items()
     )
 
 

@@ -138,7 +138,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     )
     yield Section(
         f"Light account{which}",
-        account_rows(found.account, scene.receiver, light_unit(scene)),
+        account_rows(found.account, scene, light_unit(scene)),
         note="Parts of the emitted light.",
     )
     yield Section(

@@ -48,7 +48,7 @@ def rows(figures):
 def test_all_figures_are_listed_and_explained(figures, designed, found):
     figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0321)
     assert rows(figures) == named(
-        (*check_rows(found, 0.0321), *account_rows(found.account, designed.scene.receiver))
+        (*check_rows(found, 0.0321), *account_rows(found.account, designed.scene))
     )
     received = rows(figures)
     assert received["Relative L2 error"] == f"{100 * found.relative_l2:.3f} %"
