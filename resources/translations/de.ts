@@ -6461,8 +6461,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A mirror in straight light, or in the sun, throws a picture to the side.</source>
-            <translation>Ein Spiegel in geradem Licht oder in der Sonne wirft ein Bild zur Seite.</translation>
+            <source>A mirror in collimated light, or in the sun, throws a picture to the side.</source>
+            <translation>Ein Spiegel in kollimiertem Licht oder in der Sonne wirft ein Bild zur Seite.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6526,8 +6526,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A square lens in straight light and a screen behind it; all fields are yours to change.</source>
-            <translation>Eine quadratische Linse in geradem Licht und ein Schirm dahinter; alle Felder lassen sich ändern.</translation>
+            <source>A square lens in collimated light and a screen behind it; all fields are yours to change.</source>
+            <translation>Eine quadratische Linse in kollimiertem Licht und ein Schirm dahinter; alle Felder lassen sich ändern.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

@@ -6461,8 +6461,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A mirror in straight light, or in the sun, throws a picture to the side.</source>
-            <translation>Un miroir en lumière droite, ou au soleil, projette une image sur le côté.</translation>
+            <source>A mirror in collimated light, or in the sun, throws a picture to the side.</source>
+            <translation>Un miroir en lumière collimatée, ou au soleil, projette une image sur le côté.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6526,8 +6526,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>A square lens in straight light and a screen behind it; all fields are yours to change.</source>
-            <translation>Une lentille carrée en lumière droite et un écran derrière ; tous les champs peuvent être changés.</translation>
+            <source>A square lens in collimated light and a screen behind it; all fields are yours to change.</source>
+            <translation>Une lentille carrée en lumière collimatée et un écran derrière ; tous les champs peuvent être changés.</translation>
         </message>
         <message>
             <location filename="../../workbench" />

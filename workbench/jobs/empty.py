@@ -9,7 +9,7 @@ from workbench.scene import Scene
 
 
 class Empty(Job):
-    """A square lens in straight light and a screen behind it; all fields are yours to change."""
+    """A square lens in collimated light and a screen behind it; all fields are yours to change."""
 
     model_config = ConfigDict(title="Empty")
 

@@ -14,7 +14,7 @@ from workbench.scene.fields import ANGLE, LENGTH, about
 
 
 class MirrorJob(Job):
-    """A mirror in straight light, or in the sun, throws a picture to the side."""
+    """A mirror in collimated light, or in the sun, throws a picture to the side."""
 
     model_config = ConfigDict(title="Mirror")
     asked_by: ClassVar[dict[str, str]] = {"screen.center": "aside", "source": "angular_diameter"}
