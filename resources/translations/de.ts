@@ -2981,7 +2981,7 @@
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Auf {size} Kontrollpunkten unverändert: {name}.</translation>
+            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off:.2g} {unit} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />

@@ -2981,7 +2981,7 @@
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Sur {size} points de contrôle, inchangé : {name}.</translation>
+            <translation>Sur {size} points de contrôle, {name} s'écarte de {off:.2g} {unit} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
