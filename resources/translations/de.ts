@@ -1445,8 +1445,8 @@
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
-            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}</source>
-            <translation>Prüfung mit {rays:,} neuen Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit der Streuung der Strahlen {relative_l2:.2f} ± {noise:.2f} %, Zielfunktion {loss:.3e}; {efficiency:.1f} % {place}</translation>
+            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Prüfung mit {rays:,} neuen Strahlen: relativer L2-Fehler {verified} ({low:.2f} bis {high:.2f} %); mit der Streuung der Strahlen {relative_l2:.2f} ± {noise:.2f} %, Zielfunktion {loss}; {efficiency:.1f} % {place}</translation>
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
@@ -2420,8 +2420,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/brush.py" />
-            <source>radius {radius:.2g} {unit}</source>
-            <translation>Radius {radius:.2g} {unit}</translation>
+            <source>radius {radius}</source>
+            <translation>Radius {radius}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/live.py" />
@@ -2695,13 +2695,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the cut goes up to {cut_off:.2g} {unit} into the face</source>
-            <translation>der Schnitt geht bis {cut_off:.2g} {unit} in die Fläche</translation>
+            <source>the cut goes up to {cut_off} into the face</source>
+            <translation>der Schnitt geht bis {cut_off} in die Fläche</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} {unit} high; {deep}.</source>
-            <translation>Radius {radius:.4g} {unit}, {size:,} Bewegungen. Rillen sind bis {left:.2g} {unit} hoch; {deep}.</translation>
+            <source>Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.</source>
+            <translation>Radius {radius}, {size:,} Bewegungen. Rillen sind bis {left} hoch; {deep}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2890,8 +2890,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.</source>
-            <translation>Bei x = {x:.4g}, y = {y:.4g} {unit}. Nirgends jenseits von {bound}.</translation>
+            <source>At x = {x}, y = {y}. Nowhere beyond {bound}.</source>
+            <translation>Bei x = {x}, y = {y}. Nirgends jenseits von {bound}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />
@@ -2970,6 +2970,36 @@
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
+            <translation>Die Linse wird um bis zu {moved} geändert, um in ihren neuen Grenzen zu bleiben. Fortsetzen macht von dort weiter, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
+            <translation>Der Spiegel wird um bis zu {moved} geändert, um in seinen neuen Grenzen zu bleiben. Fortsetzen macht von dort weiter, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The program takes {size} control points now. Continue goes on from the lens that was there, carried over, and Undo takes the change back.</source>
+            <translation>Das Programm nimmt jetzt {size} Kontrollpunkte. Fortsetzen macht von der bisherigen Linse weiter, die übertragen ist, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The program takes {size} control points now. Continue goes on from the mirror that was there, carried over, and Undo takes the change back.</source>
+            <translation>Das Programm nimmt jetzt {size} Kontrollpunkte. Fortsetzen macht von dem bisherigen Spiegel weiter, der übertragen ist, Rückgängig nimmt die Änderung zurück.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
+            <translation>Die Linse wurde für eine andere Aufgabe entworfen und ist ein Anfang für diese: Fortsetzen macht von ihr weiter, Neu starten nicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
+            <translation>Der Spiegel wurde für eine andere Aufgabe entworfen und ist ein Anfang für diese: Fortsetzen macht von ihm weiter, Neu starten nicht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is the same.</source>
             <translation>Auf {size} Kontrollpunkten unverändert: {name}.</translation>
         </message>
@@ -2980,8 +3010,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off:.2g} {unit} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
+            <source>On {size} control points {name} is off by up to {off}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
+            <translation>Auf {size} Kontrollpunkten weicht {name} um bis zu {off} ab. Fortsetzen macht von dort weiter, Neu starten beginnt von Grund auf, Rückgängig nimmt die Änderung zurück.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
@@ -3745,8 +3775,8 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss:.3e}, {efficiency:.1f} % {place}</source>
-            <translation>Lauf beendet{why} nach Iteration {iteration} von {iterations}, {clock}: letzte Zielfunktion {loss:.3e}, {efficiency:.1f} % {place}</translation>
+            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss}, {efficiency:.1f} % {place}</source>
+            <translation>Lauf beendet{why} nach Iteration {iteration} von {iterations}, {clock}: letzte Zielfunktion {loss}, {efficiency:.1f} % {place}</translation>
         </message>
         <message>
             <location filename="../../ui/run/run_check.py" />
@@ -3815,8 +3845,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>loss {loss:.3e}</source>
-            <translation>Zielfunktion {loss:.3e}</translation>
+            <source>loss {loss}</source>
+            <translation>Zielfunktion {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4170,13 +4200,13 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>, {part:.1e} of the total flux there</source>
-            <translation>, {part:.1e} des gesamten Lichtstroms dort</translation>
+            <source>, {part} of the total flux there</source>
+            <translation>, {part} des gesamten Lichtstroms dort</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Sum: flux on the screen changes by {sum:.1e} per {unit}{part}</source>
-            <translation>Summe: der Lichtstrom auf dem Schirm ändert sich um {sum:.1e} je {unit}{part}</translation>
+            <source>Sum: flux on the screen changes by {sum} per {unit}{part}</source>
+            <translation>Summe: der Lichtstrom auf dem Schirm ändert sich um {sum} je {unit}{part}</translation>
         </message>
         <message>
             <location filename="../../ui/views/face_choice.py" />
@@ -7446,8 +7476,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
-            <source>{error:.2g} % by {face}</source>
-            <translation>{error:.2g} % für {face}</translation>
+            <source>{error} % by {face}</source>
+            <translation>{error} % für {face}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
@@ -7546,8 +7576,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius:.4g} {unit} does not fit: it leaves {left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or run.min_tool_radius</source>
-            <translation>ein Kugelfräser von {radius:.4g} {unit} passt nicht: er lässt {left:.2g} stehen und schneidet {cut:.2g} {unit} zu viel weg; ein kleinerer, oder run.min_tool_radius</translation>
+            <source>a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; a smaller one, or run.min_tool_radius</source>
+            <translation>ein Kugelfräser von {radius} passt nicht: er lässt {left} stehen und schneidet {cut} zu viel weg; ein kleinerer, oder run.min_tool_radius</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -8351,8 +8381,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />
-            <source>{part:.2g} % of the light is totally reflected at the {face}, most of it around x = {x:.3g}, y = {y:.3g} {unit}</source>
-            <translation>{part:.2g} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x:.3g}, y = {y:.3g} {unit}</translation>
+            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
+            <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />

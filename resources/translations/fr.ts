@@ -1445,8 +1445,8 @@
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
-            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}</source>
-            <translation>Vérification avec {rays:,} rayons nouveaux : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec la dispersion des rayons {relative_l2:.2f} ± {noise:.2f} %, coût {loss:.3e} ; {efficiency:.1f} % {place}</translation>
+            <source>Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± {noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}</source>
+            <translation>Vérification avec {rays:,} rayons nouveaux : erreur L2 relative {verified} ({low:.2f} à {high:.2f} %) ; avec la dispersion des rayons {relative_l2:.2f} ± {noise:.2f} %, coût {loss} ; {efficiency:.1f} % {place}</translation>
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
@@ -2420,8 +2420,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/brush.py" />
-            <source>radius {radius:.2g} {unit}</source>
-            <translation>rayon {radius:.2g} {unit}</translation>
+            <source>radius {radius}</source>
+            <translation>rayon {radius}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/live.py" />
@@ -2695,13 +2695,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the cut goes up to {cut_off:.2g} {unit} into the face</source>
-            <translation>la coupe entame la face jusqu'à {cut_off:.2g} {unit}</translation>
+            <source>the cut goes up to {cut_off} into the face</source>
+            <translation>la coupe entame la face jusqu'à {cut_off}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} {unit} high; {deep}.</source>
-            <translation>Rayon {radius:.4g} {unit}, {size:,} mouvements. Les crêtes ont jusqu'à {left:.2g} {unit} de haut ; {deep}.</translation>
+            <source>Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.</source>
+            <translation>Rayon {radius}, {size:,} mouvements. Les crêtes ont jusqu'à {left} de haut ; {deep}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2890,8 +2890,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.</source>
-            <translation>À x = {x:.4g}, y = {y:.4g} {unit}. Nulle part au-delà de {bound}.</translation>
+            <source>At x = {x}, y = {y}. Nowhere beyond {bound}.</source>
+            <translation>À x = {x}, y = {y}. Nulle part au-delà de {bound}.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />
@@ -2970,6 +2970,36 @@
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
+            <translation>La lentille change de {moved} au plus pour rester dans ses nouvelles limites. Continuer repart de là, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror is changed by up to {moved} to be within its new limits. Continue goes on from there, and Undo takes the change back.</source>
+            <translation>Le miroir change de {moved} au plus pour rester dans ses nouvelles limites. Continuer repart de là, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The program takes {size} control points now. Continue goes on from the lens that was there, carried over, and Undo takes the change back.</source>
+            <translation>Le programme prend maintenant {size} points de contrôle. Continuer repart de la lentille précédente, transposée, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The program takes {size} control points now. Continue goes on from the mirror that was there, carried over, and Undo takes the change back.</source>
+            <translation>Le programme prend maintenant {size} points de contrôle. Continuer repart du miroir précédent, transposé, Annuler retire la modification.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The lens was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
+            <translation>La lentille a été conçue pour une autre tâche et sert de départ à celle-ci : Continuer repart d'elle, Recommencer non</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
+            <source>The mirror was designed for another task and is a start for this one: Continue goes on from it, Start over does not</source>
+            <translation>Le miroir a été conçu pour une autre tâche et sert de départ à celle-ci : Continuer repart de lui, Recommencer non</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/carried_lens.py" />
             <source>On {size} control points {name} is the same.</source>
             <translation>Sur {size} points de contrôle, inchangé : {name}.</translation>
         </message>
@@ -2980,8 +3010,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
-            <source>On {size} control points {name} is off by up to {off:.2g} {unit}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
-            <translation>Sur {size} points de contrôle, {name} s'écarte de {off:.2g} {unit} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
+            <source>On {size} control points {name} is off by up to {off}. Continue goes on from there, Start over from nothing, and Undo takes the change back.</source>
+            <translation>Sur {size} points de contrôle, {name} s'écarte de {off} au plus. Continuer repart de là, Recommencer de rien, Annuler retire la modification.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/carried_lens.py" />
@@ -3745,8 +3775,8 @@
         </message>
         <message>
             <location filename="../../ui/run/log.py" />
-            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss:.3e}, {efficiency:.1f} % {place}</source>
-            <translation>Exécution terminée{why} après l'itération {iteration} sur {iterations}, {clock} : dernier coût {loss:.3e}, {efficiency:.1f} % {place}</translation>
+            <source>Run ended{why} after iteration {iteration} of {iterations}, {clock}: last loss {loss}, {efficiency:.1f} % {place}</source>
+            <translation>Exécution terminée{why} après l'itération {iteration} sur {iterations}, {clock} : dernier coût {loss}, {efficiency:.1f} % {place}</translation>
         </message>
         <message>
             <location filename="../../ui/run/run_check.py" />
@@ -3815,8 +3845,8 @@
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
-            <source>loss {loss:.3e}</source>
-            <translation>coût {loss:.3e}</translation>
+            <source>loss {loss}</source>
+            <translation>coût {loss}</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4170,13 +4200,13 @@
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>, {part:.1e} of the total flux there</source>
-            <translation>, {part:.1e} du flux total qui y arrive</translation>
+            <source>, {part} of the total flux there</source>
+            <translation>, {part} du flux total qui y arrive</translation>
         </message>
         <message>
             <location filename="../../ui/views/derivative_view.py" />
-            <source>Sum: flux on the screen changes by {sum:.1e} per {unit}{part}</source>
-            <translation>Somme : le flux sur l'écran change de {sum:.1e} par {unit}{part}</translation>
+            <source>Sum: flux on the screen changes by {sum} per {unit}{part}</source>
+            <translation>Somme : le flux sur l'écran change de {sum} par {unit}{part}</translation>
         </message>
         <message>
             <location filename="../../ui/views/face_choice.py" />
@@ -7446,8 +7476,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
-            <source>{error:.2g} % by {face}</source>
-            <translation>{error:.2g} % pour {face}</translation>
+            <source>{error} % by {face}</source>
+            <translation>{error} % pour {face}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
@@ -7546,8 +7576,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius:.4g} {unit} does not fit: it leaves {left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or run.min_tool_radius</source>
-            <translation>une fraise hémisphérique de {radius:.4g} {unit} ne passe pas : elle laisse {left:.2g} et coupe {cut:.2g} {unit} de trop ; une plus petite, ou run.min_tool_radius</translation>
+            <source>a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; a smaller one, or run.min_tool_radius</source>
+            <translation>une fraise hémisphérique de {radius} ne passe pas : elle laisse {left} et coupe {cut} de trop ; une plus petite, ou run.min_tool_radius</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -8351,8 +8381,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />
-            <source>{part:.2g} % of the light is totally reflected at the {face}, most of it around x = {x:.3g}, y = {y:.3g} {unit}</source>
-            <translation>{part:.2g} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x:.3g}, y = {y:.3g} {unit}</translation>
+            <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
+            <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />

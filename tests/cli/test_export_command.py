@@ -34,9 +34,9 @@ def test_a_line_per_file_states_its_deviation(freeform, lens, tmp_path):
     assert (status, stderr) == (0, "")
     first, second = stdout.splitlines()
     assert first == f"{step}: STEP solid, rounding 0 cm"
-    assert second.startswith(f"{mesh}: STL mesh, chord error ")
-    assert second.endswith(" cm, lengths in cm")
-    assert 0 < float(second.split("chord error ")[1].split()[0]) <= 0.001
+    start, end = f"{mesh}: STL mesh, chord error ", " · 10⁻⁶ cm, lengths in cm"
+    assert second.startswith(start) and second.endswith(end)
+    assert 0 < 1e-6 * float(second.removeprefix(start).removesuffix(end)) <= 0.001
     assert trimesh.load_mesh(mesh).is_watertight
 
 
@@ -81,7 +81,7 @@ def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_pat
     status, stdout, stderr = freeform("export", lens, path, *given)
     assert (status, stderr) == (0, "")
     assert "G-code, simulated cut off by " in stdout
-    assert "cutter radius 0.05," in stdout
+    assert "cutter radius 0.05 cm," in stdout
     assert " F250\n" in path.read_text()
 
 

@@ -20,6 +20,7 @@ from workbench.measured.light_unit import IN_PARTS, light_unit
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.pictures.images import shown_error
+from workbench.powers import written
 from workbench.scene import RectangleRegion
 
 LED = {"kind": "area", "center": [0.0, 0.0, -DISTANCE], "half_width": [0.02, 0.02]}
@@ -100,7 +101,7 @@ def test_regions_and_differences_are_told_in_lux(make_scene, rng):
     (found,) = light_of_regions([desk], scene.receiver, light, unit)
     inside = light[10:30, 10:30]
     mean, share = inside.mean(), inside.sum() * 0.01
-    assert f"{200 * share:.4g} lm, mean {mean * 2e6:.4g} lx" in found.words
+    assert f"{200 * share:.4g} lm, mean {written(mean * 2e6, 'lx')}" in found.words
     (plain,) = light_of_regions([desk], scene.receiver, light)
     assert plain.unit is IN_PARTS and "lx" not in plain.words
     target = rng.random((40, 40))

@@ -42,7 +42,7 @@ def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_
     assert x > 0.3 and y > (0.0 if source else 0.1)  # near light is brightest about the axis
     assert found.sentence(scene) == (
         f"{100 * found.share:.2g} % of the light is totally reflected at the exit face, "
-        f"most of it around x = {x:.3g}, y = {y:.3g} cm"
+        f"most of it around x = {x:.3g} cm, y = {y:.3g} cm"
     )
 
 

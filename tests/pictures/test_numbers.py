@@ -8,7 +8,7 @@ from matplotlib.ticker import FixedLocator
 
 from workbench.pictures.data import shown_data
 from workbench.pictures.maps import Extent, colour_bar, map_image, show_constant
-from workbench.pictures.numbers import power_of, with_power, without_power, write_numbers
+from workbench.pictures.numbers import write_numbers
 
 
 @pytest.fixture
@@ -46,40 +46,6 @@ def test_numbers_have_as_many_decimals_as_one_of_them_needs():
 
 def test_rounding_makes_neither_decimals_nor_a_negative_zero():
     assert axis_texts(-1, 1, [-1e-17, 0.1 + 0.2]) == ["0.0", "0.3"]
-
-
-@pytest.mark.parametrize("exponent", range(-12, 12))
-def test_a_power_is_a_multiple_of_three_that_leaves_one_to_three_digits(exponent):
-    for digits in (1.0, 5.7, 9.99):
-        top = digits * 10.0**exponent
-        power = power_of(-top / 2, top)
-        assert power % 3 == 0
-        if power:
-            assert 1 <= top / 10.0**power < 1000 * (1 + 1e-12)
-        else:
-            assert 1e-2 <= top < 1e5
-
-
-def test_nothing_and_what_is_no_number_have_no_power():
-    assert power_of(0, 0) == power_of(0, np.inf) == power_of(np.nan, np.nan) == 0
-
-
-@pytest.mark.parametrize(
-    ("name", "power", "named"),
-    [
-        ("flux / mm²", -6, "10⁻⁶ flux / mm²"),
-        ("x (cm)", -3, "x (10⁻³ cm)"),
-        ("Gaussian curvature (1 / mm²)", -9, "Gaussian curvature (10⁻⁹ / mm²)"),
-        ("x (m) at y = 0 m", -3, "x (10⁻³ m) at y = 0 m"),
-        ("1 / mm", -12, "10⁻¹² / mm"),
-        ("cd", 6, "10⁶ cd"),
-        ("lx", 0, "lx"),
-    ],
-)
-def test_a_power_stands_in_front_of_the_unit(name, power, named):
-    assert with_power(name, power) == named
-    assert with_power(named, power) == named
-    assert without_power(named) == name
 
 
 def test_the_bar_follows_its_scale(image):

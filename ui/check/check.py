@@ -10,6 +10,7 @@ from ui.shown.frame import same_lens
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.words import tr
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -106,7 +107,7 @@ class Check(QObject):
             tr(
                 "Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} "
                 "to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± "
-                "{noise:.2f} %, loss {loss:.3e}; {efficiency:.1f} % {place}"
+                "{noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}"
             ).format(
                 rays=found.rays,
                 verified=verified_error(found.verified),
@@ -114,7 +115,7 @@ class Check(QObject):
                 high=100 * high,
                 relative_l2=100 * found.relative_l2,
                 noise=100 * found.noise,
-                loss=found.loss,
+                loss=written(found.loss),
                 efficiency=100 * found.efficiency,
                 place=tr(lens.session.scene.receiver.place),
             )

@@ -12,6 +12,7 @@ from ui.words import tr
 from workbench.arrays import Mask
 from workbench.design.brush import bump, resized
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -50,7 +51,7 @@ class Brush:
         """How large it is."""
         if not self._part:
             return tr("a single point")
-        return tr("radius {radius:.2g} {unit}").format(radius=self.radius, unit=self._view.unit)
+        return tr("radius {radius}").format(radius=written(self.radius, self._view.unit, 2))
 
     def resize(self, steps: int) -> None:
         """Make it larger, or smaller."""

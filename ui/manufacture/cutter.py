@@ -21,6 +21,7 @@ from ui.threads.failure import sentence_of
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.export.cutting import PLAIN, Cutting
+from workbench.powers import written
 from workbench.quantity import read_number
 
 if TYPE_CHECKING:
@@ -221,19 +222,15 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
     if plan is None:
         return None
-    deep = tr("the cut goes up to {cut_off:.2g} {unit} into the face").format(
-        cut_off=plan.cut_off, unit=unit
+    deep = tr("the cut goes up to {cut_off} into the face").format(
+        cut_off=written(plan.cut_off, unit, 2)
     )
     whole = plan.cut_off < _NEGLIGIBLE * plan.left
     lines = [
-        tr(
-            "Radius {radius:.4g} {unit}, {size:,} moves. Ridges are up to {left:.2g} "
-            "{unit} high; {deep}."
-        ).format(
-            radius=plan.raster.radius,
-            unit=unit,
+        tr("Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.").format(
+            radius=written(plan.raster.radius, unit),
             size=plan.raster.tip.size,
-            left=plan.left,
+            left=written(plan.left, unit, 2),
             deep=tr("the face is cut into nowhere") if whole else deep,
         )
     ]

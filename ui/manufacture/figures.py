@@ -10,6 +10,7 @@ from ui.manufacture.limits import LimitFields
 from ui.words import later, tr
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
+from workbench.powers import written
 
 _STATES = later(
     {
@@ -141,8 +142,10 @@ class ManufactureFigures(QWidget):
         for key in ("steepest", "tightest_concave", "tightest_convex", "tool_radius"):
             self._show_extreme(f"{face}{key}", getattr(found, key))
         flat = found.sag_range < _ROUNDING * thickness
-        self.found[f"{face}sag_range"].setText(f"{0 if flat else found.sag_range:.4g} {self._unit}")
-        self.found[f"{face}draft"].setText(f"{found.draft:.4g}°")
+        self.found[f"{face}sag_range"].setText(
+            written(0.0 if flat else found.sag_range, self._unit)
+        )
+        self.found[f"{face}draft"].setText(written(found.draft, "°"))
 
     def _show_extreme(self, key: str, extreme: Extreme) -> None:
         label = self.found[key]
@@ -216,16 +219,16 @@ class ManufactureFigures(QWidget):
         if math.isinf(value):
             return tr("none")
         if key.endswith("steepest"):
-            return f"{0 if value < _ROUNDING else value:.4g}°"
-        return f"{value:.4g} {self._unit}"
+            return written(0.0 if value < _ROUNDING else value, "°")
+        return written(value, self._unit)
 
     def _where(self, key: str, extreme: Extreme) -> str:
         if math.isinf(extreme.value):
             return tr("The face has none.")
         x, y = extreme.place
         bound = self._in_words(key, extreme.bound)
-        return tr("At x = {x:.4g}, y = {y:.4g} {unit}. Nowhere beyond {bound}.").format(
-            x=x, y=y, unit=self._unit, bound=bound
+        return tr("At x = {x}, y = {y}. Nowhere beyond {bound}.").format(
+            x=written(x, self._unit), y=written(y, self._unit), bound=bound
         )
 
 

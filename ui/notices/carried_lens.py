@@ -14,6 +14,7 @@ from ui.words import later, tr
 from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.powers import written
 from workbench.scene import AutoNet, Optic
 from workbench.scene.net import LARGEST_NET
 
@@ -28,6 +29,18 @@ _ONE_FACE_LESS = later(
     "The entrance face is flat now; the exit face stays as it was, but it "
     "was made for the light of both. Continue shapes it alone, and Undo "
     "takes the change back."
+)
+_WITHIN_LIMITS = later(
+    "The {optic} is changed by up to {moved} to be within its new limits. Continue goes on from "
+    "there, and Undo takes the change back."
+)
+_OTHER_NET = later(
+    "The program takes {size} control points now. Continue goes on from the {optic} that was "
+    "there, carried over, and Undo takes the change back."
+)
+_A_START = later(
+    "The {optic} was designed for another task and is a start for this one: Continue goes on from "
+    "it, Start over does not"
 )
 
 
@@ -79,21 +92,11 @@ class CarriedLens(QObject):
         elif changed is None and new is not old:
             unit = after.scene.unit
             moved = max(float(np.abs(new[face] - old[face]).max()) for face in new)
-            self._say_of(
-                after,
-                self._named(
-                    "The {optic} is changed by up to {moved:.2g} {unit} to be within its "
-                    "new limits. Continue goes on from there, and Undo takes the change back."
-                ).format(moved=moved, unit=unit),
-            )
+            said = self._named(_WITHIN_LIMITS).format(moved=written(moved, unit, 2))
+            self._say_of(after, said)
         elif changed is not None and changed.automatic:
-            self._say_of(
-                after,
-                self._named(
-                    "The program takes {size} control points now. Continue goes on from the "
-                    "{optic} that was there, carried over, and Undo takes the change back."
-                ).format(size=_size(changed.new.shape)),
-            )
+            said = self._named(_OTHER_NET).format(size=_size(changed.new.shape))
+            self._say_of(after, said)
         elif changed is not None:
             self._before, self._after = before, after
             if changed.new.contains(changed.old):
@@ -106,13 +109,7 @@ class CarriedLens(QObject):
                 off = deviation(changed.old, old[changed.face], changed.new, new[changed.face])
                 self._ask(before, after, changed, off)
         elif before.result is not None:
-            self._tell_once(
-                before,
-                self._named(
-                    "The {optic} was designed for another task and is a start for this one: "
-                    "Continue goes on from it, Start over does not"
-                ),
-            )
+            self._tell_once(before, self._named(_A_START))
 
     def _ask(self, before: Session, after: Session, changed: "_ChangedNet", off: float) -> None:
         wanted, unit = changed.new.shape, after.scene.unit
@@ -123,10 +120,10 @@ class CarriedLens(QObject):
             offers = [(tr("Take {size}, exact").format(size=_size(exact)), take)]
         self._say(
             tr(
-                "On {size} control points {name} is off by up to {off:.2g} {unit}. "
+                "On {size} control points {name} is off by up to {off}. "
                 "Continue goes on from there, Start over from nothing, and Undo takes "
                 "the change back."
-            ).format(size=_size(wanted), name=changed.name, off=off, unit=unit),
+            ).format(size=_size(wanted), name=changed.name, off=written(off, unit, 2)),
             *offers,
         )
 

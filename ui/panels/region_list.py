@@ -2,6 +2,7 @@
 
 from ui.panels.part_list import PartListRow
 from ui.words import inside, tr
+from workbench.powers import written
 from workbench.scene import AnyRegion, RectangleRegion, Scene
 from workbench.scene.kinds import title_of
 from workbench.units import sized
@@ -42,5 +43,5 @@ class RegionListRow(PartListRow[AnyRegion]):
         low, high = part.outline.min(axis=0), part.outline.max(axis=0)
         width, height = (high - low) * receiver.half_extent * 2
         unit = receiver.measure.sign_in(self._scene.unit)
-        size = sized(f"{width:.4g} × {height:.4g}", unit)
+        size = sized(f"{written(width)} × {written(height)}", unit)
         return f"{part.name}: {inside(tr(title_of(type(part))))}, {size}"

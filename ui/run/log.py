@@ -9,6 +9,7 @@ from ui.document.document import Document
 from ui.run.control import RunControl
 from ui.run.status import clock
 from ui.words import later, tr
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -102,13 +103,13 @@ class RunLog(QObject):
         self._tell(
             tr(
                 "Run ended{why} after iteration {iteration} of {iterations}, {clock}: "
-                "last loss {loss:.3e}, {efficiency:.1f} % {place}"
+                "last loss {loss}, {efficiency:.1f} % {place}"
             ).format(
                 why=why,
                 iteration=shot.iteration,
                 iterations=shot.iterations,
                 clock=clock(shot.seconds),
-                loss=shot.state.loss,
+                loss=written(shot.state.loss),
                 efficiency=100 * shot.state.account.efficiency,
                 place=place,
             )

@@ -10,6 +10,7 @@ from workbench.design.loss import relative_error
 from workbench.design.session import KeptRun
 from workbench.extended.bound import percent
 from workbench.pictures.images import full_scale, to_colours
+from workbench.powers import written
 
 
 def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
@@ -24,7 +25,7 @@ def figures_of(run: KeptRun, verified: str) -> list[tuple[str, str]]:
         ("Iterations", f"{result.iterations}"),
         ("Net", f"{n_u} × {n_v}"),
         ("Method", run.scene.run.method),
-        ("Loss", f"{result.state.loss:.3e}"),
+        ("Loss", written(result.state.loss)),
         ("Ended", tr(result.ended) or "–"),
     ]
 

@@ -9,6 +9,7 @@ from ui.run.pace import Pace
 from ui.run.status_room import StatusRoom
 from ui.widgets.elided_label import ElidedLabel
 from ui.words import later, tr
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -16,7 +17,8 @@ if TYPE_CHECKING:
 _READ_MS = 6000  # a sentence
 _ITERATION = later("iteration {done} of {count}{rate}")
 _LIGHT = later("Error {error} · light {place} {shares}")
-_LOSS = later("loss {loss:.3e}")
+_LOSS = later("loss {loss}")
+_WIDE_LOSS = written(1.234e-9)
 _ELAPSED = later("{time} elapsed")
 _AT_MOST = later("at most {time} left")
 
@@ -65,7 +67,7 @@ class RunStatus:
             tr(_LIGHT).format(error="00.0 %", place=tr("in the far field"), shares="000.0 %"),
         )
         self._loss = _figure(
-            bar, tr("What the design makes as small as it can"), tr(_LOSS).format(loss=1e-9)
+            bar, tr("What the design makes as small as it can"), tr(_LOSS).format(loss=_WIDE_LOSS)
         )
         self._elapsed = _figure(bar, tr("Run time"), tr(_ELAPSED).format(time="00:00"))
         self._left = _figure(
@@ -121,7 +123,7 @@ class RunStatus:
         self._iteration.setText(
             tr(_ITERATION).format(done=done, count=all_of_it, rate=each_second) if counting else ""
         )
-        self._loss.setText(tr(_LOSS).format(loss=snapshot.state.loss))
+        self._loss.setText(tr(_LOSS).format(loss=written(snapshot.state.loss)))
         scene = frame.session.scene
         landed = _landed(frame)
         errors = ", ".join(_errors(frame))

@@ -23,6 +23,7 @@ from ui.words import tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures.derivative import DerivativeImage
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -194,15 +195,17 @@ def _index_box(axis: str) -> QSpinBox:
 
 def _place(found: "DerivativeMap", unit: str) -> str:
     x, y = found.position
-    return f"x = {x:.3g}, y = {y:.3g} {unit}"
+    return f"x = {written(x, unit, 3)}, y = {written(y, unit, 3)}"
 
 
 def _sum(found: "DerivativeMap", unit: str) -> str:
     part = (
-        tr(", {part:.1e} of the total flux there").format(part=found.sum / found.flux)
+        tr(", {part} of the total flux there").format(
+            part=written(found.sum / found.flux, digits=2)
+        )
         if found.flux
         else ""
     )
-    return tr("Sum: flux on the screen changes by {sum:.1e} per {unit}{part}").format(
-        sum=found.sum, unit=unit, part=part
+    return tr("Sum: flux on the screen changes by {sum} per {unit}{part}").format(
+        sum=written(found.sum, digits=2), unit=unit, part=part
     )

@@ -25,6 +25,7 @@ from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.arrays import Array
 from workbench.design.session import verified_error
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -194,7 +195,8 @@ class FocusView(LightImageView, ComputingView):
     def _tell(self, what: str) -> None:
         assert self._frame is not None
         at_screen = f" ({tr('screen')})" if self._slider.value() == _SCREEN else ""
-        self._place.setText(f"z = {self.z:.4g} {self._frame.session.scene.unit}{at_screen}: {what}")
+        place = written(self.z, self._frame.session.scene.unit)
+        self._place.setText(f"z = {place}{at_screen}: {what}")
 
     def _show_curve(self, shown: bool) -> None:
         self._curve.setVisible(shown)

@@ -17,7 +17,7 @@ from ui.views.plot_view import PlotView
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.pictures.maps import Extent, pixel_at
-from workbench.units import sized
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -165,15 +165,16 @@ class ImageView(PlotView):
         (x, y), extent = self._pointed, self._content.extent(self._shown)
         pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is not None:
-            value = sized(f"{self._values[pixel]:.4g}", self._content.unit(self._shown))
+            value = written(self._values[pixel], self._content.unit(self._shown))
             if np.isnan(self._values[pixel]):
                 value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
             whole = tr("{value} at {x}, {y}").format(
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
-            short = f"{value} ({x:.3g}, {y:.3g})"  # in a narrow view
-            fits = self._readout.fontMetrics().horizontalAdvance(whole) <= self._readout.width()
-            self._readout.setText(whole if fits else short)
+            short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
+            room, wide = self._readout.width(), self._readout.fontMetrics().horizontalAdvance
+            fitting = (text for text in (whole, short) if wide(text) <= room)
+            self._readout.setText(next(fitting, value))
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:

@@ -7,6 +7,7 @@ import numpy as np
 from ui.words import tr
 from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -57,7 +58,7 @@ class RegionMarks:
         for text, light in zip(self._texts, found, strict=True):
             words, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
             if unit.lumens is not None:
-                words += f", {light.mean * unit.density:.3g} {unit.short}"
+                words += f", {written(light.mean * unit.density, unit.short, 3)}"
             if light.uniformity is not None:
                 even = tr("least / mean {number:.2f}").format(number=light.uniformity)
                 words += f"\n{even}"

@@ -161,11 +161,11 @@ class SectionView(PlotView):
     def _cut(self, scene: "Scene") -> Cut:
         if self._along == "line":
             assert self._line is not None  # since the picture began
-            start, end = (f"({x:.3g}, {y:.3g})" for x, y in self._line)
-            unit = Extent.of_receiver(scene).unit
+            extent = Extent.of_receiver(scene)
+            start, end = (f"({extent.number(0, x)}, {extent.number(1, y)})" for x, y in self._line)
             self._button.setToolTip(
                 tr("From {start} to {end} {unit}.\n{tip}").format(
-                    start=start, end=end, unit=unit, tip=tr(_TIP)
+                    start=start, end=end, unit=extent.unit, tip=tr(_TIP)
                 )
             )
             return cut_between(scene, *self._line)

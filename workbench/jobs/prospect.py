@@ -14,6 +14,7 @@ from workbench.extended.bound import Bound, percent
 from workbench.extended.diffraction import diffraction
 from workbench.jobs.proposals import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes
+from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.units import sized
@@ -113,7 +114,11 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
         )
     else:
         same = abs(x - y) < 0.01 * max(x, y)
-        value = sized(f"{x:.3g}" if same else f"{x:.3g} × {y:.3g}", unit)
+        value = (
+            written(x, unit, 3)
+            if same
+            else sized(f"{written(x, digits=3)} × {written(y, digits=3)}", unit)
+        )
         parts = Said("{count:.0f} details fit side by side into the image.", count=wide / max(x, y))
         blur = Figure(Said("Blur of the light"), value, parts, 10 * max(x, y) > wide)
     law = Said("√(λ · distance)") if scene.receiver.at_distance else Said("λ / width of the lens")
@@ -121,7 +126,7 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
         blur,
         Figure(
             Said("Diffraction"),
-            sized(f"{spread:.2g}", unit),
+            written(spread, unit, 2),
             Said("{law}: finer details cannot be sharp, and no ray tracer shows that.", law=law),
             20 * spread > wide,
         ),

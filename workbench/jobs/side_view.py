@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.powers import written
 from workbench.scene import Scene
-from workbench.units import sized
 
 _RAYS = 5
 _BEFORE = 0.25  # of all the way, that light from infinitely far is drawn before the optic
@@ -129,10 +129,10 @@ def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[D
     half, front = optic.half_width[axis], optic.front_z
     sign = receiver.measure.sign_in(unit)
     found = [
-        Dimension(np.array([[front, -half], [front, half]]), f"{2 * half:.4g} {unit}"),
+        Dimension(np.array([[front, -half], [front, half]]), written(2 * half, unit)),
         Dimension(
             image[[0, -1]],
-            sized(f"{2 * receiver.half_extent[axis]:.4g}", sign),
+            written(2 * receiver.half_extent[axis], sign),
         ),
     ]
     here = np.array([front, 0.0])
@@ -145,7 +145,7 @@ def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[D
 
 def _distance(first: Array, last: Array, unit: str) -> Dimension:
     away = float(np.linalg.norm(last - first))
-    return Dimension(np.stack([first, last]), f"{away:.4g} {unit}", distance=True)
+    return Dimension(np.stack([first, last]), written(away, unit), distance=True)
 
 
 def _straight_to(here: Array, image: Array) -> Array:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 from workbench import units
 from workbench.errors import Refused
 from workbench.measured.lamps import intensity_of
+from workbench.powers import written
 from workbench.scene import PhotometricSource, Scene
 
 
@@ -32,11 +33,11 @@ class LightUnit(NamedTuple):
 
     def flux_in_words(self, share: float) -> str:
         """A part of the light in lumen, as in "12.3 lm"; empty where nobody knows them."""
-        return "" if self.lumens is None else f"{share * self.lumens:.4g} lm"
+        return "" if self.lumens is None else written(share * self.lumens, "lm")
 
     def density_in_words(self, density: float) -> str:
         """A density with its unit."""
-        return f"{density * self.density:.4g} {self.short}"
+        return written(density * self.density, self.short)
 
 
 IN_PARTS = LightUnit()

@@ -9,6 +9,7 @@ import torch
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
+from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -56,13 +57,12 @@ class TotalReflection:
         """How much it is, and where there is most of it."""
         x, y = self.middle
         return Said(
-            "{part:.2g} % of the light is totally reflected at the {face}, most of it around "
-            "x = {x:.3g}, y = {y:.3g} {unit}",
-            part=100 * self.share,
+            "{part} % of the light is totally reflected at the {face}, most of it around "
+            "x = {x}, y = {y}",
+            part=written(100 * self.share, digits=2),
             face=Said(scene.optic.face_called),
-            x=x,
-            y=y,
-            unit=scene.unit,
+            x=written(x, scene.unit, 3),
+            y=written(y, scene.unit, 3),
         )
 
 

@@ -8,7 +8,7 @@ from pyvista import Color
 from vtkmodules.vtkCommonCore import VTK_FONT_FILE, vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
-from workbench.pictures.numbers import power_of, with_power
+from workbench.powers import power_of, with_power
 
 _COLOURS, _LABELS = 256, 5
 # Place and size, in parts of the picture.

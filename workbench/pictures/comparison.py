@@ -12,6 +12,7 @@ from workbench.measured.light_unit import LightUnit, light_unit
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
+from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene, Unit
 from workbench.targets.raster import averaged
@@ -62,6 +63,11 @@ class RunImage:
         """The light at a place; None beside the receiver."""
         pixel = pixel_at(self.scene.receiver.bounds, self.irradiance.shape, x, y)
         return None if pixel is None else float(self.irradiance[pixel])
+
+    def in_words(self, x: float, y: float) -> str:
+        """The light at a place with its unit; empty beside the receiver."""
+        light = self.at(x, y)
+        return "" if light is None else written(light, self.unit.short)
 
 
 class Comparison:
@@ -123,9 +129,10 @@ class Comparison:
             return ""
         extent = Extent.of_receiver(light.scene)
         if self.difference is None:
-            value = f"{light.at(x, y):.4g} {light.unit.short}"
+            value = light.in_words(x, y)
         else:
-            value = f"{one.at(x, y):.4g} → {other.at(x, y):.4g} {one.unit.short}"
+            first = one.in_words(x, y).removesuffix(f" {one.unit.short}")
+            value = f"{first} → {other.in_words(x, y)}"
         place = {"x": extent.in_words(0, x), "y": extent.in_words(1, y)}
         return Said("{value} at {x}, {y}", value=value, **place)
 

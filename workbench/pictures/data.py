@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.pictures.numbers import without_power
+from workbench.powers import without_power
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

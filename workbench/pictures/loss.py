@@ -9,6 +9,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocato
 
 from workbench.arrays import Array
 from workbench.pictures.updated import UpdatedPicture
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -177,7 +178,7 @@ class LossPicture(UpdatedPicture):
         )
         self._has_points = bool(verified)
         named = self._name_all()
-        self._value.set_text(f"{losses[-1]:.3g}" if losses.size else "")
+        self._value.set_text(written(losses[-1], digits=3) if losses.size else "")
         starts = (float(x[start - 1]) for start in stage_starts if 0 < start <= x.size)
         marked = self._mark(tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts))
         places = np.concatenate([x, *(self._places(r.losses, r.times) for r in self._runs)])
@@ -293,8 +294,7 @@ def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None
 
 def _tick(loss: float, _: int) -> str:
     """As short as it can be said."""
-    mantissa, exponent = f"{loss:.1e}".split("e")
-    return f"{mantissa.removesuffix('.0')}e{exponent}" if loss else "0"
+    return written(loss, digits=2)
 
 
 def _round(value: float, *, down: bool) -> float:

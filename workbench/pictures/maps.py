@@ -8,8 +8,8 @@ from matplotlib.colors import Colormap
 from matplotlib.ticker import MaxNLocator
 
 from workbench.arrays import Array
-from workbench.pictures.numbers import power_of, with_power, write_bar_numbers, write_numbers
-from workbench.units import sized
+from workbench.pictures.numbers import write_bar_numbers, write_numbers
+from workbench.powers import power_of, with_power, written
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,6 +22,8 @@ UNSIGNED = ("inferno", "viridis", "cividis", "gray")
 """Colours of values from zero on; perceptually uniform, and read without red and green."""
 
 _FONT = 8
+_DIGITS = 3  # of a coordinate
+_NOTHING = 1e-4  # of a rectangle, less than a pixel of it
 _ROUNDING = 1e-9  # of what values could be, or are
 _ENOUGH = 0.995  # of all values; a few at an edge must not hide the rest
 
@@ -61,11 +63,16 @@ class Extent(NamedTuple):
 
     def in_words(self, axis: int, value: float) -> str:
         """One coordinate of a place, as in "x = 0.4 cm"."""
-        return f"{self.axes[axis]} = {self.sized(f'{value:.3g}')}"
+        return f"{self.axes[axis]} = {written(self._settled(axis, value), self.unit, _DIGITS)}"
 
-    def sized(self, number: str) -> str:
-        """A number with its unit; the sign of degrees follows without a space."""
-        return sized(number, self.unit)
+    def number(self, axis: int, value: float) -> str:
+        """The same without name and unit."""
+        return written(self._settled(axis, value), digits=_DIGITS)
+
+    def _settled(self, axis: int, value: float) -> float:
+        """The coordinate; 0 where it is next to nothing beside the rectangle, as in its middle."""
+        low, high = self.bounds[2 * axis : 2 * axis + 2]
+        return 0.0 if abs(value) < _NOTHING * (high - low) else value
 
 
 def map_image(

@@ -1,12 +1,9 @@
 """Numbers at axes and colour bars, with as many decimals as they need and no more.
 
 A scale that ends at 0.00005 has numbers of seven signs. Its name tells a power of ten in front of
-the unit instead, as in "height (10⁻⁶ mm)", and the numbers go from 0 to 50. The powers are those of
-the prefixes of units.
+the unit instead, as in "height (10⁻⁶ mm)", and the numbers go from 0 to 50.
 """
 
-import math
-import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -14,17 +11,15 @@ import numpy as np
 from matplotlib.ticker import Formatter, ScalarFormatter
 
 from workbench.arrays import Array
+from workbench.powers import power_of, with_power
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Direction = Literal["x", "y"]
 
-_PLAIN = 1e-2, 1e5  # largest numbers that are written without a power, and from where on not
 _MOST_DECIMALS = 12
 _SLACK = 1e-4  # of the length of the scale that numbers may be rounded by
-_HIGH = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_POWER = re.compile(r"10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+ ")
 
 
 class Numbers(Formatter):
@@ -74,51 +69,6 @@ def write_bar_numbers(bar: Any) -> None:
     bar.formatter = Numbers()
     bar.ax.callbacks.connect("ylim_changed", lambda _: _tell_power(bar.ax.yaxis))
     _tell_power(bar.ax.yaxis)
-
-
-def power_of(low: float, high: float) -> int:
-    """The exponent for a scale between two ends: a multiple of 3; 0 where no power is needed.
-
-    Examples
-    --------
-    >>> power_of(0, 5e-5), power_of(-0.004, 0.002), power_of(0, 0.01), power_of(0, 250_000)
-    (-6, -3, 0, 3)
-    """
-    largest = max(abs(low), abs(high))
-    if not 0 < largest < math.inf or _PLAIN[0] <= largest < _PLAIN[1]:
-        return 0
-    exponent = int(f"{largest:e}".partition("e")[2])
-    return 3 * (exponent // 3)
-
-
-def with_power(name: str, power: int) -> str:
-    """What stands at an axis, with a power in front of its unit.
-
-    Examples
-    --------
-    >>> with_power("height (mm)", -6)
-    'height (10⁻⁶ mm)'
-    >>> with_power("mean curvature (1 / mm)", -3), with_power("lx", 3)
-    ('mean curvature (10⁻³ / mm)', '10³ lx')
-    """
-    name = without_power(name)
-    if not power:
-        return name
-    start = name.rindex(" (") + 2 if " (" in name else 0
-    unit, ten = name[start:], "10" + str(power).translate(_HIGH)
-    ours = ten + unit.removeprefix("1") if unit.startswith("1 /") else f"{ten} {unit}"
-    return name[:start] + ours
-
-
-def without_power(name: str) -> str:
-    """What stands at an axis, in the unit itself.
-
-    Examples
-    --------
-    >>> without_power("mean curvature (10⁻³ / mm)"), without_power("10³ lx"), without_power("%")
-    ('mean curvature (1 / mm)', 'lx', '%')
-    """
-    return _POWER.sub(lambda ten: "1 " if name[ten.end()] == "/" else "", name, count=1)
 
 
 def _rounding(numbers: Array, decimals: int) -> float:

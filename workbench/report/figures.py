@@ -13,10 +13,10 @@ from workbench.analysis.validation_figures import Validation
 from workbench.extended.bound import Bound
 from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
+from workbench.powers import written
 from workbench.report.content import Fact
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.units import sized
 
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
@@ -30,7 +30,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
         Fact("95 % of other rays", _interval(found.relative_l2_interval)),
         Fact("without ray noise", _lens_error(found)),
         Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
-        Fact("loss of the paper", f"{found.loss:.4g}"),
+        Fact("loss of the paper", written(found.loss)),
         Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
         Fact("SSIM", f"{quality.ssim:.5f}"),
         Fact("correlation", _or_dash(quality.correlation, ".5f")),
@@ -131,7 +131,7 @@ def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Fact, ...
         Fact(f"{face}smallest concave radius", _extreme(found.tightest_concave, unit, "at least")),
         Fact(f"{face}smallest convex radius", _extreme(found.tightest_convex, unit, "at least")),
         Fact(f"{face}ball cutter up to", _extreme(found.tool_radius, unit, "at least")),
-        Fact(f"{face}sag range", f"{found.sag_range:.6g} {unit}"),
+        Fact(f"{face}sag range", written(found.sag_range, unit, 6)),
     )
 
 
@@ -169,8 +169,8 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     if math.isinf(found.value):
         return "none"
     x, y = found.place
-    value = sized(f"{found.value:.5g}", unit)
-    return f"{value} at ({x:.4g}, {y:.4g}); {sense} {found.bound:.5g}"
+    value = written(found.value, unit, 5)
+    return f"{value} at ({written(x)}, {written(y)}); {sense} {written(found.bound, unit, 5)}"
 
 
 def _lens_error(found: ByCells | Validation) -> str:

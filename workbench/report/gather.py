@@ -21,6 +21,7 @@ from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.measured.light_unit import light_unit
 from workbench.pictures import report as pictures
+from workbench.powers import written
 from workbench.report.content import Fact, PagePicture, Report, Section
 from workbench.report.figures import (
     account_rows,
@@ -106,7 +107,7 @@ def gather(
         Section(
             "Design run",
             (
-                Fact("loss of the optimiser", f"{result.state.loss:.4g}"),
+                Fact("loss of the optimiser", written(result.state.loss)),
                 Fact("iterations", str(result.iterations)),
                 Fact("seconds", f"{result.seconds:.1f}"),
                 *(_kept(run, scene) for run in session.runs),
@@ -208,6 +209,7 @@ def _kept(run: KeptRun, scene: Scene) -> Fact:
     error = f", error {verified_error(checked)}" if checked else ""
     return Fact(
         run.name,
-        f"loss {state.loss:.4g} after {result.iterations} iterations in {result.seconds:.1f} s, "
-        f"{percent(state.account.efficiency, 1)} {scene.receiver.place}{error}",
+        f"loss {written(state.loss)} after {result.iterations} iterations in "
+        f"{result.seconds:.1f} s, {percent(state.account.efficiency, 1)} {scene.receiver.place}"
+        f"{error}",
     )

@@ -14,6 +14,7 @@ from ui.widgets.message_bar import MessageBar
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
+from workbench.powers import written
 from workbench.scene import FlatEntrance, FreeformEntrance
 
 
@@ -63,7 +64,7 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
         ControlNet.of(after.scene.lens),
         after.start["exit"],
     )
-    assert f"off by up to {off:.2g} cm" in desk.messages.text
+    assert f"off by up to {written(off, 'cm', 2)}" in desk.messages.text
     assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
     qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session

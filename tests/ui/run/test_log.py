@@ -110,7 +110,7 @@ def test_a_run_logs_its_phases_and_its_trace_once(window, snapshots, as_seen_run
         "Stage 2 of 2, iteration 2",
         "Trace: fused kernels; box filter",
         "Run ended (all iterations are done) after iteration 3 of 3, 0:00: "
-        "last loss 2.500e-01, 92.0 % on the screen",
+        "last loss 0.25, 92.0 % on the screen",
     ]
 
 

@@ -12,6 +12,7 @@ import workbench.analysis.derivatives
 from ui.views.derivative_view import DerivativeView
 from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
 from workbench.geometry.faces import FaceArrays
+from workbench.powers import written
 
 
 @pytest.fixture
@@ -65,8 +66,8 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)
     np.testing.assert_array_equal(shown.mask, wanted.map == 0)
-    assert f"{wanted.sum:.1e} per cm," in seen._sum.text()
-    assert seen._place.text() == "x = 0.111, y = 0.143 cm"
+    assert f"{written(wanted.sum, digits=2)} per cm," in seen._sum.text()
+    assert seen._place.text() == "x = 0.111 cm, y = 0.143 cm"
 
 
 def test_view_says_that_there_is_no_map_yet(seen, frame, session, monkeypatch, qtbot):
@@ -108,10 +109,10 @@ def test_many_frames_are_one_map_of_the_last(seen, frame, asked, qtbot, qapp):
     assert not asked
     seen._rest.setInterval(10)
     seen.show_frame(frame(4))
-    qtbot.waitUntil(lambda: "changes by 5.0e-01 per cm" in seen._sum.text())
+    qtbot.waitUntil(lambda: "changes by 0.5 per cm" in seen._sum.text())
     assert [call[1]["exit"][0, 0] for call in asked] == [0.46]
     assert asked[0][3] != qapp.thread()
-    assert "2.5e-01 of the total flux" in seen._sum.text()
+    assert "0.25 of the total flux" in seen._sum.text()
 
 
 def test_another_point_is_another_map(seen, frame, asked, qtbot):

@@ -120,9 +120,14 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     assert [view._readout.text() for view in views] == ["", "", ""]
 
 
+def test_the_middle_of_an_image_is_at_0_whatever_the_pixel_of_the_pointer(views):
+    views[0]._point((1e-17, -3e-5))
+    assert views[0]._readout.text().endswith("at x = 0 cm, y = 0 cm")
+
+
 def test_value_and_place_under_the_pointer_are_said_in_short_where_there_is_little_room(views):
     view = views[0]
-    for width, words in ((400, "at x ="), (150, "(0.4")):
+    for width, words in ((400, "at x ="), (150, "(0.4"), (90, " / cm²")):
         view._readout.resize(width, view._readout.height())
         view._point((0.4, 0.2))
         text = view._readout.text()

@@ -12,6 +12,7 @@ from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
 from workbench.geometry.surface import freeform_nets
+from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import FlatEntrance, Scene, WantedImage
 
@@ -129,7 +130,9 @@ def first_of_several(
 def _chosen(errors: Mapping[Said, float], best: Said) -> Said:
     """What was tried, how good it is, and what was taken."""
     tried = {
-        f"first_{number}": Said("{error:.2g} % by {face}", error=100 * error, face=face)
+        f"first_{number}": Said(
+            "{error} % by {face}", error=written(100 * error, digits=2), face=face
+        )
         for number, (face, error) in enumerate(errors.items())
     }
     return Said(

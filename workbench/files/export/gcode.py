@@ -13,6 +13,7 @@ import numpy as np
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.tool_path import CutFace, Raster
+from workbench.powers import written
 from workbench.said import Said
 from workbench.watch import Steps, finished
 
@@ -60,13 +61,11 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
         raise Refused(
             "tool_radius",
             Said(
-                "a ball cutter of {radius:.4g} {unit} does not fit: it leaves "
-                "{left:.2g} and cuts off {cut:.2g} {unit}; a smaller one, or "
-                "run.min_tool_radius",
-                radius=radius,
-                unit=design.unit,
-                left=left,
-                cut=max(cut_off, 0),
+                "a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; "
+                "a smaller one, or run.min_tool_radius",
+                radius=written(radius, design.unit),
+                left=written(left, design.unit, 2),
+                cut=written(max(cut_off, 0), design.unit, 2),
             ),
         )
     for line in _program(design, raster, scallop, plan.top):
@@ -75,8 +74,10 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
         "simulated cut off by",
         max(left, cut_off),
         design.unit,
-        f"cutter radius {radius:.4g}, ridges up to {left:.2g}, cut into the face up to "
-        f"{max(cut_off, 0):.2g} {design.unit}; a finishing pass in mm, zero at the top of the face",
+        f"cutter radius {written(radius, design.unit)}, ridges up to "
+        f"{written(left, design.unit, 2)}, cut into the face up to "
+        f"{written(max(cut_off, 0), design.unit, 2)}; a finishing pass in mm, zero at the top of "
+        "the face",
     )
 
 

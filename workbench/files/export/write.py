@@ -12,6 +12,7 @@ from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
+from workbench.powers import written
 from workbench.said import Said
 
 
@@ -36,7 +37,7 @@ class Written(NamedTuple):
     def sentence(self) -> str:
         """All of it for people to read."""
         kind, size, unit, note = self.deviation
-        described = [self.format, f"{kind} {size:.2g} {unit}", *([note] if note else [])]
+        described = [self.format, f"{kind} {written(size, unit, 2)}", *([note] if note else [])]
         return f"{self.path}: {', '.join(described)}"
 
 
