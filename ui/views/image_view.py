@@ -73,6 +73,7 @@ class ImageView(PlotView):
         self._axes: Axes | None = None
         self._values: Array | None = None
         self._pointed: Place | None = None
+        self._pointer: Place | None = None  # pixels, while the mouse is on this image
         self._grip: tuple[Place, Place] | None = None  # pixels and place where a drag began
         self._dragged = False
         self._readout = QLabel()
@@ -89,7 +90,7 @@ class ImageView(PlotView):
         canvas.mpl_connect("button_press_event", self._press)
         canvas.mpl_connect("button_release_event", self._release)
         canvas.mpl_connect("motion_notify_event", self._move)
-        canvas.mpl_connect("axes_leave_event", lambda _: self._link.pointed.emit(None))
+        canvas.mpl_connect("axes_leave_event", lambda _: self._leave())
 
     def show_nothing(self, session: "Session") -> None:
         """Show a design of which there is no image."""
@@ -133,19 +134,21 @@ class ImageView(PlotView):
         """Follow the link; whether the axes changed."""
         axes, part = self._axes, self._part()
         assert axes is not None
-        if part == (*axes.get_xlim(), *axes.get_ylim()):
-            return False
-        axes.set_xlim(*part[:2])
-        axes.set_ylim(*part[2:])
-        return True
+        other = part != (*axes.get_xlim(), *axes.get_ylim())
+        if other:
+            axes.set_xlim(*part[:2])
+            axes.set_ylim(*part[2:])
+        if self._pointer is not None:  # at rest, while keys or another design move the image
+            axes.apply_aspect()  # where drawing will put them
+            self._link.pointed.emit(self._place_at(*self._pointer))
+        return other
 
     def _click(self, place: Place) -> None:
         """A place was clicked."""
 
     def _drag(self, event: Any, start: Place) -> None:
         """The mouse is dragged from a place: keep this under the pointer."""
-        assert self._axes is not None
-        there = self._axes.transData.inverted().transform((event.x, event.y))
+        there = self._place_at(event.x, event.y)
         left, right, bottom, top = self._part()
         dx, dy = start[0] - there[0], start[1] - there[1]
         self._show_part((left + dx, right + dx, bottom + dy, top + dy))
@@ -164,7 +167,9 @@ class ImageView(PlotView):
             return
         (x, y), extent = self._pointed, self._content.extent(self._shown)
         pixel = pixel_at(extent.bounds, self._values.shape, x, y)
-        if pixel is not None:
+        if pixel is None:
+            self._readout.clear()
+        else:
             value = written(self._values[pixel], self._content.unit(self._shown))
             if np.isnan(self._values[pixel]):
                 value = tr("beside the {optic}", optic=self._shown.scene.optic.called)
@@ -204,6 +209,7 @@ class ImageView(PlotView):
 
     def _move(self, event: Any) -> None:
         if event.inaxes is self._axes and self._axes is not None:
+            self._pointer = event.x, event.y
             self._link.pointed.emit((event.xdata, event.ydata))
         if self._grip is None:
             return
@@ -211,6 +217,16 @@ class ImageView(PlotView):
         self._dragged |= abs(event.x - i) + abs(event.y - j) > _DRAG
         if self._dragged:
             self._drag(event, start)
+
+    def _leave(self) -> None:
+        self._pointer = None
+        self._link.pointed.emit(None)
+
+    def _place_at(self, x: float, y: float) -> Place:
+        """The place at a pixel of the canvas."""
+        assert self._axes is not None
+        across, up = self._axes.transData.inverted().transform((x, y))
+        return float(across), float(up)
 
     def _release(self, event: Any) -> None:
         if self._grip is not None and self._dragged:

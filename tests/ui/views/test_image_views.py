@@ -120,6 +120,28 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     assert [view._readout.text() for view in views] == ["", "", ""]
 
 
+def test_values_are_those_under_a_pointer_at_rest_after_keys_have_moved_the_images(views, qtbot):
+    view, x, y = views[1], 0.40625, -0.65625
+    qtbot.mouseMove(view._canvas, place(view, x, y))
+    before = [view._readout.text() for view in views]
+    for keys in ((Qt.Key.Key_Plus, Qt.Key.Key_Plus), (Qt.Key.Key_Left,), (Qt.Key.Key_Home,)):
+        seen = limits(view)
+        for key in keys:
+            qtbot.keyClick(view._canvas, key)
+        qtbot.waitUntil(lambda seen=seen: all(limits(view) != seen for view in views))
+        place_now = view._place_at(*view._pointer)
+        assert view._pointed == pytest.approx(place_now)
+        after = [view._readout.text() for view in views]
+        for each in views:
+            each._point(place_now)
+        assert after == [view._readout.text() for view in views]
+        assert (after == before) == (keys == (Qt.Key.Key_Home,))
+    qtbot.mouseMove(view._canvas, QPoint(2, 2))
+    qtbot.keyClick(view._canvas, Qt.Key.Key_Plus)
+    qtbot.waitUntil(lambda: limits(view) != (-1, 1, -1, 1))
+    assert [view._readout.text() for view in views] == ["", "", ""]
+
+
 def test_the_middle_of_an_image_is_at_0_whatever_the_pixel_of_the_pointer(views):
     views[0]._point((1e-17, -3e-5))
     assert views[0]._readout.text().endswith("at x = 0 cm, y = 0 cm")
