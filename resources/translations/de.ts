@@ -3635,6 +3635,16 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
+            <source>Image that is shown</source>
+            <translation>Gezeigtes Bild</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Which of the scenes' images is shown, in pictures and figures</source>
+            <translation>Welches der Bilder der Szenen gezeigt wird, in Bildern und Zahlen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
             <source>Light under the pointer</source>
             <translation>Licht unter dem Zeiger</translation>
         </message>
@@ -4054,6 +4064,11 @@
             <translation>Ein Name hat höchstens {count} Zeichen</translation>
         </message>
         <message>
+            <location filename="../../ui/shown/image_titles.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Bild {number}, {place}</translation>
+        </message>
+        <message>
             <location filename="../../ui/startup/unexpected_errors.py" />
             <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
             <translation>Etwas ist schiefgegangen, das nicht schiefgehen sollte: {error}. Ihre Arbeit ist noch da: speichern Sie sie.</translation>
@@ -4325,18 +4340,8 @@
         </message>
         <message>
             <location filename="../../ui/views/image_choice.py" />
-            <source>Image that is shown</source>
-            <translation>Gezeigtes Bild</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
             <source>Which of the scene's images is shown</source>
             <translation>Welches der Bilder der Szene gezeigt wird</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
-            <source>Image {number}, {place}</source>
-            <translation>Bild {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />

@@ -3635,6 +3635,16 @@
         </message>
         <message>
             <location filename="../../ui/run/comparison.py" />
+            <source>Image that is shown</source>
+            <translation>Image affichée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
+            <source>Which of the scenes' images is shown, in pictures and figures</source>
+            <translation>Laquelle des images des scènes est affichée, dans les images et les chiffres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/comparison.py" />
             <source>Light under the pointer</source>
             <translation>Lumière sous le pointeur</translation>
         </message>
@@ -4054,6 +4064,11 @@
             <translation>Un nom a au plus {count} caractères</translation>
         </message>
         <message>
+            <location filename="../../ui/shown/image_titles.py" />
+            <source>Image {number}, {place}</source>
+            <translation>Image {number}, {place}</translation>
+        </message>
+        <message>
             <location filename="../../ui/startup/unexpected_errors.py" />
             <source>Something went wrong that should not: {error}. Your work is still here: save it.</source>
             <translation>Quelque chose s'est mal passé qui n'aurait pas dû : {error}. Votre travail est encore là : enregistrez-le.</translation>
@@ -4325,18 +4340,8 @@
         </message>
         <message>
             <location filename="../../ui/views/image_choice.py" />
-            <source>Image that is shown</source>
-            <translation>Image affichée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
             <source>Which of the scene's images is shown</source>
             <translation>Laquelle des images de la scène est affichée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/views/image_choice.py" />
-            <source>Image {number}, {place}</source>
-            <translation>Image {number}, {place}</translation>
         </message>
         <message>
             <location filename="../../ui/views/image_view.py" />

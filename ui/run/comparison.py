@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QComboBox,
     QDialog,
     QHBoxLayout,
     QHeaderView,
@@ -22,6 +23,7 @@ from PySide6.QtWidgets import (
 
 from ui.run.kept import called
 from ui.run.run_figures import figures_of
+from ui.shown.image_titles import image_titles
 from ui.widgets.plot_words import translate
 from ui.words import later, tr
 from workbench.design.session import KeptRun
@@ -53,6 +55,10 @@ class RunComparison(QDialog):
         super().__init__(window)
         self.setWindowTitle(tr("Comparison of two runs"))
         self._verified = verified
+        self._choice = QComboBox()
+        self._choice.setAccessibleName(tr("Image that is shown"))
+        self._choice.setToolTip(tr("Which of the scenes' images is shown, in pictures and figures"))
+        self._choice.activated.connect(self._show_image)
         self._pair: Pair | None = None
         self._picture: Comparison | None = None
         self._readout = QLabel(tr(_POINT))
@@ -66,7 +72,10 @@ class RunComparison(QDialog):
         column = QVBoxLayout(pictures)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self._canvas, 1)
-        column.addWidget(self._readout)
+        below = QHBoxLayout()
+        below.addWidget(self._choice)
+        below.addWidget(self._readout, 1)
+        column.addLayout(below)
         parts = QSplitter(Qt.Orientation.Horizontal)
         parts.setChildrenCollapsible(False)
         parts.addWidget(pictures)
@@ -92,17 +101,19 @@ class RunComparison(QDialog):
     def show_pair(self, pair: Pair) -> None:
         """Show two runs."""
         self._pair = pair
-        one, other = (replace(run, name=called(run)) for run in pair)
-        self._picture = Comparison(self._figure, (one, other))
-        translate(self._figure, self._picture.titles)
-        self._recolour()
-        self.show_figures()
+        titles = image_titles(*(run.scene for run in pair))
+        chosen = min(max(self._choice.currentIndex(), 0), len(titles) - 1)
+        self._choice.clear()
+        self._choice.addItems(titles)
+        self._choice.setCurrentIndex(chosen)
+        self._choice.setVisible(len(titles) > 1)
+        self._show_image()
 
     def show_figures(self) -> None:
         """Show figures as they are known by now."""
         if self._pair is None:
             return
-        own = zip(*(figures_of(run, self._verified(run)) for run in self._pair), strict=True)
+        own = zip(*map(self._figures_of, self._pair), strict=True)
         rows = [(tr(name), (one, other)) for (name, one), (_, other) in own]
         one, other = (run.scene for run in self._pair)
         apart = [(_title(each.title), each.values) for each in differences(one, other)]
@@ -118,6 +129,21 @@ class RunComparison(QDialog):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and self._picture is not None:
             self._recolour()
+
+    def _show_image(self) -> None:
+        """Show the chosen one of several images."""
+        assert self._pair is not None  # since there is a choice
+        one, other = (replace(run, name=called(run)) for run in self._pair)
+        self._picture = Comparison(self._figure, (one, other), self._choice.currentIndex())
+        translate(self._figure, self._picture.titles)
+        self._recolour()
+        self._readout.setText(tr(_POINT))
+        self.show_figures()
+
+    def _figures_of(self, run: KeptRun) -> list[tuple[str, str]]:
+        """Figures of a run's chosen image; a check knows the error of the first."""
+        number = min(self._choice.currentIndex(), len(run.scene.further_images))
+        return figures_of(run.of_image(number), "" if number else self._verified(run))
 
     def _recolour(self) -> None:
         palette = self.palette()
@@ -162,7 +188,9 @@ def _table() -> QTableWidget:
     table.setAlternatingRowColors(True)
     table.setShowGrid(False)
     table.setFrameShape(QTableWidget.Shape.NoFrame)
-    table.verticalHeader().hide()
+    lines = table.verticalHeader()
+    lines.hide()
+    lines.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     header = table.horizontalHeader()
     header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
     for column in (1, 2):

@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
 
+from ui.shown.image_titles import image_titles
 from ui.views.image_link import ImageLink
 from ui.words import tr
 
 if TYPE_CHECKING:
-    from workbench.scene import AnyReceiver, Scene
+    from workbench.scene import Scene
 
 
 class ImageChoice(QComboBox):
@@ -31,17 +32,10 @@ class ImageChoice(QComboBox):
 
     def show_scene(self, scene: "Scene") -> None:
         """Offer the images of a scene; nothing where there is only one."""
-        titles = [
-            tr("Image {number}, {place}").format(number=number, place=_place(receiver, scene.unit))
-            for number, receiver in enumerate(scene.receivers, start=1)
-        ]
+        titles = image_titles(scene)
         with QSignalBlocker(self):
             if titles != [self.itemText(number) for number in range(self.count())]:
                 self.clear()
                 self.addItems(titles)
             self.setCurrentIndex(self._link.number_in(scene))
         self.setVisible(len(titles) > 1)
-
-
-def _place(receiver: "AnyReceiver", unit: str) -> str:
-    return f"z = {receiver.plane_z:.4g} {unit}" if receiver.at_distance else tr(receiver.called)

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, Self
 
 import numpy as np
 
@@ -90,6 +90,21 @@ class KeptRun:
     target: Array
     result: Result
     verified: VerifiedError | None = None
+
+    def of_image(self, number: int) -> Self:
+        """The run as if one of its images were the only one; 0 is the first.
+
+        Where it has fewer, it is the last one. What a check said is of the first.
+        """
+        number = min(number, len(self.scene.further_images))
+        alone = Session(self.scene, self.target, self.result).of_image(number)
+        return replace(
+            self,
+            scene=alone.scene,
+            target=alone.target,
+            result=result_of(alone),
+            verified=None if number else self.verified,
+        )
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.name) <= LONGEST_NAME:

@@ -26,7 +26,7 @@ _LONGEST = 34  # letters of a title
 
 @dataclass(frozen=True, eq=False)
 class RunImage:
-    """The first image of a run.
+    """The one image of a run.
 
     Attributes
     ----------
@@ -51,8 +51,8 @@ class RunImage:
 
     @classmethod
     def of(cls, run: KeptRun, unit: Unit) -> Self:
-        """The light of a run, with lengths in a unit."""
-        session = Session(run.scene, run.target, run.result).of_image(0).in_unit(unit)
+        """The light of a run of one image, with lengths in a unit."""
+        session = Session(run.scene, run.target, run.result).in_unit(unit)
         assert session.result is not None
         scene, target, light = session.scene, session.target, session.result.state.irradiance
         light_in = light_unit(scene)
@@ -83,6 +83,8 @@ class Comparison:
         What was on it gives way.
     runs : tuple[KeptRun, KeptRun]
         The runs; lengths are in the unit of the first.
+    number : int
+        Which of their images is shown, as `KeptRun.of_image` counts.
 
     Attributes
     ----------
@@ -94,8 +96,9 @@ class Comparison:
         What the runs are called in the picture: their names, cut to what there is room for.
     """
 
-    def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun]) -> None:
-        one, other = (RunImage.of(run, runs[0].scene.unit) for run in runs)
+    def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun], number: int = 0) -> None:
+        unit = runs[0].scene.unit
+        one, other = (RunImage.of(run.of_image(number), unit) for run in runs)
         self.lights = one, other
         self.titles = _short(one.name), _short(other.name)
         self.difference = difference(one, other)

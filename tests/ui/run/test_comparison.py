@@ -1,0 +1,105 @@
+"""Two runs of several images beside each other: the image that is shown is chosen."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QComboBox, QWidget
+
+from tests.accounts import account_of
+from tests.scene.test_further_image import SECOND
+from ui.run.comparison import RunComparison
+from workbench.design.lens_state import FurtherLight
+from workbench.design.session import KeptRun
+from workbench.design.task import begin
+
+
+@pytest.fixture
+def kept(make_scene, history, tmp_path):
+    """Makes runs of a scene with some fields changed, with this much light in a second image."""
+
+    def make(name, light=None, changes=None):
+        further = {} if light is None else {"further_images": [SECOND]}
+        session = begin(make_scene({**further, **(changes or {})}), tmp_path)
+        result = history(3).result()
+        if light is not None:
+            account = account_of(1.0, light, 0.96 - light, 0.0, 0.0, 0.0, 0.04, 0.0)
+            second = FurtherLight(np.full((32, 24), light), 0.1, account)
+            result = result.with_state(further=(second,))
+        return KeptRun(name, session.scene, session.target, result)
+
+    return make
+
+
+@pytest.fixture
+def comparison(show, qtbot):
+    window = QWidget()
+    show(window, 1000, 700)
+    shown = RunComparison(lambda run: f"of {run.name}", window)
+    shown.show()
+    yield shown
+    shown.close()
+    window.close()
+
+
+def choice(comparison):
+    return comparison.findChild(QComboBox)
+
+
+def choose(comparison, number):
+    choice(comparison).setCurrentIndex(number)
+    choice(comparison).activated.emit(number)
+
+
+def figures(comparison, name):
+    """Both values of a line of the table."""
+    table = comparison.table
+    row = next(row for row in range(table.rowCount()) if table.item(row, 0).text() == name)
+    return [table.item(row, column).text() for column in (1, 2)]
+
+
+def test_pictures_and_figures_are_of_the_image_that_is_chosen(comparison, kept):
+    comparison.show_pair((kept("dim", 0.3), kept("bright", 0.5)))
+    titles = [choice(comparison).itemText(k) for k in range(choice(comparison).count())]
+    assert choice(comparison).isVisible()
+    assert titles == ["Image 1, z = 5 cm", "Image 2, z = 6 cm"]
+    assert figures(comparison, "On screen") == ["92.0 %", "92.0 %"]
+    assert figures(comparison, "Verified") == ["of dim", "of bright"]
+    choose(comparison, 1)
+    one, other, difference = (a.images[0].get_array() for a in comparison._figure.axes[:3])
+    assert one.shape == (32, 24) and (one == 0.3).all() and (other == 0.5).all()
+    np.testing.assert_allclose(difference, 0.2)
+    assert figures(comparison, "Target") == ["Ball", "Ball"]
+    assert figures(comparison, "On screen") == ["30.0 %", "50.0 %"]
+    assert figures(comparison, "Verified") == ["–", "–"]  # a check is of the first image
+    choose(comparison, 0)
+    assert comparison._figure.axes[0].images[0].get_array().shape == (32, 32)
+    assert figures(comparison, "On screen") == ["92.0 %", "92.0 %"]
+
+
+def test_images_at_different_places_are_named_with_both(comparison, kept):
+    far = {"further_images": [{**SECOND, "screen": {**SECOND["screen"], "z": 8.0}}]}
+    comparison.show_pair((kept("near", 0.3), kept("far", 0.5, far)))
+    titles = [choice(comparison).itemText(k) for k in (0, 1)]
+    assert titles == ["Image 1, z = 5 cm", "Image 2, z = 6 cm → z = 8 cm"]
+
+
+def test_a_run_of_one_image_shows_it_beside_each_of_another(comparison, kept):
+    comparison.show_pair((kept("one"), kept("two", 0.5)))
+    assert choice(comparison).itemText(1) == "Image 2, z = 5 cm → z = 6 cm"
+    choose(comparison, 1)
+    assert figures(comparison, "On screen") == ["92.0 %", "50.0 %"]
+    assert figures(comparison, "Verified") == ["of one", "–"]
+
+
+def test_the_choice_stays_for_another_pair_that_has_it_and_is_hidden_for_one_image(
+    comparison, kept
+):
+    one, two = kept("one"), kept("two", 0.5)
+    comparison.show_pair((two, replace(two, name="again")))
+    choose(comparison, 1)
+    comparison.show_pair((one, two))
+    assert choice(comparison).currentIndex() == 1
+    comparison.show_pair((one, one))
+    assert not choice(comparison).isVisible()
+    assert comparison._figure.axes[0].images[0].get_array().shape == (32, 32)
