@@ -82,7 +82,13 @@ _NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
 
 
 class ManufactureFigures(QWidget):
-    """A table of figures, limits and verdicts."""
+    """A table of figures, limits and verdicts.
+
+    Attributes
+    ----------
+    cut : QPushButton
+        Asks for a cut, for whoever holds the table.
+    """
 
     def __init__(self, fields: LimitFields) -> None:
         super().__init__()
@@ -115,12 +121,11 @@ class ManufactureFigures(QWidget):
             self._add(row, key, _named(*map(tr, _OF_FACE[key])))
         self.note = QLabel(wordWrap=True)
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 5)
-        grid.setRowStretch(end + 4 + len(_OF_FACE) + 1, 1)
+        grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
         self.cut = QPushButton(tr("Ball cutter…"))
         self.cut.setToolTip(
             tr("Say how the face is cut, see what the cut leaves, and write G-code")
         )
-        grid.addWidget(self.cut, end + 3 + len(_OF_FACE) + 1, 0, 1, 5)
         fields.changed.connect(self._judge)
 
     def show_found(self, found: Manufacture, unit: str) -> None:

@@ -54,7 +54,7 @@ class ManufacturePane(SideBySide):
         face_map = FaceMap()
         fields = LimitFields(settings, face_map)
         figures = ManufactureFigures(fields)
-        super().__init__(face_map, figures)
+        super().__init__(face_map, figures, (figures.cut,))
         self.map, self._fields, self._figures = face_map, fields, figures
         figures.cut.clicked.connect(self.cut_asked)
         self.setFocusProxy(face_map)

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import NumberRow
@@ -29,6 +29,8 @@ class ToleranceForm(QWidget):
     ----------
     toggled, save_asked : Signal()
         A person wants to begin, or to cancel; to save what was found.
+    begin, save : QPushButton
+        What is done with it, for whoever holds the form.
     obstacle : str
         What in the task itself tolerances do not know, as it was found last; empty if nothing.
     """
@@ -57,13 +59,7 @@ class ToleranceForm(QWidget):
             tr("Save the plot (PNG, SVG), or the figures of each lens (CSV, JSON)")
         )
         self.save.clicked.connect(self.save_asked)
-        buttons = QHBoxLayout()
-        buttons.setSpacing(6)
-        buttons.addWidget(self.begin)
-        buttons.addWidget(self.save)
-        buttons.addStretch(1)
-        grid.addLayout(buttons, len(lines), 0, 1, 4)
-        grid.setRowStretch(len(lines) + 1, 1)
+        grid.setRowStretch(len(lines), 1)
         for row in self._rows:
             row.edited.connect(self._take)
             row.reverted.connect(self._revert)

@@ -45,7 +45,7 @@ class TolerancePane(SideBySide):
 
     def __init__(self) -> None:
         plot, form = SpreadView(), ToleranceForm()
-        super().__init__(plot, form)
+        super().__init__(plot, form, (form.begin, form.save))
         self.plot, self.form = plot, form
         self.summary = QLabel(wordWrap=True)
         self.summary.setContentsMargins(6, 0, 6, 4)

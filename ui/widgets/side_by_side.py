@@ -1,8 +1,18 @@
 """A picture and what belongs to it: beside each other where there is width, else one below."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QFrame, QScrollArea, QWidget
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
 
 _WIDE = 1.3  # times as wide as high
 _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
@@ -11,21 +21,33 @@ _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
 class SideBySide(QWidget):
     """Gives the picture all room that the other does not need; that one scrolls where it must.
 
+    Buttons stay in sight below what scrolls.
+
     Parameters
     ----------
     picture : QWidget
         Takes what room there is.
     other : QWidget
         Fields and figures.
+    buttons : sequence of QPushButton
+        What can be done with them.
     """
 
-    def __init__(self, picture: QWidget, other: QWidget) -> None:
+    def __init__(self, picture: QWidget, other: QWidget, buttons: Sequence[QPushButton]) -> None:
         super().__init__()
         self._line = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._line.setContentsMargins(0, 0, 0, 0)
         self._line.setSpacing(0)
         self._line.addWidget(picture, 1)
-        self._line.addWidget(_Scrolled(other))
+        beside = QVBoxLayout()
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 2, 6, 6)
+        for button in buttons:
+            row.addWidget(button)
+        row.addStretch(1)
+        beside.addWidget(_Scrolled(other, _OTHER_HIGH - row.sizeHint().height()))
+        beside.addLayout(row)
+        self._line.addLayout(beside)
         picture.setMinimumHeight(_HIGH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -39,9 +61,9 @@ class SideBySide(QWidget):
 class _Scrolled(QScrollArea):
     """Asks for all the room that what it holds needs, and makes do with less."""
 
-    def __init__(self, held: QWidget) -> None:
+    def __init__(self, held: QWidget, least: int) -> None:
         super().__init__()
-        self._held = held
+        self._held, self._least = held, least
         self.setWidget(held)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -61,4 +83,4 @@ class _Scrolled(QScrollArea):
     def minimumSizeHint(self) -> QSize:
         """Enough to see where to begin."""
         least = super().minimumSizeHint()
-        return QSize(least.width(), min(self.sizeHint().height(), _OTHER_HIGH))
+        return QSize(least.width(), min(self.sizeHint().height(), self._least))

@@ -1,7 +1,7 @@
 """A picture and what belongs to it share the room."""
 
 import pytest
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.widgets.side_by_side import SideBySide
 
@@ -17,11 +17,13 @@ def figures():
 
 
 def test_the_picture_has_all_room_that_figures_leave_also_when_they_change(figures, show, qtbot):
-    picture = QWidget()
-    beside = show(SideBySide(picture, figures), 300, 500)
+    picture, button = QWidget(), QPushButton("go")
+    beside = show(SideBySide(picture, figures, [button]), 300, 500)
+
+    row = button.sizeHint().height() + 8  # with its margins
 
     def taken():
-        return beside.height() - picture.height()
+        return beside.height() - picture.height() - row
 
     qtbot.waitUntil(lambda: taken() == figures.sizeHint().height() > 0)
     whole = taken()
@@ -29,3 +31,13 @@ def test_the_picture_has_all_room_that_figures_leave_also_when_they_change(figur
     qtbot.waitUntil(lambda: taken() == figures.sizeHint().height() < whole)
     figures.labels[1].show()
     qtbot.waitUntil(lambda: taken() == whole)
+
+
+def test_buttons_stay_in_sight_where_figures_have_to_be_scrolled(figures, show, qtbot):
+    figures.setMinimumHeight(900)
+    button = QPushButton("go")
+    beside = show(SideBySide(QWidget(), figures, [button]), 300, 400)
+    qtbot.waitUntil(lambda: figures.visibleRegion().boundingRect().height() < 300)
+    assert button.visibleRegion().boundingRect() == button.rect()
+    place = button.mapTo(beside, button.rect().bottomRight())
+    assert beside.rect().contains(place)
