@@ -143,6 +143,7 @@ class CutterDialog(QDialog):
         column.addWidget(self.found)
         column.addWidget(buttons)
         self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
+        self._goes_on = False  # whether the keyboard was at the button
         self._background = Background("simulate the cut", self)
         self._background.progressed.connect(lambda _, said: self.found.setText(said))
         self._background.done.connect(self._tell)
@@ -167,6 +168,7 @@ class CutterDialog(QDialog):
         """Simulate the cut in a thread, and trace what it leaves."""
         cutting = self._asked()
         if cutting is not None:
+            self._goes_on = self.look.hasFocus()
             self.look.setEnabled(False)
             self.found.setText(tr("Simulating the cut…"))
             self._background.begin(partial(_look, self._session, cutting))
@@ -208,6 +210,8 @@ class CutterDialog(QDialog):
 
     def _tell(self, _: object, said: str) -> None:
         self.look.setEnabled(True)
+        if self._goes_on:  # disabled, it gave the keyboard to Cancel, which Return would press
+            self.look.setFocus()
         self.found.setText(said)
 
 

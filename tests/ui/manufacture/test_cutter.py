@@ -1,7 +1,7 @@
 """How a face is cut, asked in the window."""
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from tests.ui.hands import fill
@@ -61,10 +61,24 @@ def test_ridges_and_both_errors_are_shown(dialog, qtbot, monkeypatch):
     assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
 
 
+def test_the_keyboard_is_back_at_the_button_after_a_simulation(dialog, qtbot, monkeypatch):
+    monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
+    fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
+    with qtbot.waitActive(dialog):
+        dialog.activateWindow()
+    dialog.look.setFocus()
+    qtbot.waitUntil(dialog.look.hasFocus)
+    qtbot.keyClick(dialog.look, Qt.Key.Key_Space)
+    assert not dialog.look.hasFocus()
+    qtbot.waitUntil(dialog.look.isEnabled)
+    assert dialog.look.hasFocus()
+
+
 def test_closing_leaves_the_trace_of_a_cut(dialog, qtbot, monkeypatch):
-    left = []
+    begun, left = [], []
 
     def endless(*_):
+        begun.append(True)
         try:
             while True:
                 yield 0.0
@@ -74,7 +88,7 @@ def test_closing_leaves_the_trace_of_a_cut(dialog, qtbot, monkeypatch):
     monkeypatch.setattr("workbench.analysis.cut_lens.tracing_cut", endless)
     fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
     dialog.look.click()
-    qtbot.waitUntil(lambda: "Tracing" in dialog.found.text())
+    qtbot.waitUntil(lambda: bool(begun) and "Tracing" in dialog.found.text())
     dialog.reject()  # waits for the thread
     assert left and not dialog._background.running
 
