@@ -23,7 +23,6 @@ from ui.commands.menus import MENUS
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
-from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.tolerance_fields import ABOUT
 from workbench.design.endings import ENDINGS, FAILED
 from workbench.jobs import JOBS
@@ -97,7 +96,6 @@ def _of_engine() -> Iterator[str]:
     yield from SENTENCES.values()
     for tolerance in ABOUT.values():
         yield from (tolerance.title, tolerance.tip)
-    yield from (light.title for light in LIGHTS.values())
     for aspect in ASPECTS:
         yield from (aspect.name, aspect.tip)
     yield from MAPS

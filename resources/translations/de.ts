@@ -565,8 +565,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save pict&amp;ure…</source>
-            <translation>B&amp;ild speichern …</translation>
+            <source>Save &amp;predicted photo…</source>
+            <translation>Fo&amp;to speichern …</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -2040,8 +2040,8 @@
         </message>
         <message>
             <location filename="../../ui/files/photo_picture.py" />
-            <source>Save picture</source>
-            <translation>Bild speichern</translation>
+            <source>Save predicted photo</source>
+            <translation>Vorhergesagtes Foto speichern</translation>
         </message>
         <message>
             <location filename="../../ui/files/photo_picture.py" />
@@ -4435,7 +4435,7 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>predicting… {part:.0f} %</source>
+            <source>Predicting… {part:.0f} %</source>
             <translation>Vorhersage … {part:.0f} %</translation>
         </message>
         <message>
@@ -6876,21 +6876,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>daylight (D65)</source>
-            <translation>Tageslicht (D65)</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>white LED</source>
-            <translation>weiße LED</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>equal energy</source>
-            <translation>gleiche Energie</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>height</source>
             <translation>Höhe</translation>
         </message>
@@ -7058,6 +7043,46 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/analysis/derivatives.py" />
             <source>1 counts rays by pixel, which has no derivative; 3 or more</source>
             <translation>1 zählt Strahlen je Pixel, was keine Ableitung hat; 3 oder mehr</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>laser of {wavelength:g} µm</source>
+            <translation>Laser von {wavelength:g} µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>daylight (D65)</source>
+            <translation>Tageslicht (D65)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>white LED</source>
+            <translation>weiße LED</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>equal energy</source>
+            <translation>gleiche Energie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>with cells</source>
+            <translation>mit Zellen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>with random rays</source>
+            <translation>mit Zufallsstrahlen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>{light}, no dispersion known, {way}</source>
+            <translation>{light}, keine Dispersion bekannt, {way}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
+            <translation>{light}, {count} Wellenlängen von {first:g} bis {last:g} µm, {step} Pixel auseinander, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />

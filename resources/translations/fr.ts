@@ -565,8 +565,8 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
-            <source>Save pict&amp;ure…</source>
-            <translation>Enregistrer l'&amp;image…</translation>
+            <source>Save &amp;predicted photo…</source>
+            <translation>Enregistrer la photo préd&amp;ite…</translation>
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
@@ -2040,8 +2040,8 @@
         </message>
         <message>
             <location filename="../../ui/files/photo_picture.py" />
-            <source>Save picture</source>
-            <translation>Enregistrer l'image</translation>
+            <source>Save predicted photo</source>
+            <translation>Enregistrer la photo prédite</translation>
         </message>
         <message>
             <location filename="../../ui/files/photo_picture.py" />
@@ -4435,8 +4435,8 @@
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
-            <source>predicting… {part:.0f} %</source>
-            <translation>prédiction… {part:.0f} %</translation>
+            <source>Predicting… {part:.0f} %</source>
+            <translation>Prédiction… {part:.0f} %</translation>
         </message>
         <message>
             <location filename="../../ui/views/photo_view.py" />
@@ -6876,21 +6876,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>daylight (D65)</source>
-            <translation>lumière du jour (D65)</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>white LED</source>
-            <translation>LED blanche</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>equal energy</source>
-            <translation>énergie égale</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>height</source>
             <translation>hauteur</translation>
         </message>
@@ -7058,6 +7043,46 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/analysis/derivatives.py" />
             <source>1 counts rays by pixel, which has no derivative; 3 or more</source>
             <translation>1 compte les rayons par pixel, ce qui n'a pas de dérivée ; 3 ou plus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>laser of {wavelength:g} µm</source>
+            <translation>laser de {wavelength:g} µm</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>daylight (D65)</source>
+            <translation>lumière du jour (D65)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>white LED</source>
+            <translation>LED blanche</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/light.py" />
+            <source>equal energy</source>
+            <translation>énergie égale</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>with cells</source>
+            <translation>par cellules</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>with random rays</source>
+            <translation>par rayons aléatoires</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>{light}, no dispersion known, {way}</source>
+            <translation>{light}, aucune dispersion connue, {way}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/photo/photo.py" />
+            <source>{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
+            <translation>{light}, {count} longueurs d'onde de {first:g} à {last:g} µm, écartées de {step} pixels, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />

@@ -107,7 +107,7 @@ COMMANDS = {
         "&Report…", "Write scene, pictures, check and figures on some pages (HTML, PDF)", "Ctrl+R"
     ),
     "save_photo": Command(
-        "Save pict&ure…",
+        "Save &predicted photo…",
         "Save the predicted photo of the screen: what a camera would see, in colour (PNG)",
     ),
     "close": Command("&Close window", "Close this window; others stay open", "Ctrl+W"),

@@ -62,7 +62,7 @@ class PhotoPicture(QObject):
             return
         name = tr("{design} photo").format(design=self._document.name)
         filters = {tr("Picture ({endings})").format(endings=f"*{_ENDING}"): _ENDING}
-        path = self._dialogs.to_save("plot", tr("Save picture"), name, filters)
+        path = self._dialogs.to_save("plot", tr("Save predicted photo"), name, filters)
         if path is not None:
             self.save(path)
 

@@ -64,7 +64,7 @@ class PhotoView(ComputingView):
         self._background = Background(_TAKE, self)
         self._background.progressed.connect(
             lambda _, part: self._said.setText(
-                tr("predicting… {part:.0f} %").format(part=100 * part)
+                tr("Predicting… {part:.0f} %").format(part=100 * part)
             )
         )
         self._background.done.connect(self._show)
@@ -205,7 +205,7 @@ class PhotoView(ComputingView):
 
     def _tell(self, request: PhotoRequest) -> None:
         if self._known(request) and self._taken is not None:
-            text = self._taken[1].summary
+            text = tr(self._taken[1].summary)
             self._said.setText(f"{text[0].upper()}{text[1:]}.")
         elif not self._background.busy:
             before = "" if self._taken is None else tr("Out of date: of the lens before. ")

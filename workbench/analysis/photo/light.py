@@ -10,6 +10,7 @@ import numpy as np
 
 from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
 from workbench.arrays import Array
+from workbench.said import Said
 from workbench.scene import Scene
 
 SHORTEST, LONGEST = 0.40, 0.70
@@ -35,7 +36,7 @@ class Illuminant:
     ----------
     name : str
         What it is called.
-    title : str
+    title : Said
         What a person reads.
     power : ndarray, shape (m,)
         Flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit.
@@ -44,7 +45,7 @@ class Illuminant:
     """
 
     name: str
-    title: str
+    title: Said
     power: Array = field(repr=False)
     line_um: float | None = None
 
@@ -75,7 +76,8 @@ def line(wavelength_um: float) -> Illuminant:
     """Light of a single wavelength from 0.38 to 0.78 µm, as of a laser."""
     power = np.zeros(_GRID.size)
     power[np.abs(_GRID - wavelength_um).argmin()] = 1.0
-    return Illuminant("laser", f"laser of {wavelength_um:g} µm", power, wavelength_um)
+    title = Said("laser of {wavelength:g} µm", wavelength=wavelength_um)
+    return Illuminant("laser", title, power, wavelength_um)
 
 
 def _lobe(middle: float, width: float) -> Array:
@@ -87,11 +89,11 @@ LIGHTS = {
     light.name: light
     for light in (
         Illuminant(
-            "daylight", "daylight (D65)", np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
+            "daylight", Said("daylight (D65)"), np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
         ),
         # A model: the blue of the chip, and what its phosphor makes of it.
-        Illuminant("led", "white LED", _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
-        Illuminant("equal", "equal energy", np.ones(_GRID.size)),
+        Illuminant("led", Said("white LED"), _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
+        Illuminant("equal", Said("equal energy"), np.ones(_GRID.size)),
     )
 }
 """By name."""

@@ -27,6 +27,7 @@ from workbench.arrays import Array, Mask
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
+from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
@@ -84,15 +85,22 @@ class Photo:
         return encoded(self.rgb * (2.0**stops / self.white))
 
     @property
-    def summary(self) -> str:
+    def summary(self) -> Said:
         """How it was made, in a line."""
-        number, way = len(self.wavelengths_um), "cells" if self.by_cells else "random rays"
-        if number == 1:
-            return f"{self.light.title}, no dispersion known, by {way}"
+        way = Said("with cells") if self.by_cells else Said("with random rays")
+        light = self.light.title
+        if len(self.wavelengths_um) == 1:
+            return Said("{light}, no dispersion known, {way}", light=light, way=way)
         first, *_, last = self.wavelengths_um
-        return (
-            f"{self.light.title}, {number} wavelengths from {first:g} to {last:g} µm, "
-            f"{self.step:.2g} pixels apart, by {way}"
+        return Said(
+            "{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, "
+            "{way}",
+            light=light,
+            count=len(self.wavelengths_um),
+            first=first,
+            last=last,
+            step=written(self.step, digits=2),
+            way=way,
         )
 
 
