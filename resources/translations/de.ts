@@ -2219,6 +2219,11 @@
             <translation>Seiten des Handbuchs</translation>
         </message>
         <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>No page has all of this: {words}</source>
+            <translation>Keine Seite enthält all das: {words}</translation>
+        </message>
+        <message>
             <location filename="../../ui/help/tour.py" />
             <source>Describe the task</source>
             <translation>Die Aufgabe beschreiben</translation>

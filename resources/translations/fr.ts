@@ -2219,6 +2219,11 @@
             <translation>Pages du manuel</translation>
         </message>
         <message>
+            <location filename="../../ui/help/manual.py" />
+            <source>No page has all of this: {words}</source>
+            <translation>Aucune page ne contient tout cela : {words}</translation>
+        </message>
+        <message>
             <location filename="../../ui/help/tour.py" />
             <source>Describe the task</source>
             <translation>Décrire la tâche</translation>

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
@@ -69,6 +70,8 @@ class Manual(QDialog):
         self._list.setAccessibleName(tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._nothing = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
+        self._nothing.hide()
         self._text = PageView()
         self._text.setAccessibleName(tr("Manual"))
         self._search.textChanged.connect(self._find)
@@ -87,7 +90,8 @@ class Manual(QDialog):
         left = QVBoxLayout(aside)
         left.setContentsMargins(0, 0, 0, 0)
         left.addWidget(self._search)
-        left.addWidget(self._list)
+        left.addWidget(self._nothing)
+        left.addWidget(self._list, 1)
         line = QHBoxLayout()
         line.addWidget(aside)
         line.addWidget(self._text, 1)
@@ -116,6 +120,8 @@ class Manual(QDialog):
         for row, page in enumerate(self._pages):
             self._list.item(row).setHidden(not page.holds(words))
         shown = self._listed()
+        self._nothing.setText(tr("No page has all of this: {words}").format(words=words))
+        self._nothing.setVisible(not shown)
         if shown and self._list.currentRow() not in shown:
             self._list.setCurrentRow(shown[0])
         else:

@@ -109,3 +109,12 @@ class TestSearch:
         field.clear()
         assert listed(manual) == [page.title for page in pages()]
         assert manual.findChild(QTextBrowser).extraSelections() == []
+
+
+def test_words_that_no_page_has_are_said_to_be_on_none(manual, qtbot):
+    qtbot.keyClicks(manual._search, "xyzzy")
+    assert listed(manual) == []
+    assert manual._nothing.isVisible()
+    assert manual._nothing.text() == "No page has all of this: xyzzy"
+    manual._search.clear()
+    assert not manual._nothing.isVisible()
