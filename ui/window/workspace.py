@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
-from PySide6.QtGui import QUndoStack
+from PySide6.QtGui import QCloseEvent, QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
     QFrame,
@@ -178,12 +178,25 @@ class DockWorkspace:
             self._window.resizeDocks(images, len(images) * [even], Qt.Orientation.Horizontal)
 
     def _dock(self, name: str, title: str, area: Qt.DockWidgetArea) -> QDockWidget:
-        dock = QDockWidget(title, self._window)
+        dock = _Dock(title, self._window)
         dock.setObjectName(name)
         self._window.addDockWidget(area, dock)
         # Qt shows a tab of the menu's choice behind the other.
         dock.toggleViewAction().triggered.connect(lambda shown: dock.raise_() if shown else None)
         return dock
+
+
+class _Dock(QDockWidget):
+    """One that its entry in the menu brings to the front where it stands behind another."""
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close what is seen; of the rest, Qt would close a tab that nobody has looked at."""
+        if self.isVisible() and self.visibleRegion().isEmpty():
+            event.ignore()
+            self.toggleViewAction().setChecked(True)
+            self.raise_()
+        else:
+            super().closeEvent(event)
 
 
 class _Capitalised(QStyledItemDelegate):
