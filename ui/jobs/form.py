@@ -67,7 +67,7 @@ class JobForm(QScrollArea):
         ]
         for row in self.rows:
             form.addRow(row.label, row)
-            row.edited.connect(self._edit)
+            row.edited.connect(self._answer)
             row.reverted.connect(self._revert)
             if isinstance(row, KindRow | TextRow):
                 asked = self.light_asked if row.path == "file" else self.image_asked
@@ -112,6 +112,14 @@ class JobForm(QScrollArea):
     def choose_light(self, path: Path) -> None:
         """Take a file of light."""
         self._edit(Edit("file", tr("file of light"), {"file": str(path.absolute())}))
+
+    def _answer(self, edit: Edit) -> None:
+        """Take an answer of a row; a picture whose name is typed is chosen as any other."""
+        typed = edit.changes.get("target.image")
+        if typed:
+            self.choose_image(Path(str(typed)))
+        else:
+            self._edit(edit)
 
     def _edit(self, edit: Edit) -> None:
         """Try an answer; one that is not possible waits in its row."""

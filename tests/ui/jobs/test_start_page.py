@@ -140,6 +140,15 @@ def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path,
     assert Path(page.form.job.target.image) == tmp_path / "picture.png"
 
 
+def test_an_image_takes_the_aspect_of_a_picture_whose_name_is_typed(page, tmp_path, qtbot):
+    Image.new("L", (60, 40), 200).save(tmp_path / "picture.png")
+    field = row_of(page, "target.image").editor
+    fill(qtbot, field, str(tmp_path / "picture.png"))
+    assert page.form.job.image_size == (200.0, 133.0)
+    fill(qtbot, field, str(tmp_path / "none.png"))  # said where it is drawn
+    assert page.form.job.image_size == (200.0, 133.0)
+
+
 def test_figures_come_without_blocking_the_page(page, qtbot):
     choose(page, WallWasher)  # its picture at best is found soon
     qtbot.waitUntil(lambda: "Error at best" in page._outlook.text, timeout=90_000)
