@@ -7096,11 +7096,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>region {name}</source>
-            <translation>Ausschnitt {name}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, least / mean {even}</source>
             <translation>{part:.3f} % des Lichts, kleinste / mittlere {even}</translation>
         </message>

@@ -7096,11 +7096,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/regions.py" />
-            <source>region {name}</source>
-            <translation>région {name}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/analysis/regions.py" />
             <source>{part:.3f} % of the light, least / mean {even}</source>
             <translation>{part:.3f} % de la lumière, minimum / moyenne {even}</translation>
         </message>

@@ -93,5 +93,5 @@ def test_a_check_tells_the_light_of_the_regions_of_its_scene():
     assert light.share == pytest.approx(found.efficiency)
     assert found.to_data()["regions"][0]["share"] == light.share
     (row,) = region_rows(found)
-    assert row.name == "region All"
+    assert row.name == "All"
     assert row.value.startswith(f"{100 * light.share:.3f} % of the light")

@@ -20,6 +20,15 @@ def test_every_field_has_a_row_with_its_unit(make_scene):
     assert "format" not in found
 
 
+def test_places_are_told_one_after_the_other(make_scene):
+    corners = [[-0.25, -0.5], [0.25, 0], [0, 0.125]]
+    found = rows(
+        make_scene({"regions": [{"name": "Desk", "shape": "polygon", "corners": corners}]})
+    )
+    wanted = "-0.25, -0.5; 0.25, 0; 0, 0.125 of the receiver's width and height"
+    assert found["regions[0].corners"] == wanted
+
+
 def leaves(data, path=""):
     if isinstance(data, dict):
         for name, value in data.items():

@@ -48,11 +48,6 @@ class RegionLight:
         return self.least / self.mean
 
     @property
-    def title(self) -> Said:
-        """What stands before its figures."""
-        return Said("region {name}", name=self.name)
-
-    @property
     def words(self) -> Said:
         """How much light it gets, and how even that is."""
         part, even = 100 * self.share, "–" if self.uniformity is None else f"{self.uniformity:.3f}"

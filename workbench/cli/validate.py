@@ -152,7 +152,7 @@ def _print(found: Validation, difference: float | None) -> None:
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
     for light in found.regions:  # two may have one name
-        print(f"{light.title}: {light.words}")
+        print(f"{light.name}: {light.words}")
 
 
 def _error(found: ByCells | Validation, of_what: str) -> str:

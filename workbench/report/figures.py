@@ -45,7 +45,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
 
 def region_rows(found: Validation) -> tuple[Fact, ...]:
     """What the check says of each region."""
-    return tuple(Fact(light.title, light.words) for light in found.regions)
+    return tuple(Fact(light.name, light.words) for light in found.regions)
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:

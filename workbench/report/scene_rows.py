@@ -64,6 +64,8 @@ def _rows(part: Part, path: str, title: str, scene: Scene, version: Version) -> 
 
 def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, tuple):
+        if value and isinstance(value[0], tuple):  # places
+            return "; ".join(", ".join(_text(each, field) for each in place) for place in value)
         between = " × " if field.between == "×" else ", "
         return between.join(_text(each, field) for each in value)
     if isinstance(value, bool):
