@@ -13,7 +13,7 @@ from PySide6.QtGui import QShowEvent
 from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import ManufactureFigures
 from ui.manufacture.limits import LimitFields
-from ui.shown.frame import same_lens
+from ui.shown.frame import same_light
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import SideBySide
@@ -121,7 +121,7 @@ class ManufacturePane(SideBySide):
     @property
     def _known(self) -> bool:
         frame, found = self._frame, self._found
-        return frame is not None and found is not None and same_lens(found.frame, frame)
+        return frame is not None and found is not None and same_light(found.frame, frame)
 
     def _compute(self) -> None:
         frame = self._frame
@@ -140,7 +140,7 @@ class ManufacturePane(SideBySide):
     def _take(self, _: None, found: _Found) -> None:
         if self._frame is None:
             return
-        if same_lens(found.frame, self._frame):
+        if same_light(found.frame, self._frame):
             self._found = found
             self._figures.show_found(found.figures, found.frame.session.scene.unit)
             self.map.show_maps(found.frame, found.maps)

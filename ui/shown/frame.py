@@ -104,6 +104,14 @@ def same_lens(one: Frame, other: Frame) -> bool:
     return alike and one.state.heights == other.state.heights
 
 
+def same_light(one: Frame, other: Frame) -> bool:
+    """The same, whatever regions are marked: they tell of the light and change nothing of it."""
+    if one.state.heights != other.state.heights or one.session.target is not other.session.target:
+        return False
+    scene, wanted = one.session.scene, other.session.scene
+    return scene.model_copy(update={"run": wanted.run, "regions": wanted.regions}) == wanted
+
+
 def iterations_before(frame: Frame) -> int:
     """Iterations before a frame, those of a continued run included."""
     return frame.result.iterations

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel
 
-from ui.shown.frame import same_lens
+from ui.shown.frame import same_light
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.tolerances.form import ToleranceForm
@@ -151,6 +151,6 @@ class TolerancePane(SideBySide):
             most=100 * spread.percentiles["95"],
             worst=100 * spread.worst,
         )
-        if self._frame is None or not same_lens(sample.frame, self._frame):
+        if self._frame is None or not same_light(sample.frame, self._frame):
             return f"{text}. {tr('Out of date: the lens has changed since.')}"
         return text

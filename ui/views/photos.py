@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ui.shown.frame import same_lens
+from ui.shown.frame import same_light
 from ui.threads.background import Task
 from ui.threads.cores import other_cores
 
@@ -33,7 +33,7 @@ class PhotoRequest:
     def same(self, other: "PhotoRequest") -> bool:
         """Whether both ask for the same photo."""
         asked = (self.image, self.light) == (other.image, other.light)
-        return asked and same_lens(self.frame, other.frame)
+        return asked and same_light(self.frame, other.frame)
 
 
 def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":

@@ -1,5 +1,7 @@
 """The predicted photo: taken for eyes, of the lens that rests, saved with its exposure."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -12,6 +14,7 @@ from ui.widgets.message_bar import MessageBar
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import photograph
 from workbench.geometry.faces import FaceArrays
+from workbench.scene import RectangleRegion
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -72,6 +75,18 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     assert view.photo is None
     assert said(view).startswith("Out of date: of the lens before.")
     qtbot.waitUntil(lambda: view.photo is not None)
+
+
+def test_regions_leave_the_photo_as_it_is(view, flat, qtbot):
+    qtbot.waitUntil(lambda: view.photo is not None)
+    photo, frame = view.photo, view._frame
+    regions = (RectangleRegion(name="Desk"),)
+    scene = frame.session.scene.model_copy(update={"regions": regions})
+    view.show_frame(replace(frame, session=replace(frame.session, scene=scene)))
+    assert view.photo is photo
+    further = scene.model_copy(update={"screen": scene.screen.model_copy(update={"z": 8.0})})
+    view.show_frame(replace(frame, session=replace(frame.session, scene=further)))
+    assert view.photo is None
 
 
 def test_nothing_is_traced_while_a_run_goes_on_or_nobody_looks(view, flat, qtbot):
