@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from workbench.scene import Scene
 
 _OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
-_TEXT: dict[str, Any] = {"fontsize": "x-small", "va": "top", "clip_on": True}
+_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True}
 _BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
 
 
@@ -37,13 +37,16 @@ class RegionMarks:
         self._texts: list[Text] = []
         outlines: list[Artist] = []
         receiver = scene.receiver
-        for region in scene.regions:
+        for number, region in enumerate(scene.regions):
             corners = receiver.middle + 2 * region.outline * receiver.half_extent
             outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
-            (left, _), (right, top) = corners.min(axis=0), corners.max(axis=0)
+            (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
             side = "left" if left + right <= 2 * receiver.middle[0] else "right"  # towards it
             at = left if side == "left" else right
-            self._texts.append(axes.text(at, top, region.name, ha=side, bbox=_BOX, **_TEXT))
+            # In turn above and below: words are wider than regions that stand beside each other.
+            edge, up = (bottom, "bottom") if number % 2 else (top, "top")
+            text = axes.text(at, edge, region.name, ha=side, va=up, bbox=_BOX, **_TEXT)
+            self._texts.append(text)
         self.artists = (*outlines, *self._texts)
         """Drawn over the image, which is drawn anew for each state of a run."""
 

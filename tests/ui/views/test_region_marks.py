@@ -39,6 +39,19 @@ def test_each_region_says_its_share_and_how_even_it_is(axes):
     assert text.get_text() == "Left 49.2 %\nleast / mean 0.51"
 
 
+def test_words_of_regions_beside_each_other_lie_apart(axes):
+    axes.figure.set_size_inches(2.4, 2.4)  # with words that are wider than the regions
+    both = [{"name": "Left", "center": [-0.2, 0], "size": [0.2, 0.6]}]
+    both.append({"name": "Right", "center": [0.2, 0], "size": [0.2, 0.6]})
+    marks = RegionMarks(axes, scene_with(*both))
+    axes.set_xlim(-1, 1)
+    axes.set_ylim(-1, 1)
+    marks.show_light(np.full((32, 32), 0.25))
+    axes.figure.draw_without_rendering()
+    one, other = (text.get_window_extent() for text in axes.texts)
+    assert one.width > 0.3 * axes.bbox.width and not one.overlaps(other)
+
+
 def test_without_regions_nothing_is_drawn(axes):
     marks = RegionMarks(axes, scene_with())
     marks.show_light(np.zeros((32, 32)))
