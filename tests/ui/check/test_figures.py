@@ -69,10 +69,10 @@ def test_the_light_of_regions_is_listed_and_explained(figures, make_scene, desig
     heights = designed.result.state.heights
     found = validate(session.scene, session.target, heights, RAYS)
     figures.show_check(CheckedLens(session, heights), found, 0.0321)
-    assert rows(figures)["Region Desk"] == found.regions[0].words
-    assert figures.text.count("Region Desk") == 2
+    assert rows(figures)["Desk"] == found.regions[0].words
+    assert figures.text.count("Desk") == 2
     table = figures._table
-    shown = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "Region Desk")
+    shown = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "Desk")
     assert "1 is even" in table.item(shown, 0).toolTip()
 
 
