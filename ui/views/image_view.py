@@ -7,8 +7,8 @@ The wheel zooms about the pointer, dragging moves, a double click shows the whol
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy
 
 from ui.views.image_link import ImageLink, Part, Place
@@ -76,9 +76,10 @@ class ImageView(PlotView):
         self._pointer: Place | None = None  # pixels, while the mouse is on this image
         self._grip: tuple[Place, Place] | None = None  # pixels and place where a drag began
         self._dragged = False
-        self._readout = QLabel()
+        self._readout = _Readout()
         self._readout.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._readout.setAccessibleName(tr("Value under the pointer"))
+        self._readout.resized.connect(self._read)
         self._bottom = QHBoxLayout()
         self._bottom.setContentsMargins(6, 0, 6, 2)
         self._bottom.addWidget(self._readout, 1)
@@ -249,6 +250,23 @@ class ImageView(PlotView):
     def _whole(self) -> Part:
         assert self._shown is not None
         return self._content.extent(self._shown).bounds
+
+
+class _Readout(QLabel):
+    """A line that says as much as there is room for.
+
+    Attributes
+    ----------
+    resized : Signal()
+        There is other room.
+    """
+
+    resized = Signal()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Tell of it."""
+        super().resizeEvent(event)
+        self.resized.emit()
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:

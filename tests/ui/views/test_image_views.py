@@ -149,9 +149,9 @@ def test_the_middle_of_an_image_is_at_0_whatever_the_pixel_of_the_pointer(views)
 
 def test_value_and_place_under_the_pointer_are_said_in_short_where_there_is_little_room(views):
     view = views[0]
-    for width, words in ((400, "at x ="), (150, "(0.4"), (90, " / cm²")):
+    view._point((0.4, 0.2))
+    for width, words in ((400, "at x ="), (150, "(0.4"), (90, " / cm²"), (400, "at x =")):
         view._readout.resize(width, view._readout.height())
-        view._point((0.4, 0.2))
         text = view._readout.text()
         assert words in text
         assert view._readout.fontMetrics().horizontalAdvance(text) <= width
