@@ -11,11 +11,10 @@ import numpy as np
 
 from workbench.units import sized
 
-_PLAIN = (
-    1e-2,
-    1e5,
-)  # largest numbers of a scale that are written without a power, and from where not
-_LEAST_ALONE = 1e-3  # the same for one number, which has no zeros but these
+# Largest numbers of a scale that are written without a power, and from where not.
+_PLAIN = 1e-2, 1e5
+# The least for one number, which has no zeros but these.
+_LEAST_ALONE = 1e-3
 _HIGH = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _POWER = re.compile(r"10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+ ")
 

@@ -7031,6 +7031,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/cut_lens.py" />
+            <source>Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % (± {designed_off:.1g}).</source>
+            <translation>Fehler wie gefräst {cut:.3g} % (± {cut_off:.1g}), wie entworfen {designed:.3g} % (± {designed_off:.1g}).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/cut_lens.py" />
             <source>its cut is not traced; only that of an exit face is</source>
             <translation>der Schnitt wird nicht verfolgt; nur der einer Austrittsfläche</translation>
         </message>

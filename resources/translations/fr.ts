@@ -7031,6 +7031,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/cut_lens.py" />
+            <source>Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % (± {designed_off:.1g}).</source>
+            <translation>Erreur telle qu'usinée {cut:.3g} % (± {cut_off:.1g}), telle que conçue {designed:.3g} % (± {designed_off:.1g}).</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/cut_lens.py" />
             <source>its cut is not traced; only that of an exit face is</source>
             <translation>sa coupe n'est pas tracée ; seule celle d'une face de sortie l'est</translation>
         </message>

@@ -34,7 +34,7 @@ def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
     assert fine.designed.distance == pytest.approx(error, abs=3 * fine.designed.off + 1e-9)
     assert fine.cut.distance == pytest.approx(error, abs=0.02)
     assert abs(coarse.cut.distance - error) > 0.05
-    assert f"as designed {100 * coarse.designed.distance:.2g} %" in coarse.sentence
+    assert f"as designed {100 * coarse.designed.distance:.3g} %" in coarse.sentence
 
 
 def test_ridges_turn_light_by_their_slope(scene):

@@ -246,4 +246,4 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     )
     if found is None:
         return None
-    return "\n".join([*lines, f"{found.sentence} {tr('Polishing takes ridges away.')}"])
+    return "\n".join([*lines, f"{tr(found.sentence)} {tr('Polishing takes ridges away.')}"])

@@ -38,11 +38,15 @@ class CutLens(NamedTuple):
     cut: CorrectedDistance
 
     @property
-    def sentence(self) -> str:
+    def sentence(self) -> Said:
         """Both errors for people to read."""
-        return (
-            f"Error as cut {100 * self.cut.distance:.2g} % (± {100 * self.cut.off:.1g}), as "
-            f"designed {100 * self.designed.distance:.2g} % (± {100 * self.designed.off:.1g})."
+        return Said(
+            "Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % "
+            "(± {designed_off:.1g}).",
+            cut=100 * self.cut.distance,
+            cut_off=100 * self.cut.off,
+            designed=100 * self.designed.distance,
+            designed_off=100 * self.designed.off,
         )
 
 
