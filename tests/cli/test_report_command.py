@@ -161,6 +161,19 @@ class TestHtml:
         assert freeform("report", odd, *files, *RAYS) == (0, "", "")
         assert Page(files[0].read_text()).headings[0] == r"a\udcff\nb"
 
+    def test_mitsuba_stands_beside_the_check(self, freeform, lens, tmp_path, monkeypatch):
+        pytest.importorskip("mitsuba")
+        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
+        file = tmp_path / "beside.html"
+        assert freeform("report", lens, file, *RAYS, "--with", "mitsuba") == (0, "", "")
+        found = Page(file.read_text())
+        assert "Beside Mitsuba 3" in found.headings
+        noise = number(found.rows["by ray noise alone"])
+        assert number(found.rows["difference of both images"]) == pytest.approx(noise, rel=0.2)
+        ours, theirs = (number(each) for each in found.rows["efficiency, both"].split(" / "))
+        assert theirs == pytest.approx(ours, rel=0.02)
+        assert "Images of both tracers" in [image["alt"] for image in found.images]
+
     def test_figures_are_those_of_the_check(self, freeform, page, lens):
         found = Page(page).rows
         check = json.loads(freeform("validate", lens, *RAYS, "--json")[1])

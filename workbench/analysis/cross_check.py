@@ -33,11 +33,22 @@ class TracerResult:
         Error against the target, with and without the scatter of the rays, as in `Validation`.
     efficiency : float
         Part of the emitted flux that lands on the screen.
+    irradiance : ndarray, shape (n_y, n_x)
+        Flux per area on the screen, row 0 at +y, of all emitted flux together 1.
     """
 
     relative_l2: float
     relative_l2_corrected: float
     efficiency: float
+    irradiance: Array
+
+    def to_data(self) -> dict[str, float]:
+        """The figures by name, for JSON."""
+        return {
+            "relative_l2": self.relative_l2,
+            "relative_l2_corrected": self.relative_l2_corrected,
+            "efficiency": self.efficiency,
+        }
 
 
 @dataclass(frozen=True)
@@ -80,8 +91,8 @@ class CrossCheck:
             "difference_without_noise": self.difference_corrected,
             "difference_corrected": self.difference_corrected,  # its name in files of before
             "difference_corrected_interval": list(self.difference_corrected_interval),
-            "ours": vars(self.ours),
-            "mitsuba": vars(self.mitsuba),
+            "ours": self.ours.to_data(),
+            "mitsuba": self.mitsuba.to_data(),
             "rays": self.rays,
             "left_out": list(self.left_out),
         }
@@ -152,8 +163,8 @@ def cross_check(
         noise=math.hypot(_norm(m_1 - m_2), _norm(o_1 - o_2)) / (2 * size),
         difference_corrected=corrected.distance,
         difference_corrected_interval=corrected.interval,
-        ours=_seen(light["ours"], target),
-        mitsuba=_seen(light["mitsuba"], target),
+        ours=_seen(light["ours"], target, measure),
+        mitsuba=_seen(light["mitsuba"], target, measure),
         rays=2 * half,
         left_out=left_out,
     )
@@ -176,12 +187,13 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     return scene.altered(lens=lens.altered(**without)), tuple(left_out)
 
 
-def _seen(halves: list[Array], target: Array) -> TracerResult:
+def _seen(halves: list[Array], target: Array, measure: float | Array) -> TracerResult:
     image = (halves[0] + halves[1]) / 2
     return TracerResult(
         relative_l2=relative_l2(image, target),
         relative_l2_corrected=root(product(halves[0], halves[1], target)),
         efficiency=float(image.sum()),
+        irradiance=image / measure,
     )
 
 

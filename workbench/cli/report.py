@@ -13,15 +13,19 @@ from workbench.report.endings import HTML, check_ending
 
 
 def report(
-    path: Path, files: Sequence[Path], rays: int, tolerances: tuple[Tolerances, int] | None
+    path: Path,
+    files: Sequence[Path],
+    rays: int,
+    tolerances: tuple[Tolerances, int] | None,
+    with_mitsuba: bool,
 ) -> None:
     """Check the lens of a session and write all that is known of it.
 
     Raises
     ------
     Refused
-        If the session cannot be read or holds no lens, a file cannot be written or a tolerance is
-        not possible.
+        If the session cannot be read or holds no lens, a file cannot be written, a tolerance is
+        not possible, or Mitsuba is asked for and not installed.
     RunFailed
         If no light reaches the screen.
     """
@@ -32,7 +36,7 @@ def report(
     from workbench.report.gather import gather  # late: draws, which takes long to import
 
     dated = datetime.fromtimestamp(path.stat().st_mtime)
-    found = gather(session, path.stem, dated, rays, tolerances)
+    found = gather(session, path.stem, dated, rays, tolerances, with_mitsuba)
     for file, write in zip(files, writers, strict=True):
         with replacing(file) as stream:
             write(found, stream)

@@ -26,6 +26,7 @@ __all__ = [
     "draw_manufacture",
     "draw_sections",
     "draw_tolerances",
+    "draw_two_tracers",
 ]
 
 _FONT = 9
@@ -66,6 +67,21 @@ def draw_sections(figure: "FigureBase", session: Session, irradiance: Array) -> 
         curves = SectionCurves(axes, session.scene, session.target)
         middle = session.scene.receiver.middle
         curves.update(irradiance, cut_through(session.scene, along, middle))
+
+
+def draw_two_tracers(figure: "FigureBase", session: Session, ours: Array, mitsuba: Array) -> None:
+    """Draw irradiance in two tracers, their difference at the same flux, and the target."""
+    scene, target = session.scene, session.target
+    density, flux = scene.receiver.density.capitalize(), scene.receiver.total(ours)
+    panels = figure.subplots(2, 2, gridspec_kw=_APART).ravel()
+    for axes, irradiance in zip(
+        panels[[0, 1, 3]], (ours, mitsuba, target_irradiance(scene, target, flux)), strict=True
+    ):
+        IrradianceImage(axes, scene, target).update(irradiance)
+    ErrorImage(panels[2], scene, ours).update(mitsuba)
+    titles = f"{density}, check", f"{density}, Mitsuba 3", "Mitsuba 3 − check", "Target"
+    for axes, title in zip(panels, titles, strict=True):
+        axes.set_title(title, fontsize=_FONT)
 
 
 def draw_loss(figure: "FigureBase", result: "Result") -> None:

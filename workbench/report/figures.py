@@ -3,6 +3,7 @@
 import math
 
 from workbench.analysis.by_cells import ByCells
+from workbench.analysis.cross_check import CrossCheck
 from workbench.analysis.independent import IndependentError
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, verdicts
@@ -81,6 +82,29 @@ def _independent_row(found: IndependentError, remark: Said | None) -> Fact:
     """What has the error where cells do not tell it as exactly."""
     said = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
     return Fact("error by independent images", _with(said, remark))
+
+
+def tracer_rows(found: CrossCheck) -> tuple[Fact, ...]:
+    """How far the check and Mitsuba 3 are apart; of pairs, the first is the check's."""
+    ours, theirs = found.ours, found.mitsuba
+    return (
+        Fact("difference of both images", percent(found.difference)),
+        Fact("by ray noise alone", percent(found.noise)),
+        Fact("without ray noise", percent(found.difference_corrected)),
+        Fact("95 % confidence", _interval(found.difference_corrected_interval)),
+        Fact("error, check and Mitsuba", _pair(ours.relative_l2, theirs.relative_l2)),
+        Fact(
+            "without ray noise, both",
+            _pair(ours.relative_l2_corrected, theirs.relative_l2_corrected),
+        ),
+        Fact("efficiency, both", _pair(ours.efficiency, theirs.efficiency)),
+        Fact("rays of each", f"{found.rays:,}"),
+        *((Fact("left out of both", ", ".join(found.left_out)),) if found.left_out else ()),
+    )
+
+
+def _pair(one: float, other: float) -> str:
+    return f"{percent(one)} / {percent(other)}"
 
 
 def bound_rows(found: Bound) -> tuple[Fact, ...]:

@@ -6,6 +6,7 @@ from functools import partial
 
 from workbench import __version__
 from workbench.analysis.cells.image import ACCURACY
+from workbench.analysis.cross_check import cross_check
 from workbench.analysis.manufacture import manufacture, surface_maps
 from workbench.analysis.manufacture_limits import Limits
 from workbench.analysis.metrics import relative_l2
@@ -31,6 +32,7 @@ from workbench.report.figures import (
     percent,
     region_rows,
     tolerance_rows,
+    tracer_rows,
 )
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
@@ -46,6 +48,7 @@ def gather(
     dated: datetime,
     rays: int,
     tolerances: tuple[Tolerances, int] | None = None,
+    with_mitsuba: bool = False,
 ) -> Report:
     """Check a lens and put together what the report says of it.
 
@@ -61,11 +64,14 @@ def gather(
         Rays of the independent check, at least.
     tolerances : tuple[Tolerances, int], optional
         How far lenses may be off, and how many are traced; a quarter of the rays for each.
+    with_mitsuba : bool
+        Whether Mitsuba 3 traces the lens too; see `cross_check`.
 
     Raises
     ------
     Refused
-        If the session has no lens, or a tolerance is not possible.
+        If the session has no lens, a tolerance is not possible, or Mitsuba cannot trace the scene
+        or is not installed.
     RunFailed
         If no light reaches the screen.
     """
@@ -99,6 +105,7 @@ def gather(
                 session.of_image(number), image, f", image {number + 1}" if found.further else ""
             )
         ),
+        *([_beside_mitsuba(session, rays)] if with_mitsuba else []),
         _manufacture(scene, heights),
     ]
     if tolerances is not None:
@@ -158,6 +165,25 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
         ),
         note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
         "red is too much light, blue too little.",
+    )
+
+
+def _beside_mitsuba(session: Session, rays: int) -> Section:
+    """What another tracer sees of the lens."""
+    scene = session.scene
+    found = cross_check(scene, session.target, result_of(session).state.heights, rays)
+    draw = partial(
+        pictures.draw_two_tracers,
+        session=session,
+        ours=found.ours.irradiance,
+        mitsuba=found.mitsuba.irradiance,
+    )
+    return Section(
+        "Beside Mitsuba 3",
+        tracer_rows(found),
+        (PagePicture("Images of both tracers", draw, 2 * _row(scene.receiver.half_extent)),),
+        note="Mitsuba 3, a renderer that knows nothing of this program, traces the lens as a mesh "
+        "with the normals of its faces. The images are compared, each divided by its sum.",
     )
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from workbench.cli.verbs.kinds import count, rays
 from workbench.cli.verbs.parser import add_verb
-from workbench.cli.verbs.shared import add_session, add_tolerances, tolerances_of
+from workbench.cli.verbs.shared import add_other, add_session, add_tolerances, tolerances_of
 from workbench.errors import Refused
 
 DOES = "tell all of a lens on some pages (HTML, PDF)"
@@ -18,10 +18,12 @@ def add(commands: Any) -> None:
         "report",
         "Check the lens of a session and write scene, pictures, figures, light account and what "
         "a shop asks for, as one HTML file that needs nothing else, or as PDF. With --tolerances "
-        "also how the error spreads over lenses that are off; lengths are in the scene's unit.",
+        "also how the error spreads over lenses that are off, with --with mitsuba also the image "
+        "of another tracer; lengths are in the scene's unit.",
         [
             "report flame.freeform flame.html flame.pdf",
             "report flame.freeform flame.pdf --tolerances 100 --tilt 0.2 --decentre 0.01",
+            "report flame.freeform flame.pdf --with mitsuba",
         ],
         _run,
     )
@@ -37,6 +39,7 @@ def add(commands: Any) -> None:
     parser.add_argument(
         "--tolerances", metavar="N", type=count, help="trace so many lenses that are off"
     )
+    add_other(parser)
     add_tolerances(parser)
 
 
@@ -50,4 +53,10 @@ def _run(options: argparse.Namespace) -> None:
         raise Refused(
             "usage", "nothing is off; give --tilt, --decentre, --index, --distance or --surface"
         )
-    report(options.session, options.files, options.rays, samples and (within, samples))
+    report(
+        options.session,
+        options.files,
+        options.rays,
+        samples and (within, samples),
+        with_mitsuba=options.other == "mitsuba",
+    )

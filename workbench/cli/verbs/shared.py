@@ -21,6 +21,17 @@ def add_json(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print the figures as one JSON object")
 
 
+def add_other(parser: argparse.ArgumentParser) -> None:
+    """Another program that traces the lens."""
+    parser.add_argument(
+        "--with",
+        dest="other",
+        choices=["mitsuba"],
+        help="have another program trace the lens too, and compare; mitsuba is an optional extra "
+        "and takes about a minute for the default number of rays",
+    )
+
+
 def add_tolerances(parser: argparse.ArgumentParser) -> None:
     """How far lenses may be off: an argument for each tolerance."""
     for name, about in ABOUT.items():

@@ -5,7 +5,7 @@ from typing import Any
 
 from workbench.cli.verbs.kinds import distances, rays
 from workbench.cli.verbs.parser import add_verb
-from workbench.cli.verbs.shared import add_json, add_plot, add_session
+from workbench.cli.verbs.shared import add_json, add_other, add_plot, add_session
 from workbench.errors import Refused
 
 DOES = "check a lens by an independent trace"
@@ -40,13 +40,7 @@ def add(commands: Any) -> None:
         help="also the images on N screens from one distance to another",
     )
     add_plot(parser, "draw these images")
-    parser.add_argument(
-        "--with",
-        dest="other",
-        choices=["mitsuba"],
-        help="have another program trace the lens too, and compare; mitsuba is an optional extra "
-        "and takes about a minute for the default number of rays",
-    )
+    add_other(parser)
     add_json(parser)
 
 
