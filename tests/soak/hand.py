@@ -21,6 +21,7 @@ from tests.soak.screen import Screen
 from ui import app
 
 _EVERY_MS = 200
+_STEPS_OF_DRAG = 5
 
 
 class SeenWidgets(QObject):
@@ -76,6 +77,7 @@ def _entries(widget: QWidget) -> list[dict[str, Any]]:
                 "name": widget.accessibleName(),
                 "place": [round(ratio * each) for each in place],
                 "enabled": widget.isEnabled(),
+                "window": widget.window().windowTitle(),
             }
         )
     return entries
@@ -155,11 +157,11 @@ class Hand:
             return []
         return found
 
-    def find(self, text: str, kind: str = "") -> dict[str, Any] | None:
-        """What is seen with this text or name, mnemonics left out."""
+    def find(self, text: str, kind: str = "", window: str = "") -> dict[str, Any] | None:
+        """What is seen with this text or name in a window, mnemonics left out."""
         for each in self.seen():
             words = (each["text"].replace("&", ""), each["name"])
-            if text in words and kind in each["kind"]:
+            if text in words and kind in each["kind"] and window in each["window"]:
                 return each
         return None
 
@@ -167,10 +169,14 @@ class Hand:
         """The text of the first label that has this part; empty if none has."""
         return next((each["text"] for each in self.seen() if part in each["text"]), "")
 
-    def wait(self, text: str, seconds: float = 60.0, kind: str = "") -> dict[str, Any]:
+    def wait(
+        self, text: str, seconds: float = 60.0, kind: str = "", window: str = ""
+    ) -> dict[str, Any]:
         """Wait until something of this text or name can be used."""
         found: dict[str, Any] = self.until(
-            lambda: (seen := self.find(text, kind)) and seen["enabled"] and seen, text, seconds
+            lambda: (seen := self.find(text, kind, window)) and seen["enabled"] and seen,
+            text,
+            seconds,
         )
         return found
 
@@ -183,9 +189,10 @@ class Hand:
             time.sleep(0.1)
         return found
 
-    def click(self, text: str, kind: str = "", times: int = 1) -> None:
+    def click(self, text: str, kind: str = "", times: int = 1, window: str = "") -> None:
         """Click in the middle of something."""
-        self.click_at(*middle(self.wait(text, kind=kind)["place"]), times=times)
+        found = self.wait(text, kind=kind, window=window)
+        self.click_at(*middle(found["place"]), times=times)
 
     def click_at(self, x: int, y: int, times: int = 1) -> None:
         """Click somewhere."""
@@ -208,12 +215,26 @@ class Hand:
         self.click(name, kind, times=3)
         self.type(text)
 
-    def type(self, text: str) -> None:
+    def type(self, text: str, enter: str = "Tab") -> None:
         """Type into the field that has the keyboard, in place of what it holds, and enter it."""
         self.press("ctrl+a")
         self.steps += 1
         self._screen.do("type", "--delay", 15, text)
-        self.press("Tab")
+        time.sleep(0.3)
+        self.press(enter)
+
+    def drag(self, start: tuple[int, int], end: tuple[int, int]) -> None:
+        """Drag with the left button."""
+        self.steps += 1
+        (x, y), (across, down) = start, (end[0] - start[0], end[1] - start[1])
+        self._screen.do("mousemove", x, y)
+        self._screen.do("mousedown", 1)
+        for part in range(1, _STEPS_OF_DRAG + 1):
+            time.sleep(0.08)
+            way = part / _STEPS_OF_DRAG
+            self._screen.do("mousemove", round(x + way * across), round(y + way * down))
+        self._screen.do("mouseup", 1)
+        time.sleep(0.3)
 
     def focus(self, title: str) -> None:
         """Give a window the keyboard, as a window manager would."""
