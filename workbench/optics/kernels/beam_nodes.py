@@ -23,7 +23,7 @@ from workbench.compiled import jit
 from workbench.optics.kernels.beam_raster import FARTHEST
 
 _TWELFTH = 1 / 12
-_ZERO, _ONE = np.uintp(0), np.uintp(1)
+_ONE, _TWO, _THREE = np.uintp(1), np.uintp(2), np.uintp(3)
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -45,7 +45,7 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
         and so does what has a neighbour that hits nowhere or far away.
     begin, end : int
         Which rows of nodes.
-    shifted : array, shape (n + 1, m + 1), float64
+    shifted : array, shape (n + 1, m + 1)
         The result; infinite or within ``FARTHEST``.
     """
     along_u, along_v = parts
@@ -68,6 +68,19 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
             shifted[i, j] = place if abs(hits[i, j]) < np.inf else np.inf
 
 
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _unshift(hits, along_u, cotangent, i, counts):  # type: ignore[no-untyped-def]
+    """What the shifts along u of a row of nodes let the cotangents of its hits count elsewhere."""
+    m = np.uintp(hits.shape[1])
+    if i >= np.uintp(hits.shape[0]) or not along_u[i, 2] > 0.0:  # also behind the rim's other side
+        for j in range(m):
+            counts[j] = 0.0
+        return
+    for j in range(m):
+        second_diff = _second_diff(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
+        counts[j] = -_TWELFTH * cotangent[i, j] if abs(second_diff) < FARTHEST else 0.0
+
+
 @jit(error_model="numpy")
 def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-untyped-def]
     """Adjoint of `shift`, for some rows of nodes.
@@ -76,31 +89,35 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
     ----------
     hits, parts, begin, end
         See `shift`.
-    cotangent : array, shape (n + 1, m + 1), float64
+    cotangent : array, shape (n + 1, m + 1)
         Cotangent of what was shifted.
     result : array, shape (n + 1, m + 1)
         That of the hits, in their float type.
     """
     along_u, along_v = parts
-    n, m = np.uintp(hits.shape[0]), np.uintp(hits.shape[1])
-    total = np.empty(m)
-    for i in range(np.uintp(begin), np.uintp(end)):
+    m, first = np.uintp(hits.shape[1]), np.uintp(begin)
+    total, along = np.empty(m), np.zeros(m)
+    # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in the
+    # shift of its neighbour.
+    around = np.empty((3, m))  # the rows before, here and behind, in turns
+    _unshift(hits, along_u, cotangent, first - _ONE, around[0])
+    _unshift(hits, along_u, cotangent, first, around[1])
+    for i in range(first, np.uintp(end)):
+        turn = (i - first) % _THREE
+        here, behind = around[(turn + _ONE) % _THREE], around[(turn + _TWO) % _THREE]
+        before = around[turn]
+        _unshift(hits, along_u, cotangent, i + _ONE, behind)
         for j in range(m):
-            total[j] = cotangent[i, j]
-        # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in the
-        # shift of its neighbour.
-        for k in range(3):
-            a, weight = i + np.uintp(k) - _ONE, _TWELFTH * (-1.0 if k != 1 else 2.0)
-            if i + np.uintp(k) == _ZERO or a >= n or not along_u[a, 2] > 0.0:
-                continue
-            for j in range(m):
-                second_diff = _second_diff(hits[a - _ONE, j], hits[a, j], hits[a + _ONE, j])
-                total[j] += weight * cotangent[a, j] if abs(second_diff) < FARTHEST else 0.0
-        for k in range(3):
-            weight = _TWELFTH * (-1.0 if k != 1 else 2.0)
-            for b in range(_ONE, m - _ONE):
-                second_diff = _second_diff(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
-                counts = weight * along_v[b, 2] * cotangent[i, b]
-                total[b + np.uintp(k) - _ONE] += counts if abs(second_diff) < FARTHEST else 0.0
+            total[j] = cotangent[i, j] + before[j] - 2.0 * here[j] + behind[j]
+        for b in range(_ONE, m - _ONE):
+            second_diff = _second_diff(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
+            counts = -_TWELFTH * along_v[b, 2] * cotangent[i, b]
+            along[b] = counts if abs(second_diff) < FARTHEST else 0.0
+        for j in range(m - _ONE):
+            total[j] += along[j + _ONE]
+        for j in range(m):
+            total[j] -= 2.0 * along[j]
+        for j in range(_ONE, m):
+            total[j] += along[j - _ONE]
         for j in range(m):
             result[i, j] = total[j] if abs(hits[i, j]) < FARTHEST else 0.0
