@@ -102,8 +102,8 @@ def test_lenses_of_several_images_are_judged_by_twice_as_many(make_scene, bars):
     session = begin(both, None)
     of_both = judging_image(session.scene, session.target, lens)
     per_axis = JUDGED.per_control_point * 64
-    assert of_one.beams == pytest.approx(per_axis**2, rel=0.03)
-    assert of_both.beams == pytest.approx(2 * (2 * per_axis) ** 2, rel=0.03)
+    assert of_one.effort == pytest.approx(per_axis**2, rel=0.03)
+    assert of_both.effort == pytest.approx(2 * (2 * per_axis) ** 2, rel=0.03)
     assert cells_of(JUDGED, alone) != cells_of(FINE, alone)
 
 

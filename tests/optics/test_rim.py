@@ -7,6 +7,7 @@ import torch
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beam_reference import drawn
 from workbench.optics.beams import beam_image
+from workbench.optics.boxes import box_image
 from workbench.optics.kernels.polygons import compile_drawing, compiled_drawn
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners, places, splits_side_by_side
@@ -38,28 +39,33 @@ def cut(nodes, room):
     return nodes, torch.where(beside, -1.0, room)
 
 
-def whole(nodes, room, splits):
+def whole(nodes, room, splits, draw=beam_image):
     """The image of all cells, cut or not, and all flux that lands."""
-    image, landed = beam_image(nodes, PIXELS, splits)
-    rim = rim_light(nodes, room, PIXELS, splits)
+    image, landed = draw(nodes, PIXELS, splits)
+    rim = rim_light(nodes, room, PIXELS, splits, triangles=draw is beam_image)
     return image + rim.flux, landed + rim.landed
 
 
+EITHER = pytest.mark.parametrize("draw", [beam_image, box_image], ids=["beams", "boxes"])
+
+
+@EITHER
 @pytest.mark.parametrize("grids", [1, 2])
 @pytest.mark.parametrize("at", [3.0, 3.25, 3.999])
-def test_light_ends_at_a_straight_rim(at, grids):
+def test_light_ends_at_a_straight_rim(at, grids, draw):
     nodes, splits = lit(grids=grids)
-    image, landed = whole(*cut(nodes, at - (nodes[0] - 1)), splits)
+    image, landed = whole(*cut(nodes, at - (nodes[0] - 1)), splits, draw)
     wanted = torch.zeros(PIXELS[::-1], dtype=torch.float64)
     wanted[1:6, 1:7] = grids * (at - torch.arange(6, dtype=torch.float64)).clamp(0, 1)
     assert landed == pytest.approx(5 * at * grids)
     assert (image - wanted).abs().max() < 1e-12
 
 
-def test_an_oblique_rim_cuts_cells_and_their_corners():
+@EITHER
+def test_an_oblique_rim_cuts_cells_and_their_corners(draw):
     nodes, splits = lit()
     u, v = nodes[0] - 1, nodes[1] - 1
-    image, landed = whole(*cut(nodes, 4.7 - u - 0.3 * v), splits)
+    image, landed = whole(*cut(nodes, 4.7 - u - 0.3 * v), splits, draw)
     # A quadrilateral with corners (0, 0), (4.7, 0), (3.2, 5), (0, 5).
     assert landed == pytest.approx(5 * (4.7 + 3.2) / 2, abs=1e-9)
     assert image[1, 1].item() == pytest.approx(1)
@@ -84,11 +90,12 @@ def test_cells_of_total_reflection_stay_left_out():
     assert 2.0 <= landed - less <= 3.0
 
 
-def test_cut_cells_get_the_light_of_rays_within_the_rim():
+@EITHER
+def test_cut_cells_get_the_light_of_rays_within_the_rim(draw):
     nodes, splits = lit()
     nodes, room = cut(nodes, 3.5 - (nodes[0] - 1))
-    rim = rim_light(nodes, room, PIXELS, splits)
-    _, landed = beam_image(nodes, PIXELS, splits)
+    rim = rim_light(nodes, room, PIXELS, splits, triangles=draw is beam_image)
+    _, landed = draw(nodes, PIXELS, splits)
     assert rim.counted + landed == pytest.approx(nodes[2].sum().item())
     assert rim.landed + landed == pytest.approx(3.5 * CELLS[1])
 

@@ -170,7 +170,7 @@ def _descend(
         x = x.detach().requires_grad_()
         return evaluated(x, waves.nets(x))
 
-    patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.beams)), _MOST_STEPS)
+    patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
     errors: list[float] = []
     start = waves.values(parameters)
     for _, found in islice(minimise(objective, start, _MAX_STEP, waves.eased), left):

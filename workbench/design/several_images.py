@@ -30,8 +30,8 @@ class SeveralImages:
 
     Attributes
     ----------
-    beams : int
-        Cells that are traced for all of them.
+    effort : float
+        Of all of them together; see `WideImage`.
     blurred : bool
         Whether any is the light of a source whose size blurs it.
     blur_widths : tuple[float, float]
@@ -46,7 +46,7 @@ class SeveralImages:
         self._units = [
             float(np.linalg.norm(share(image.target))) / image.target.size**0.5 for image in wanted
         ]
-        self.beams = sum(image.beams for image in images)
+        self.effort = sum(image.effort for image in images)
         self.blurred = any(image.blurred for image in images)
         x, y = (min(widths) for widths in zip(*(i.blur_widths for i in images), strict=True))
         self.blur_widths = x, y

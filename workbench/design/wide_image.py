@@ -14,6 +14,7 @@ from workbench.design.loss import check_finite, check_light, measure_of, paper_l
 from workbench.design.step import Step
 from workbench.extended.blur import Blur
 from workbench.extended.wanted import wanted_light
+from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
@@ -23,6 +24,9 @@ from workbench.scene import Scene
 # Parts of the screen's width that the image reaches beyond it on each side: as far as the light of
 # the first lens falls, within these.
 MARGINS = 0.05, 1.0
+# Time of a cell that is drawn as a box, see `workbench.optics.boxes`, over that of a beam: of
+# trace, image and gradients, with one freeform face and with two, of which the trace takes most.
+_OF_A_BOX = 0.3, 0.75
 
 
 class WideImage:
@@ -48,8 +52,9 @@ class WideImage:
 
     Attributes
     ----------
-    beams : int
-        Cells that are traced, those of all origins together.
+    effort : float
+        Time of a look at a lens and its gradients, in those of a beam of light: how many cells are
+        traced, those of all origins together, of which boxes take less.
     blurred : bool
         Whether it is the light of a source whose size blurs it.
     blur_widths : tuple[float, float]
@@ -85,7 +90,9 @@ class WideImage:
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
-        self.beams = corners.x * corners.y * origins // halves
+        boxes = isinstance(self._plan, BeamPlan) and self._plan.boxes
+        each = _OF_A_BOX[len(freeform_nets(scene.optic)) - 1] if boxes else 1.0
+        self.effort = each * corners.x * corners.y * origins / halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         device = device_of(scene)

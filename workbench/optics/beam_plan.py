@@ -11,6 +11,7 @@ from torch import Tensor
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.beams import beam_image
+from workbench.optics.boxes import box_image
 from workbench.optics.choice import Choice
 from workbench.optics.light import BeamTracer, Light
 from workbench.optics.path import Path
@@ -47,6 +48,11 @@ class BeamPlan:
         The caller's promise that heights, lens and source are mirror images of themselves in x,
         in y. Kernels then trace one half of the rays only, if the number of cells is even.
 
+    Attributes
+    ----------
+    boxes : bool
+        Whether cells are drawn as boxes, see `workbench.optics.boxes`.
+
     Raises
     ------
     Refused
@@ -67,7 +73,11 @@ class BeamPlan:
         path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
-        self._of_source = Corners(*cells).of_source
+        corners = Corners(*cells)
+        self._of_source = corners.of_source
+        # Of the origins that stand for a source of some size; not of points that are there.
+        many = scene.source.continuous and corners.origins > 1
+        self.boxes = many and corners.of_source is None
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
         self._kernel, self._promised = beam_kernel_of(path), mirrored
@@ -157,10 +167,11 @@ class BeamPlan:
         wide, nodes, lost = (n_x + 2 * m_x, n_y + 2 * m_y), hits, dict(account.lost)
         if m_x or m_y:  # or all hits are copied for nothing
             nodes = hits + hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
-        image, landed = beam_image(nodes, wide, splits, self._choice.fused)
+        drawn = box_image if self.boxes else beam_image
+        image, landed = drawn(nodes, wide, splits, self._choice.fused)
         cut = 0.0
         if room is not None:
-            rim = rim_light(nodes, room, wide, splits, self._choice.fused)
+            rim = rim_light(nodes, room, wide, splits, self._choice.fused, not self.boxes)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         for axis in (0, 1):
             if tracer.mirrored[axis]:

@@ -16,12 +16,9 @@ def reference_beam_image(
 ) -> tuple[Tensor, float]:
     """As `workbench.optics.beams.beam_image`."""
     n_x, n_y = pixels
-    each = repeated(splits[1], nodes.shape[1]), splits[0]
-    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
-    column, row = (_shifted(hits.double(), (along_u, along_v)) for hits in nodes[:2])
-    flux = nodes[2].double()  # of nodes, then of cells
-    flux = flux[:-1] * along_u[:-1, 1:2] + flux[1:] * along_u[1:, :1]
-    flux = flux[:, :-1] * along_v[:-1, 1] + flux[:, 1:] * along_v[1:, 0]
+    along_u, _ = _splits(nodes, splits)
+    column, row = shifted_hits(nodes, splits)
+    flux = cell_flux(nodes, splits)
     edges, densities, image, landed = [], [], flux.new_zeros(n_y * n_x), 0.0
     for corners, here in _triangles(column.shape, along_u):
         x, y = (hits.flatten()[corners] for hits in (column, row))  # [triangles, 3]
@@ -41,6 +38,21 @@ def reference_beam_image(
     x, y = torch.cat(edges, 1)
     image = image.view(n_y, n_x) + drawn(x, y, torch.cat(densities), pixels, landed)
     return image.to(nodes.dtype), landed
+
+
+def shifted_hits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:
+    """Columns and rows of nodes in float64; see `workbench.optics.kernels.beam_nodes`."""
+    each = _splits(nodes, splits)
+    column, row = (_shifted(hits.double(), each) for hits in nodes[:2])
+    return column, row
+
+
+def cell_flux(nodes: Tensor, splits: Splits) -> Tensor:
+    """Flux of the cells between nodes in float64, one less along each axis."""
+    along_u, along_v = _splits(nodes, splits)
+    flux = nodes[2].double()
+    flux = flux[:-1] * along_u[:-1, 1:2] + flux[1:] * along_u[1:, :1]
+    return flux[:, :-1] * along_v[:-1, 1] + flux[:, 1:] * along_v[1:, 0]
 
 
 def drawn(x: Tensor, y: Tensor, density: Tensor, pixels: tuple[int, int], landed: float) -> Tensor:
@@ -69,6 +81,13 @@ def first_lines(along: Tensor) -> Tensor:
     """For each line of nodes the number of the first one of its grid, of several side by side."""
     lines = torch.arange(len(along), device=along.device)
     return torch.where(along[:, 0] == 0, lines, 0).cummax(0).values
+
+
+def _splits(nodes: Tensor, splits: Splits) -> tuple[Tensor, Tensor]:
+    """Splits along the first axis of the nodes, and along the second."""
+    each = repeated(splits[1], nodes.shape[1]), splits[0]
+    along_u, along_v = (torch.as_tensor(split, device=nodes.device) for split in each)
+    return along_u, along_v
 
 
 def _shifted(hits: Tensor, parts: tuple[Tensor, Tensor]) -> Tensor:

@@ -70,9 +70,14 @@ class _Cells(NamedTuple):
 
 
 def rim_light(
-    nodes: Tensor, room: Tensor, pixels: tuple[int, int], splits: Splits, fused: bool = True
+    nodes: Tensor,
+    room: Tensor,
+    pixels: tuple[int, int],
+    splits: Splits,
+    fused: bool = True,
+    triangles: bool = True,
 ) -> RimLight:
-    """Light of the cells that `workbench.optics.beams.beam_image` leaves out for their room.
+    """Light of the cells that an image of beams or of boxes leaves out for their room.
 
     Parameters
     ----------
@@ -80,6 +85,9 @@ def rim_light(
         As for `workbench.optics.beams.beam_image`.
     room : Tensor, shape (n, m)
         Of the nodes.
+    triangles : bool
+        Whether triangles between three rays within the rim are in the image already, as with beams;
+        of boxes all four rays are.
     """
     cells = _cells(nodes, room, splits)
     turns = torch.where(
@@ -88,8 +96,9 @@ def rim_light(
         torch.tensor(_ODD, device=nodes.device),
     )
     cell = torch.arange(len(turns), device=nodes.device)[:, None, None]
-    # Triangles between three rays within the rim are drawn already, by the flux of these.
-    already = 0.5 * cells.flux[:, None] * cells.within.flatten(1)[cell, turns].all(2)
+    # Those between three rays within the rim are drawn by the flux of these.
+    within = cells.within.flatten(1)[cell, turns].all(2)
+    already = 0.5 * cells.flux[:, None] * (within & triangles)
     half = (0.5 * cells.whole[:, None] - already).flatten()
     (column, row), part = _cut(cells.values.flatten(2)[:, cell, turns].flatten(1, 2))
     lit = half * part

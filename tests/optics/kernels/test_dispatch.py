@@ -116,7 +116,7 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
     monkeypatch.setitem(ready._COMPILERS, "collimated", fail)
     with pytest.raises(ValueError, match="no such register"):
         ready.compile_all()
-    others = {"face", "mirror", "point", "origins", "two faces", "beams"}
+    others = {"face", "mirror", "point", "origins", "two faces", "beams", "boxes"}
     assert ready._ready == {(name, torch.float32) for name in others}
     assert ready.is_compiled()  # nothing is left to wait for
     scene = make_scene()

@@ -69,7 +69,7 @@ class _BeamImage(torch.autograd.Function):
     ) -> Tensor:
         hits = nodes.detach().contiguous().numpy()
         ctx.splits, ctx.mesh = splits, None
-        if grids := _grids(splits, hits.shape[1:]):
+        if grids := grids_of(splits, hits.shape[1:]):
             image, landed = _forward_by_grids(hits, pixels, splits, grids)
         else:
             image, landed, ctx.mesh = _forward(hits, pixels, splits)
@@ -83,14 +83,14 @@ class _BeamImage(torch.autograd.Function):
         (nodes,) = ctx.saved_tensors
         hits, seen = nodes.detach().contiguous().numpy(), cotangent.double().contiguous().numpy()
         if ctx.mesh is None:
-            grids = _grids(ctx.splits, hits.shape[1:])
+            grids = grids_of(ctx.splits, hits.shape[1:])
             result = _back_by_grids(hits, seen, ctx.splits, grids)
         else:
             result = _back(hits, ctx.mesh, seen)
         return torch.from_numpy(result), None, None, None
 
 
-def _grids(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
+def grids_of(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
     """Rows of grids that lie side by side, if there are several that are drawn one by one.
 
     Diagonals of cells turn with the number of the row in its grid: small grids are drawn as one
@@ -112,7 +112,7 @@ def _grids(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
     return [slice(*ends) for ends in pairwise([*first.tolist(), len(along_v)])]
 
 
-def _parted(splits: Splits, rows: slice) -> tuple[Array, Array]:
+def splits_of_grids(splits: Splits, rows: slice) -> tuple[Array, Array]:
     """Splits of some grids, along the first axis of their nodes, then along the second."""
     along_u, along_v = splits
     if rows.stop <= len(along_v):
@@ -174,7 +174,7 @@ def _forward_by_grids(
 
     def work(part: int) -> None:
         for rows in grids[at[part] : at[part + 1]]:
-            mesh, lands = _triangles(nodes[:, rows], _parted(splits, rows), slivers[part])
+            mesh, lands = _triangles(nodes[:, rows], splits_of_grids(splits, rows), slivers[part])
             add_edges(*mesh[:3], 0, len(mesh.row), steps[part])
             landed[part] += lands
 
@@ -203,7 +203,7 @@ def _back_by_grids(
     def work(part: int) -> None:
         aside = np.zeros_like(cotangent)
         for rows in grids[at[part] : at[part + 1]]:
-            mesh, _ = _triangles(nodes[:, rows], _parted(splits, rows), aside)
+            mesh, _ = _triangles(nodes[:, rows], splits_of_grids(splits, rows), aside)
             count, columns = mesh.row.shape
             d_nodes, d_density = np.zeros((3, count + 1, columns)), np.zeros_like(mesh.density)
             edges_back(*mesh[:3], cotangent, right, 0, count, d_nodes[0], d_nodes[1], d_density)

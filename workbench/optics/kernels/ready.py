@@ -22,6 +22,7 @@ import torch
 
 from workbench.optics.kernels import (
     beam_image,
+    box_image,
     collimated,
     face,
     mirror,
@@ -39,6 +40,7 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "origins": origins.compile_for,
     "two faces": two_faces.compile_for,
     "beams": beam_image.compile_for,
+    "boxes": box_image.compile_for,
 }
 
 
@@ -63,7 +65,7 @@ def obtain(name: str, dtype: torch.dtype) -> bool:
     Parameters
     ----------
     name : str
-        "collimated", "face", "mirror", "point", "origins", "two faces" or "beams".
+        "collimated", "face", "mirror", "point", "origins", "two faces", "beams" or "boxes".
     dtype : torch.dtype
         Float type of the trace.
     """
