@@ -14,10 +14,12 @@ from workbench.arrays import Array, Mask
 from workbench.design.loss import paper_loss, share
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan, device_of
+from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
 from workbench.scene import Scene
 
 _SOURCES = {"collimated": "flame", "point": "flame-point", "grid": "flame-grid"}
+_NEAR = {"torch": "phone-torch", "LED": "led-rectangle"}
 _TRUE_RAYS = 16_000_000
 _SECONDS = 10.0  # for each question
 
@@ -126,6 +128,8 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         for kind, change in {"collimated": large, "point": {}, "grid": {}}.items():
             devices = {each: {"run": {"device": each}} | change for each in ("cpu", "cuda")}
             yield f"{kind}: device", partial(_same_rays, _SOURCES[kind], devices)
+    for kind, name in _NEAR.items():
+        yield f"{kind}: points of the source", partial(_points, name, (64, 16, 128))
     for kind in ("collimated", "point"):
         yield f"{kind}: control net", partial(_nets, _SOURCES[kind], (64, 32, 128, 256))
 
@@ -181,6 +185,17 @@ def _nets(name: str, counts: Sequence[int]) -> list[Variant]:
         example = BenchmarkTask.of(name, lens={"control_points": [count, count]})
         descent = Descent(example, wavy(example.scene))
         variants.append(Variant(f"{count} × {count} points", descent, rays_of(example.scene)))
+    return variants
+
+
+def _points(name: str, counts: Sequence[int]) -> list[Variant]:
+    """A lens in the light of so many points of a source, each by 256 × 256 samples."""
+    example = BenchmarkTask.of(name, screen={"pixels": [256, 256]})
+    heights = wavy(example.scene)
+    variants = []
+    for count in counts:
+        descent = Descent(example, heights, plan_of=BeamPlan, cells=Corners(255, 255, count))
+        variants.append(Variant(f"{count} points", descent, count * 256**2))
     return variants
 
 
