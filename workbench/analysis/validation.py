@@ -168,15 +168,7 @@ def _of_one(
     )
     references = [target] if image is None else [target, image.irradiance]
     if trace.sampled:
-        unscattered = [CorrectedDistance.of_pairs(batches, reference) for reference in references]
-        if math.isinf(unscattered[0].off):
-            few = Said(
-                "so few rays of the file come to the {receiver} that some of {parts} parts of them "
-                "make no image: the check needs a file of more rays",
-                parts=BATCHES,
-                receiver=scene.receiver.called,
-            )
-            raise RunFailed(few)
+        unscattered = _of_parts(batches, references, scene.receiver.called)
         independent = IndependentError(unscattered[0], trace.rays)
     else:
         second = Trace(scene, heights, -(-rays // FEWER), _another(seed), pose)
@@ -233,6 +225,22 @@ def _traced(
         raise RunFailed(dark)
     irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
     return account, irradiance, distances, images
+
+
+def _of_parts(
+    batches: Images, references: Sequence[Array], receiver: str
+) -> list[CorrectedDistance]:
+    """The distance of a file's image to each reference, from images of parts of its rays."""
+    found = [CorrectedDistance.of_pairs(batches, reference) for reference in references]
+    if math.isinf(found[0].off):
+        few = Said(
+            "so few rays of the file come to the {receiver} that some of {parts} parts of them "
+            "make no image: the check needs a file of more rays",
+            parts=BATCHES,
+            receiver=receiver,
+        )
+        raise RunFailed(few)
+    return found
 
 
 def _by_other_rays(

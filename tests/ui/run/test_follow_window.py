@@ -1,5 +1,7 @@
 """Edits followed in the window, by the engine itself."""
 
+import time
+
 import pytest
 from PySide6.QtCore import QSettings
 
@@ -37,6 +39,22 @@ def settled(window, qtbot):
     return qtbot.waitSignal(window.loaded.follow.settled)
 
 
+def slower(snapshots):
+    """The same ones, so that a design is still under way when its first lens is seen."""
+
+    def paused(*given):
+        source = snapshots(*given)
+        while True:
+            try:
+                snapshot = next(source)
+            except StopIteration as end:
+                return end.value
+            yield snapshot
+            time.sleep(0.05)
+
+    return paused
+
+
 def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, designed, qtbot):
     window, document = following, following.document
     texts = []
@@ -61,6 +79,7 @@ def test_a_check_while_a_lens_follows_keeps_that_lens_and_says_what_improves_it(
 ):
     window = following
     monkeypatch.setattr(window.loaded.check, "_rays", 20_000)
+    monkeypatch.setattr(window.loaded.follow, "_snapshots", slower(window.loaded.follow._snapshots))
     fill(qtbot, editor(window.forms, "screen.z"), "6")
     qtbot.waitUntil(lambda: window.document.session.result is not None)
     window.commands["check"].trigger()

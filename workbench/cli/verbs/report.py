@@ -18,12 +18,10 @@ def add(commands: Any) -> None:
         "report",
         "Check the lens of a session and write scene, pictures, figures, light account and what "
         "a shop asks for, as one HTML file that needs nothing else, or as PDF. With --tolerances "
-        "also how the error spreads over lenses that are off, with --with mitsuba also the image "
-        "of another tracer; lengths are in the scene's unit.",
+        "also how the error spreads over lenses that are off; lengths are in the scene's unit.",
         [
             "report flame.freeform flame.html flame.pdf",
             "report flame.freeform flame.pdf --tolerances 100 --tilt 0.2 --decentre 0.01",
-            "report flame.freeform flame.pdf --with mitsuba",
         ],
         _run,
     )

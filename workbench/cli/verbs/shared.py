@@ -27,8 +27,7 @@ def add_other(parser: argparse.ArgumentParser) -> None:
         "--with",
         dest="other",
         choices=["mitsuba"],
-        help="have another program trace the lens too, and compare; mitsuba is an optional extra "
-        "and takes about a minute for the default number of rays",
+        help="have Mitsuba 3 trace the lens too (optional extra)",
     )
 
 
