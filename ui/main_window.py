@@ -30,6 +30,7 @@ from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
 from ui.panels.source import is_light_file
 from ui.run.lens_on_show import LensOnShow
+from ui.sweep.sweeps import Sweeps
 from ui.window.early_parts import EarlyParts
 from ui.window.layout import Layout
 from ui.window.view_state import ViewState
@@ -103,6 +104,7 @@ class MainWindow(QMainWindow):
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_cutting = AskCutting(self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
+        self.sweeps = Sweeps(document, self.files.open, self)
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._panes = PaneFocus(
             self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
@@ -167,6 +169,7 @@ class MainWindow(QMainWindow):
             dock.hide()  # one that floats does not go with the window
         self.exporter.close()
         self.reporter.close()
+        self.sweeps.close()
         if self.loaded is not None:
             self.loaded.close()
             self.loaded = self._state.loaded = None  # nothing can be started any more
@@ -278,6 +281,7 @@ class MainWindow(QMainWindow):
                 "export": lambda: self._take_along(self.exporter.choose_and_export),
                 "cut": lambda: self._take_along(self.exporter.choose_and_cut),
                 "report": lambda: self._take_along(self.reporter.choose_and_report),
+                "sweep": self._sweep,
                 "new_window": self.new_window_asked.emit,
                 "close": self.close,
                 "quit": self.quit_asked.emit,
@@ -318,6 +322,10 @@ class MainWindow(QMainWindow):
             dock = self.workspace.docks[example.dock]
             dock.show()
             dock.raise_()
+
+    def _sweep(self) -> None:
+        self.forms.commit()
+        self.sweeps.show()
 
     def _save(self, save: Callable[[], bool]) -> None:
         self.forms.commit()

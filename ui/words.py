@@ -145,3 +145,8 @@ def speak(application: QCoreApplication, language: str) -> None:
     of_qt = QTranslator(application)  # OK, Cancel, and all that is in its dialogs
     if of_qt.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
         application.installTranslator(of_qt)
+
+
+def field_title(title: str) -> str:
+    """The title of a field with those of the parts that it is in: ``Lens · Half width``."""
+    return " · ".join(map(tr, title.split(" · ")))

@@ -725,6 +725,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>S&amp;weep…</source>
+            <translation>R&amp;eihe…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design a lens for each of several values of a field, and see all in a table</source>
+            <translation>Für jeden von mehreren Werten eines Feldes eine Linse entwerfen und alle in einer Tabelle sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design a mirror for each of several values of a field, and see all in a table</source>
+            <translation>Für jeden von mehreren Werten eines Feldes einen Spiegel entwerfen und alle in einer Tabelle sehen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Restore run</source>
             <translation>La&amp;uf wiederherstellen</translation>
         </message>
@@ -4082,6 +4097,101 @@
             <location filename="../../ui/startup/warm_up.py" />
             <source>start</source>
             <translation>Start</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
+            <translation>Jeder Wert, oder jedes Paar von Werten zweier Felder, bekommt einen eigenen Entwurf, der geprüft wird. Sitzungen und eine Tabelle (CSV, JSON) kommen in den Ordner; was dort fertig ist, wird nicht noch einmal gemacht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Verified error</source>
+            <translation>Geprüfter Fehler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Seconds</source>
+            <translation>Sekunden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Sweep</source>
+            <translation>Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Folder</source>
+            <translation>Ordner</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>How far the sweep is</source>
+            <translation>Wie weit die Reihe ist</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>&amp;Open design</source>
+            <translation>&amp;Entwurf öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Open the session of the chosen row in the window</source>
+            <translation>Die Sitzung der gewählten Zeile im Fenster öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Choose the folder</source>
+            <translation>Den Ordner wählen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>sweep</source>
+            <translation>Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Stop</source>
+            <translation>Stopp</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} von {wanted} Entwürfen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Designs of the sweep</source>
+            <translation>Entwürfe der Reihe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
+            <translation>Zwischen Kommas: Zahlen wie 1, 2.5, 3; ganze Zahlen wie 0..4; Paare wie 64x48; Wörter wie auto. Längen in der Einheit der Szene.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Field</source>
+            <translation>Feld</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Second field</source>
+            <translation>Zweites Feld</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Values of {field}</source>
+            <translation>Werte von {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>now {value}</source>
+            <translation>jetzt {value}</translation>
         </message>
         <message>
             <location filename="../../ui/threads/failure.py" />
@@ -8713,6 +8823,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; none</source>
             <translation>{count} angegeben, die nicht berücksichtigt werden können ({who}); keine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/sweep/points.py" />
+            <source>is varied twice; all its values belong together</source>
+            <translation>wird zweimal verändert; alle seine Werte gehören zusammen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/sweep/points.py" />
+            <source>{count} points; at most {most} are possible</source>
+            <translation>{count} Punkte; höchstens {most} sind möglich</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />

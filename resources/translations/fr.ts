@@ -725,6 +725,21 @@
         </message>
         <message>
             <location filename="../../ui/commands/table.py" />
+            <source>S&amp;weep…</source>
+            <translation>Séri&amp;e…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design a lens for each of several values of a field, and see all in a table</source>
+            <translation>Concevoir une lentille pour chacune de plusieurs valeurs d'un champ, et les voir toutes dans un tableau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
+            <source>Design a mirror for each of several values of a field, and see all in a table</source>
+            <translation>Concevoir un miroir pour chacune de plusieurs valeurs d'un champ, et les voir tous dans un tableau</translation>
+        </message>
+        <message>
+            <location filename="../../ui/commands/table.py" />
             <source>&amp;Restore run</source>
             <translation>&amp;Restaurer l'exécution</translation>
         </message>
@@ -4082,6 +4097,101 @@
             <location filename="../../ui/startup/warm_up.py" />
             <source>start</source>
             <translation>démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
+            <translation>Chaque valeur, ou chaque paire de valeurs de deux champs, reçoit sa propre conception, qui est vérifiée. Les sessions et un tableau (CSV, JSON) vont dans le dossier ; ce qui y est terminé n'est pas refait.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Verified error</source>
+            <translation>Erreur vérifiée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Light</source>
+            <translation>Lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Seconds</source>
+            <translation>Secondes</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Sweep</source>
+            <translation>Série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Folder</source>
+            <translation>Dossier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>How far the sweep is</source>
+            <translation>Avancement de la série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>&amp;Open design</source>
+            <translation>&amp;Ouvrir la conception</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Open the session of the chosen row in the window</source>
+            <translation>Ouvrir la session de la ligne choisie dans la fenêtre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Choose the folder</source>
+            <translation>Choisir le dossier</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>sweep</source>
+            <translation>série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Stop</source>
+            <translation>Arrêter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>{count} of {wanted} designs</source>
+            <translation>{count} conceptions sur {wanted}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Designs of the sweep</source>
+            <translation>Conceptions de la série</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. Lengths in the unit of the scene.</source>
+            <translation>Entre virgules : nombres comme 1, 2.5, 3 ; entiers comme 0..4 ; paires comme 64x48 ; mots comme auto. Longueurs dans l'unité de la scène.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Field</source>
+            <translation>Champ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Second field</source>
+            <translation>Second champ</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>Values of {field}</source>
+            <translation>Valeurs de {field}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/form.py" />
+            <source>now {value}</source>
+            <translation>actuellement {value}</translation>
         </message>
         <message>
             <location filename="../../ui/threads/failure.py" />
@@ -8713,6 +8823,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; none</source>
             <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/sweep/points.py" />
+            <source>is varied twice; all its values belong together</source>
+            <translation>est varié deux fois ; toutes ses valeurs vont ensemble</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/sweep/points.py" />
+            <source>{count} points; at most {most} are possible</source>
+            <translation>{count} points ; {most} au plus sont possibles</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />

@@ -33,9 +33,6 @@ def here(monkeypatch):
     from workbench.sweep.work import attempt
 
     class Here:
-        def __init__(self, *_):
-            pass
-
         def __enter__(self):
             return self
 
@@ -45,7 +42,7 @@ def here(monkeypatch):
         def work(self, tasks):
             return ((key, attempt(task)) for key, task in tasks)
 
-    monkeypatch.setattr("workbench.cli.sweep.Processes", Here)
+    monkeypatch.setattr("workbench.sweep.processes.Processes.of", lambda *_: Here())
 
 
 @pytest.mark.usefixtures("here")

@@ -13,6 +13,7 @@ from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.faces import FaceArrays
+from workbench.interruption import Interrupted, interrupted_when
 from workbench.sweep.cluster import Cluster
 from workbench.sweep.points import key_of, points
 from workbench.sweep.processes import Processes
@@ -219,6 +220,17 @@ class TestSweep:
 
 
 class TestWorkers:
+    def test_processes_end_when_the_work_is_interrupted(self, scene_file, store):
+        (point,) = points([scene_file], [Variation.parse("run.iterations=100000")])
+        session = point.session()
+        task = DesignTask(session.scene, session.target, RAYS)
+        with Processes.of(1) as workers, interrupted_when(lambda: True):
+            with pytest.raises(Interrupted):
+                list(workers.work(iter([("a", task)])))
+            (process,) = workers._all.values()
+            assert process.is_alive()
+        assert not process.is_alive()
+
     @pytest.fixture
     def task(self, make_scene):
         scene = make_scene({"run": {"method": "paper", "iterations": 1}})

@@ -69,7 +69,7 @@ MENUS: dict[str, list[Any]] = {
         None,
         "check",
     ],
-    "&Run": [*_RUN, None, "follow", None, "restore_run", "compare_runs", "delete_run"],
+    "&Run": [*_RUN, None, "follow", "sweep", None, "restore_run", "compare_runs", "delete_run"],
     "&View": [
         "fit_view",
         *(f"{view}_view" for view in VIEWS),

@@ -151,6 +151,10 @@ COMMANDS = {
         "follow",
         checked=True,
     ),
+    "sweep": Command(
+        "S&weep…",
+        "Design a {optic} for each of several values of a field, and see all in a table",
+    ),
     "restore_run": Command(
         "&Restore run", "Give the design task and {optic} of the run chosen in the dock Runs"
     ),

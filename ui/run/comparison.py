@@ -25,7 +25,7 @@ from ui.run.kept import called
 from ui.run.run_figures import figures_of
 from ui.shown.image_titles import image_titles
 from ui.widgets.plot_words import translate
-from ui.words import later, tr
+from ui.words import field_title, later, tr
 from workbench.design.session import KeptRun
 from workbench.pictures.comparison import Comparison
 from workbench.pictures.style import paint
@@ -116,7 +116,7 @@ class RunComparison(QDialog):
         own = zip(*map(self._figures_of, self._pair), strict=True)
         rows = [(tr(name), (one, other)) for (name, one), (_, other) in own]
         one, other = (run.scene for run in self._pair)
-        apart = [(_title(each.title), each.values) for each in differences(one, other)]
+        apart = [(field_title(each.title), each.values) for each in differences(one, other)]
         self.table.setHorizontalHeaderLabels(["", *(called(run) for run in self._pair)])
         self.table.setRowCount(0)
         self.table.clearSpans()
@@ -174,11 +174,6 @@ class RunComparison(QDialog):
         item.setFont(font)
         self.table.setItem(row, 0, item)
         self.table.setSpan(row, 0, 1, self.table.columnCount())
-
-
-def _title(field: str) -> str:
-    """Of a field, with the parts that it is in."""
-    return " · ".join(map(tr, field.split(" · ")))
 
 
 def _table() -> QTableWidget:

@@ -1,7 +1,6 @@
 """``freeform sweep``."""
 
 import json
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -58,9 +57,7 @@ def sweep(
 def _workers(jobs: int | None, dask: str | None, points: int) -> Cluster | Processes:
     if dask:
         return Cluster(dask)
-    cores = os.cpu_count() or 1
-    count = min(jobs or cores, points)
-    return Processes(count, max(cores // count, 1))
+    return Processes.of(points, jobs)
 
 
 def _work(

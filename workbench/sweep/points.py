@@ -16,6 +16,7 @@ from workbench.design.task import with_task
 from workbench.errors import Refused
 from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
+from workbench.said import Said
 from workbench.scene import Scene
 from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
 
@@ -88,15 +89,24 @@ def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point
     Refused
         If a scene cannot be read, there are too many points or none of them is possible.
     """
+    return points_of([(path, open_design(path)) for path in dict.fromkeys(paths)], variations)
+
+
+def points_of(
+    designs: Sequence[tuple[Path, Session]], variations: Sequence[Variation]
+) -> list[Point]:
+    """As `points`, of designs that are open, each with what its file is or would be called."""
     for number, variation in enumerate(variations):
         if variation.path in [other.path for other in variations[:number]]:
-            raise Refused(variation.path, "is varied twice; all its values belong into one --vary")
-    count = len(paths) * math.prod(len(v.values) for v in variations)
+            raise Refused(variation.path, Said("is varied twice; all its values belong together"))
+    count = len(designs) * math.prod(len(v.values) for v in variations)
     if count > MOST_POINTS:
-        raise Refused("usage", f"{count} points; at most {MOST_POINTS} are possible")
+        raise Refused(
+            "usage",
+            Said("{count} points; at most {most} are possible", count=count, most=MOST_POINTS),
+        )
     found = []
-    for path in dict.fromkeys(paths):
-        base = open_design(path)
+    for path, base in designs:
         for values in itertools.product(*(v.values for v in variations)):
             changes = dict(zip((v.path for v in variations), values, strict=True))
             found.append(Point(path, base, changes, _scene(base.scene, changes, path)))

@@ -14,9 +14,12 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from typing import Any, Self, TypeVar
 
+from workbench.interruption import check_interruption
 from workbench.sweep.work import DesignTask, Done, Failed, attempt
 
 Key = TypeVar("Key")
+
+_OFTEN = 0.1  # seconds after which it may be interrupted
 
 
 class Processes:
@@ -35,6 +38,13 @@ class Processes:
         self._all: dict[Connection, SpawnProcess] = {}
         self._idle: list[Connection] = []
 
+    @classmethod
+    def of(cls, points: int, jobs: int | None = None) -> Self:
+        """As many as there are cores, or points, or ``jobs``; all cores are shared among them."""
+        cores = os.cpu_count() or 1
+        count = min(jobs or cores, points)
+        return cls(count, max(cores // count, 1))
+
     def __enter__(self) -> Self:
         return self
 
@@ -52,6 +62,11 @@ class Processes:
         ------
         tuple
             What came with a task, and what became of it; in the order in which they end.
+
+        Raises
+        ------
+        Interrupted
+            If it is to end; see `workbench.interruption`.
         """
         busy: dict[Connection, Key] = {}
         while True:
@@ -62,7 +77,8 @@ class Processes:
                     pipe.send(task[1])
             if not busy:
                 return
-            ready = wait(list(busy))
+            while not (ready := wait(list(busy), _OFTEN)):
+                check_interruption()
             for pipe in [pipe for pipe in busy if pipe in ready]:
                 yield busy.pop(pipe), self._answer(pipe)
 

@@ -1,0 +1,159 @@
+"""Sweeps in the window: what is asked, watched, stopped and opened."""
+
+import time
+
+import pytest
+from PySide6.QtWidgets import QPushButton
+
+from workbench.files.session import read_session
+from workbench.interruption import check_interruption
+from workbench.sweep.work import Failed, attempt
+
+pytestmark = pytest.mark.usefixtures("kernels")
+
+
+class Here:
+    """Works in the thread that asks, so that no process has to start."""
+
+    waits = False  # before each task, until it is to end
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def work(self, tasks):
+        for key, task in tasks:
+            while self.waits:
+                check_interruption()
+                time.sleep(0.01)
+            if task.scene.run.seed == 7:
+                yield key, Failed("stopped at iteration 3: no light")
+            else:
+                yield key, attempt(task._replace(rays=10_000), 1)
+
+
+@pytest.fixture
+def workers(monkeypatch):
+    here = Here()
+    monkeypatch.setattr("workbench.sweep.processes.Processes.of", lambda points: here)
+    return here
+
+
+@pytest.fixture
+def dialog(window, tmp_path, workers):
+    window.commands["sweep"].trigger()
+    dialog = window.sweeps.dialog
+    dialog.folder.setText(str(tmp_path / "lenses"))
+    return dialog
+
+
+def choose(dialog, number, path, values):
+    field = dialog.form.fields[number]
+    field.setCurrentIndex(field.findData(path))
+    dialog.form.values[number].setText(values)
+
+
+def texts(dialog, row):
+    cells = (dialog.table.item(row, column) for column in range(dialog.table.columnCount()))
+    return [cell.text() for cell in cells if cell is not None]
+
+
+def test_fields_are_offered_with_what_they_are_now(dialog):
+    choose(dialog, 0, "lens.control_points", "")
+    assert dialog.form.fields[0].currentText() == "Lens · Control points"
+    assert dialog.form.values[0].placeholderText() == "now 12 × 10"
+    assert dialog.form.fields[0].findData("unit") < 0
+    assert dialog.form.fields[1].currentText() == "none"
+    assert not dialog.form.values[1].isEnabled()
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ("", "a value is empty"),
+        ("1.5..2", "from a to b goes with whole numbers only"),
+        ("two", "run.seed"),
+    ],
+)
+def test_values_that_are_none_are_refused_in_the_dialog(dialog, values, said):
+    choose(dialog, 0, "run.seed", values)
+    dialog.begin.click()
+    assert said in dialog.told.text()
+    assert dialog.table.rowCount() == 0 and dialog.begin.text() == "Start"
+
+
+def test_a_field_that_is_varied_twice_is_refused(dialog):
+    choose(dialog, 0, "run.seed", "1")
+    choose(dialog, 1, "run.seed", "2")
+    dialog.begin.click()
+    assert "varied twice" in dialog.told.text()
+
+
+def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
+    choose(dialog, 0, "run.iterations", "1, 2")
+    choose(dialog, 1, "run.seed", "3,7")
+    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+        dialog.begin.click()
+        assert dialog.begin.text() == "Stop" and not dialog.form.isEnabled()
+        assert texts(dialog, 3) == ["2", "7", "…"]
+    assert dialog.told.text().startswith("4 of 4 designs, ")
+    assert dialog.begin.text() == "Start" and dialog.form.isEnabled()
+    first = texts(dialog, 0)
+    assert first[:2] == ["1", "3"] and first[2].endswith(" %") and first[3].endswith(" %")
+    assert texts(dialog, 1)[2] == "stopped at iteration 3: no light"
+    table = (tmp_path / "lenses" / "table.csv").read_text().splitlines()
+    assert len(table) == 5 and table[0].startswith("scene,run.iterations,run.seed,")
+
+
+def test_a_lens_of_the_table_is_opened_in_the_window(dialog, window, qtbot):
+    choose(dialog, 0, "run.seed", "3,7")
+    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+        dialog.begin.click()
+    dialog.table.selectRow(1)
+    assert not dialog.look.isEnabled()  # there is none
+    dialog.table.selectRow(0)
+    dialog.look.click()
+    session = read_session(window.document.path)
+    assert session.scene.run.seed == window.document.session.scene.run.seed == 3
+    assert window.document.session.result is not None
+
+
+def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
+    dialog, workers, qtbot, tmp_path
+):
+    choose(dialog, 0, "run.seed", "0..2")
+    dialog.begin.click()
+    qtbot.waitUntil(lambda: len(dialog._rows) >= 1, timeout=60_000)
+    workers.waits = True
+    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+        dialog.begin.click()
+    done = len(dialog._rows)
+    assert dialog.told.text().startswith(f"{done} of 3 designs, ")
+    kept = set((tmp_path / "lenses").glob("*.freeform"))
+    assert len(kept) == done
+    workers.waits = False
+    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
+        dialog.begin.click()
+    assert dialog.told.text().startswith("3 of 3 designs, ")
+    assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
+
+
+def test_a_folder_that_cannot_be_made_is_said(dialog, qtbot, tmp_path):
+    (tmp_path / "file").write_text("")
+    dialog.folder.setText(str(tmp_path / "file" / "lenses"))
+    choose(dialog, 0, "run.seed", "1")
+    with qtbot.waitSignal(dialog._background.failed, timeout=60_000):
+        dialog.begin.click()
+    assert "cannot be made" in dialog.told.text()
+    assert dialog.begin.isEnabled()
+
+
+def test_a_window_that_closes_leaves_its_sweep(dialog, window, workers):
+    workers.waits = True
+    choose(dialog, 0, "run.seed", "1")
+    dialog.begin.click()
+    window.discard_and_close()
+    assert not dialog._background.running
+    assert isinstance(dialog.begin, QPushButton)
