@@ -2,8 +2,8 @@
 
 The real program starts with an empty home folder on a screen of its own. Mouse and keyboard begin a
 plate in the sun with a picture of 3:2, and then open what stands beside the design: the predicted
-photo, regions, a check, manufacture, the cutter, tolerances, runs compared, the manual. The folder
-gets a picture of each, to be looked at.
+photo, regions, a check, manufacture, the cutter, tolerances, compared runs, a sweep and the manual.
+The folder gets a picture of each, to be looked at.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from ui.words import LANGUAGES, speak, tr
 
 _WINDOW = "Freeform"
 _PATIENCE = 300.0  # seconds, on a machine that does much else
-_TASKS = ("photo", "regions", "manufacture", "tolerances", "runs", "manual")
+_TASKS = ("photo", "regions", "manufacture", "tolerances", "runs", "sweep", "manual")
 _PIXELS = (240, 160)
 _SLOW = 2.0  # seconds in which the window follows, on such a machine
 _STILL = 15  # looks in succession at which no lens follows
@@ -137,6 +137,26 @@ class Person:
         hand.focus(tr("Comparison of two runs"))
         hand.press("Escape")
 
+    def sweep(self) -> None:
+        """Design lenses of two widths, and open the smaller one."""
+        hand, title = self._hand, tr("Sweep")
+        self._command(tr("S&weep…").rstrip("…"))
+        hand.fill(tr("Values of {field}").format(field=tr("Field")), "45, 50")
+        self._keep("sweep")
+        hand.click(tr("Start"), "QPushButton", window=title)
+        done = tr("{count} of {wanted} designs").format(count=2, wanted=2)
+        hand.until(lambda: hand.having(done), "sweep", _PATIENCE)
+        self._keep("sweep done")
+        hand.click(tr("Designs of the sweep"), window=title)
+        hand.press("Home")
+        hand.click(_plain(tr("&Open design")), "QPushButton", window=title)
+        time.sleep(_SLOW)
+        hand.press("Tab", "Return")  # Discard
+        time.sleep(_SLOW)
+        self._keep("sweep opened")
+        hand.focus(title)
+        hand.press("Escape")
+
     def manual(self) -> None:
         """Search the manual for a word, and for one that it does not have."""
         hand = self._hand
@@ -158,12 +178,15 @@ class Person:
             still = 0 if hand.having(follows) else still + 1
 
     def _go_to(self, pane: str) -> None:
-        """Show a pane by the palette of commands."""
+        """Show a pane."""
+        self._command(f"{tr('&Go to')} {tr(pane)}")
+
+    def _command(self, name: str) -> None:
+        """Give a command by the palette."""
         hand = self._hand
         hand.focus(_WINDOW)
         hand.press(_PALETTE)
-        name = f"{_plain(tr('&Go to'))} {tr(pane)}"
-        hand.type(" ".join(_TYPED.findall(name)), enter="Return")
+        hand.type(" ".join(_TYPED.findall(_plain(name))), enter="Return")
         time.sleep(_SLOW)
 
     def _keep(self, name: str) -> None:
