@@ -104,7 +104,7 @@ class MainWindow(QMainWindow):
         self.exporter = Exporter(document, lens, messages, dialogs, self)
         self.exporter.ask_cutting = AskCutting(self)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
-        self.sweeps = Sweeps(document, self.files.open, self)
+        self.sweeps = Sweeps(document, self._open, self)
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)
         self._panes = PaneFocus(
             self.workspace.centre, self.workspace.docks, self.commands.toolbar, self
@@ -190,13 +190,8 @@ class MainWindow(QMainWindow):
             self.forms.choose_light(path)
         elif path.suffix.lower() not in (ENDING, ".json"):
             self.forms.choose_image(path)
-        elif self._busy:
-            text = tr("{file} takes the place of {design}, which is being designed.").format(
-                file=path.name, design=self.document.name
-            )
-            self.messages.note(text, (tr("Stop and open"), partial(self._stop_and_open, path)))
         else:
-            self.files.open(path)
+            self._open(path)
 
     def changeEvent(self, event: QEvent) -> None:
         """Light or dark: draw the icons again. Active: other windows may have opened files."""
@@ -256,6 +251,16 @@ class MainWindow(QMainWindow):
             self.loaded.postponed.make()
         path, self._to_open = self._to_open, None
         if path is not None:
+            self.files.open(path)
+
+    def _open(self, path: Path) -> None:
+        """Open a design or scene; a run that is under way is stopped if somebody says so."""
+        if self._busy:
+            text = tr("{file} takes the place of {design}, which is being designed.").format(
+                file=path.name, design=self.document.name
+            )
+            self.messages.note(text, (tr("Stop and open"), partial(self._stop_and_open, path)))
+        else:
             self.files.open(path)
 
     def _stop_and_open(self, path: Path) -> None:

@@ -2560,16 +2560,6 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{file} takes the place of {design}, which is being designed.</source>
-            <translation>{file} tritt an die Stelle von {design}, das gerade entworfen wird.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Stop and open</source>
-            <translation>Stoppen und öffnen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
             <source>{design} is still being designed. Stop, and save its best lens?</source>
             <translation>{design} wird noch entworfen. Stoppen und die beste Linse speichern?</translation>
         </message>
@@ -2582,6 +2572,16 @@
             <location filename="../../ui/main_window.py" />
             <source> Changes of the task that wait for the end of the run are given up.</source>
             <translation> Änderungen der Aufgabe, die auf das Ende des Laufs warten, werden aufgegeben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{file} takes the place of {design}, which is being designed.</source>
+            <translation>{file} tritt an die Stelle von {design}, das gerade entworfen wird.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stop and open</source>
+            <translation>Stoppen und öffnen</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />

@@ -2560,16 +2560,6 @@
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
-            <source>{file} takes the place of {design}, which is being designed.</source>
-            <translation>{file} prend la place de {design}, en cours de conception.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
-            <source>Stop and open</source>
-            <translation>Arrêter et ouvrir</translation>
-        </message>
-        <message>
-            <location filename="../../ui/main_window.py" />
             <source>{design} is still being designed. Stop, and save its best lens?</source>
             <translation>{design} est encore en cours de conception. Arrêter et enregistrer sa meilleure lentille ?</translation>
         </message>
@@ -2582,6 +2572,16 @@
             <location filename="../../ui/main_window.py" />
             <source> Changes of the task that wait for the end of the run are given up.</source>
             <translation> Les modifications de la tâche qui attendent la fin de l'exécution sont abandonnées.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>{file} takes the place of {design}, which is being designed.</source>
+            <translation>{file} prend la place de {design}, en cours de conception.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/main_window.py" />
+            <source>Stop and open</source>
+            <translation>Arrêter et ouvrir</translation>
         </message>
         <message>
             <location filename="../../ui/main_window.py" />
