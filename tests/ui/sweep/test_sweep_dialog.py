@@ -31,7 +31,7 @@ class Here:
             if task.scene.run.seed == 7:
                 yield key, Failed("stopped at iteration 3: no light")
             else:
-                yield key, attempt(task._replace(rays=10_000), 1)
+                yield key, attempt(task._replace(rays=10_000))
 
 
 @pytest.fixture
