@@ -6,15 +6,14 @@ The folder gets pictures of each stage, to be looked at; printed are seconds, cl
 what is told.
 """
 
-import argparse
 import time
-from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
+from tests.soak.arguments import arguments
 from tests.soak.hand import Hand
-from tests.soak.screen import SIZE, virtual_screen
-from ui.words import LANGUAGES, speak, tr
+from tests.soak.screen import virtual_screen
+from ui.words import speak, tr
 from workbench.jobs import JOBS
 from workbench.scene.kinds import title_of
 
@@ -61,12 +60,7 @@ def do(job: str, hand: Hand) -> dict[str, float]:
 
 def main() -> None:
     """Do all jobs, or some."""
-    parser = argparse.ArgumentParser("tests.soak.new_user")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--size", type=int, nargs=2, default=SIZE, metavar="PIXELS")
-    parser.add_argument("--scale", default="1", help="of the user interface, as QT_SCALE_FACTOR")
-    parser.add_argument("--theme", choices=("light", "dark"), default="light")
-    parser.add_argument("--language", choices=LANGUAGES, default="en")
+    parser = arguments("tests.soak.new_user")
     parser.add_argument("--job", action="append", help="title of one in English; all by default")
     options = parser.parse_args()
     application = QCoreApplication([])

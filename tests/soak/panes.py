@@ -6,7 +6,6 @@ photo, regions, a check, manufacture, the cutter, tolerances, compared runs, a s
 The folder gets a picture of each, to be looked at.
 """
 
-import argparse
 import re
 import time
 from pathlib import Path
@@ -15,9 +14,10 @@ from PIL import Image
 from PySide6.QtCore import QCoreApplication
 
 import resources
+from tests.soak.arguments import arguments
 from tests.soak.hand import Hand, middle
-from tests.soak.screen import SIZE, virtual_screen
-from ui.words import LANGUAGES, speak, tr
+from tests.soak.screen import virtual_screen
+from ui.words import speak, tr
 
 _WINDOW = "Freeform"
 _PATIENCE = 300.0  # seconds, on a machine that does much else
@@ -201,12 +201,7 @@ def _plain(text: str) -> str:
 
 def main() -> None:
     """Do all of it."""
-    parser = argparse.ArgumentParser("tests.soak.panes")
-    parser.add_argument("folder", type=Path)
-    parser.add_argument("--size", type=int, nargs=2, default=SIZE, metavar="PIXELS")
-    parser.add_argument("--scale", default="1", help="of the user interface, as QT_SCALE_FACTOR")
-    parser.add_argument("--theme", choices=("light", "dark"), default="light")
-    parser.add_argument("--language", choices=LANGUAGES, default="en")
+    parser = arguments("tests.soak.panes")
     parser.add_argument("--task", action="append", choices=_TASKS, help="all by default")
     options = parser.parse_args()
     speak(QCoreApplication([]), options.language)

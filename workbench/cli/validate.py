@@ -17,6 +17,7 @@ from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
+from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 from workbench.scene import Scene
@@ -156,10 +157,9 @@ def _print(found: Validation, difference: float | None) -> None:
 
 
 def _error(found: ByCells | Validation, of_what: str) -> str:
-    """The error of the lens itself, or its upper end where it cannot be told from none."""
-    low, high = interval = found.relative_l2_corrected_interval
-    least = f"{found.relative_l2_corrected:.5f}" if low > 0 else f"< {high:.5f}"
-    return f"{least}  ({of_what}{_interval(interval)})"
+    """The error of the lens itself, and where it lies."""
+    interval = _interval(found.relative_l2_corrected_interval)
+    return f"{verified_error(found, '{:.5f}'.format)}  ({of_what}{interval})"
 
 
 def _print_compared(found: CrossCheck) -> None:

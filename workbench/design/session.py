@@ -1,6 +1,6 @@
 """What a person works on: a design task, the lens found for it, and what belongs to both."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, Protocol, Self
 
@@ -50,16 +50,24 @@ class Checked(Protocol):
         """Where it lies with 95 % confidence."""
 
 
-def verified_error(found: Checked) -> str:
-    """What a check says of the lens itself: the scatter of its own rays is no error of a lens."""
-    low, high = found.relative_l2_corrected_interval
-    if low == 0:  # so few rays cannot tell it from none
-        return f"< {_percent(high)}"
-    return _percent(found.relative_l2_corrected)
-
-
 def _percent(fraction: float) -> str:
     return f"{100 * fraction:.2f} %" if fraction >= 1e-4 else f"{100 * fraction:.1g} %"
+
+
+def verified_error(found: Checked, written: Callable[[float], str] = _percent) -> str:
+    """What a check says of the lens itself: the scatter of its own rays is no error of a lens.
+
+    Parameters
+    ----------
+    found : Checked
+        Of the check.
+    written : callable
+        Writes a part of one.
+    """
+    low, high = found.relative_l2_corrected_interval
+    if low == 0:  # so few rays cannot tell it from none
+        return f"< {written(high)}"
+    return written(found.relative_l2_corrected)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,8 +7,9 @@ see `workbench.optics.kernels.beam_raster` for what each piece adds.
 import torch
 from torch import Tensor
 
-from workbench.optics.kernels.beam_image import Splits, repeated
+from workbench.optics.kernels.beam_image import repeated
 from workbench.optics.kernels.beam_raster import FARTHEST, ROUNDING, SLIVER
+from workbench.optics.kernels.cell_image import Splits
 
 
 def reference_beam_image(

@@ -16,7 +16,8 @@ from torch import Tensor
 
 from workbench.optics.beam_reference import reference_beam_image
 from workbench.optics.kernels import ready
-from workbench.optics.kernels.beam_image import Splits, compiled_beam_image
+from workbench.optics.kernels.beam_image import compiled_beam_image
+from workbench.optics.kernels.cell_image import Splits
 
 
 def beam_image(

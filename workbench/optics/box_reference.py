@@ -7,9 +7,9 @@ import torch
 from torch import Tensor
 
 from workbench.optics.beam_reference import cell_flux, shifted_hits
-from workbench.optics.kernels.beam_image import Splits
 from workbench.optics.kernels.beam_raster import ROUNDING
 from workbench.optics.kernels.box_cells import NARROWEST
+from workbench.optics.kernels.cell_image import Splits
 
 _Sides = tuple[Tensor, Tensor, Tensor]
 """Middles of cells along one axis of the image, and from side to side of them along it."""

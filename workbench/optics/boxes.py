@@ -27,8 +27,8 @@ from torch import Tensor
 
 from workbench.optics.box_reference import reference_box_image
 from workbench.optics.kernels import ready
-from workbench.optics.kernels.beam_image import Splits
 from workbench.optics.kernels.box_image import compiled_box_image
+from workbench.optics.kernels.cell_image import Splits
 
 
 def box_image(

@@ -25,7 +25,7 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.optics.kernels.beam_image import Splits
+from workbench.optics.kernels.cell_image import Splits
 from workbench.optics.light import Nodes
 from workbench.optics.samples import Corners, places
 

@@ -11,6 +11,7 @@ from workbench.analysis.shading import Shading
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS, Tolerances
 from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation_figures import Validation
+from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
 from workbench.measured.light_unit import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
@@ -29,7 +30,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
         *_cell_rows(found.by_cells),
         Fact("relative L2 error", percent(found.relative_l2)),
         Fact("95 % of other rays", _interval(found.relative_l2_interval)),
-        Fact("without ray noise", _lens_error(found)),
+        Fact("without ray noise", verified_error(found, percent)),
         Fact("95 % confidence", _interval(found.relative_l2_corrected_interval)),
         Fact("loss of the paper", written(found.loss)),
         Fact("PSNR", _or_dash(quality.psnr, ".2f", " dB")),
@@ -62,7 +63,7 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
     off, over_noise = percent(found.difference), found.difference_over_noise
     size = f"{columns} × {rows}"
     return (
-        Fact("verified error", _lens_error(found)),
+        Fact("verified error", verified_error(found, percent)),
         Fact("it is surely", _interval(found.relative_l2_corrected_interval)),
         *(
             (Fact("cells", _with(size, found.less_exact)),)
@@ -195,12 +196,6 @@ def _extreme(found: Extreme, unit: str, sense: str) -> str:
     x, y = found.place
     value = written(found.value, unit, 5)
     return f"{value} at ({written(x)}, {written(y)}); {sense} {written(found.bound, unit, 5)}"
-
-
-def _lens_error(found: ByCells | Validation) -> str:
-    """The error of the lens itself, or its upper end where it cannot be told from none."""
-    low, high = found.relative_l2_corrected_interval
-    return percent(found.relative_l2_corrected) if low > 0 else f"< {percent(high)}"
 
 
 def _interval(ends: tuple[float, float]) -> Said:

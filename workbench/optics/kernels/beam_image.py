@@ -1,13 +1,13 @@
 """The image of beams of light, by threads, for torch; see `workbench.optics.beams`."""
 
 from collections.abc import Callable
+from functools import partial
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from torch import Tensor
-from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray, Array
 from workbench.optics.kernels import threads
@@ -19,10 +19,9 @@ from workbench.optics.kernels.beam_raster import (
     densities_back,
     edges_back,
 )
+from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.polygons import compile_drawing
-
-Splits = tuple[Array, Array]
 
 # Parts for each thread where a part needs no image of its own: rows take more time where light is.
 _SHARES = 4
@@ -36,16 +35,14 @@ def compiled_beam_image(
     nodes: Tensor, pixels: tuple[int, int], splits: Splits
 ) -> tuple[Tensor, float]:
     """As `workbench.optics.beams.beam_image`, on the CPU."""
-    lands: list[float] = []
-    image = _BeamImage.apply(nodes, pixels, splits, lands)  # type: ignore[no-untyped-call]
-    return image, lands[0]
+    return cell_image(_draw, nodes, pixels, splits)
 
 
 def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by an image of one cell."""
     nodes = np.zeros((3, 2, 2), kind_of(dtype))
     splits = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-    _back(nodes, _forward(nodes, (2, 2), (splits, splits))[2], np.zeros((2, 2)))
+    _back(nodes, np.zeros((2, 2)), _forward(nodes, (2, 2), (splits, splits))[2])
     compile_drawing()
 
 
@@ -58,36 +55,13 @@ class _Mesh(NamedTuple):
     parts: tuple[Array, Array]
 
 
-class _BeamImage(torch.autograd.Function):
-    @staticmethod
-    def forward(
-        ctx: Any,
-        nodes: Tensor,
-        pixels: tuple[int, int],
-        splits: Splits,
-        lands: list[float],
-    ) -> Tensor:
-        hits = nodes.detach().contiguous().numpy()
-        ctx.splits, ctx.mesh = splits, None
-        if grids := grids_of(splits, hits.shape[1:]):
-            image, landed = _forward_by_grids(hits, pixels, splits, grids)
-        else:
-            image, landed, ctx.mesh = _forward(hits, pixels, splits)
-        lands.append(landed)
-        ctx.save_for_backward(nodes)
-        return torch.from_numpy(image.astype(hits.dtype))
-
-    @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None, None]:
-        (nodes,) = ctx.saved_tensors
-        hits, seen = nodes.detach().contiguous().numpy(), cotangent.double().contiguous().numpy()
-        if ctx.mesh is None:
-            grids = grids_of(ctx.splits, hits.shape[1:])
-            result = _back_by_grids(hits, seen, ctx.splits, grids)
-        else:
-            result = _back(hits, ctx.mesh, seen)
-        return torch.from_numpy(result), None, None, None
+def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float, Back]:
+    """See `workbench.optics.kernels.cell_image.Draw`."""
+    if grids := grids_of(splits, nodes.shape[1:]):
+        image, landed = _forward_by_grids(nodes, pixels, splits, grids)
+        return image, landed, partial(_back_by_grids, splits=splits, grids=grids)
+    image, landed, mesh = _forward(nodes, pixels, splits)
+    return image, landed, partial(_back, mesh=mesh)
 
 
 def grids_of(splits: Splits, shape: tuple[int, ...]) -> list[slice]:
@@ -223,7 +197,7 @@ def _to_the_right(cotangent: Array) -> Array:
     return right
 
 
-def _back(nodes: AnyArray, mesh: _Mesh, cotangent: Array) -> AnyArray:
+def _back(nodes: AnyArray, cotangent: Array, mesh: _Mesh) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     rows, columns = nodes.shape[1:]
     at = threads.split(rows, nodes[0].size, _SHARES)

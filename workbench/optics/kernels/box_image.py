@@ -1,18 +1,18 @@
 """The image of boxes of light, by threads, for torch; see `workbench.optics.boxes`."""
 
-from typing import Any
+from functools import partial
 
 import numpy as np
 import torch
 from torch import Tensor
-from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray, Array
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.beam_image import Splits, grids_of, splits_of_grids
+from workbench.optics.kernels.beam_image import grids_of, splits_of_grids
 from workbench.optics.kernels.beam_nodes import shift, shift_back
 from workbench.optics.kernels.beam_raster import ROUNDING
 from workbench.optics.kernels.box_raster import add_boxes, see_boxes
+from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.function import kind_of
 
 _Parts = tuple[Array, Array]
@@ -22,9 +22,7 @@ def compiled_box_image(
     nodes: Tensor, pixels: tuple[int, int], splits: Splits
 ) -> tuple[Tensor, float]:
     """As `workbench.optics.boxes.box_image`, on the CPU."""
-    lands: list[float] = []
-    image = _BoxImage.apply(nodes, pixels, splits, lands)  # type: ignore[no-untyped-call]
-    return image, lands[0]
+    return cell_image(_draw, nodes, pixels, splits)
 
 
 def compile_for(dtype: torch.dtype) -> None:
@@ -35,28 +33,9 @@ def compile_for(dtype: torch.dtype) -> None:
     _back(nodes, np.zeros((2, 2)), (splits, splits))
 
 
-class _BoxImage(torch.autograd.Function):
-    @staticmethod
-    def forward(
-        ctx: Any,
-        nodes: Tensor,
-        pixels: tuple[int, int],
-        splits: Splits,
-        lands: list[float],
-    ) -> Tensor:
-        hits = nodes.detach().contiguous().numpy()
-        ctx.splits = splits
-        image, landed = _forward(hits, pixels, splits)
-        lands.append(landed)
-        ctx.save_for_backward(nodes)
-        return torch.from_numpy(image.astype(hits.dtype))
-
-    @staticmethod
-    @once_differentiable
-    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor, None, None, None]:
-        (nodes,) = ctx.saved_tensors
-        hits, seen = nodes.detach().contiguous().numpy(), cotangent.double().contiguous().numpy()
-        return torch.from_numpy(_back(hits, seen, ctx.splits)), None, None, None
+def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float, Back]:
+    """See `workbench.optics.kernels.cell_image.Draw`."""
+    return *_forward(nodes, pixels, splits), partial(_back, splits=splits)
 
 
 def _forward(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float]:
