@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 import torch
 
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
-from workbench.optics.precision import precision_of, shift_of
+from workbench.optics.precision import nearly_touches, precision_of, shift_of
+from workbench.optics.samples import Corners
 
 POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 20_000}
 FAR = {"screen.z": 2e5, "screen.pixels": [64, 64], "lens.height_range": [-0.02, 0.02]}
@@ -34,7 +36,7 @@ def test_common_scenes_do_with_float32(make_scene, source, pixels):
     )
     assert precision_of(scene) == torch.float32
     assert "float32" in Plan(scene).notes[0]
-    assert not any("would move" in note for note in Plan(scene).notes)
+    assert not any("too few digits" in note for note in Plan(scene).notes)
 
 
 def test_a_far_screen_of_fine_pixels_is_traced_in_float64(make_scene):
@@ -44,7 +46,7 @@ def test_a_far_screen_of_fine_pixels_is_traced_in_float64(make_scene):
     assert torch.equal(chosen, double)
     plan = Plan(scene)
     assert "float64" in plan.notes[0]
-    assert any("would move light" in note for note in plan.notes)
+    assert any("too few digits" in note for note in plan.notes)
 
 
 def test_the_shift_is_that_of_rounding(make_scene):
@@ -69,3 +71,29 @@ def test_a_screen_that_leans_far_away_is_traced_in_float64(make_scene):
     eps = torch.finfo(torch.float32).eps
     assert more > eps * pixels * 1e5 * math.sin(math.radians(20))
     assert precision_of(leaning) is torch.float64
+
+
+def test_light_of_a_source_that_nearly_touches_the_lens_is_traced_in_float64(make_scene):
+    def lit_from(distance):
+        lens = {"lens.control_points": [12, 12], "lens.height_range": [-0.02, 0.02]}
+        source = {"kind": "area", "half_width": [0.2, 0.1], "rays": 100}
+        return make_scene(
+            {"version": 2, "source": source | {"center": [0.1, 0.0, -distance]}} | lens
+        )
+
+    near, common = lit_from(1e-6), lit_from(0.01)
+    assert nearly_touches(near)
+    assert precision_of(near) is torch.float64
+    assert precision_of(common) is torch.float32
+
+    def account(scene, dtype):
+        heights = {"exit": torch.full(scene.lens.control_points, scene.lens.base.height).double()}
+        corners = Corners(16, 16, 16)
+        lost = BeamPlan(scene, corners, dtype=dtype).trace(heights).account.to_data()
+        return np.array(list(lost.values()))
+
+    chosen, double, single = (account(near, t) for t in (None, torch.float64, torch.float32))
+    assert np.array_equal(chosen, double)
+    assert np.abs(single - double).max() > 1e-3
+    single, double = (account(common, t) for t in (torch.float32, torch.float64))
+    assert np.abs(single - double).max() < 1e-5

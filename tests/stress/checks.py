@@ -18,6 +18,7 @@ from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
+from workbench.optics.precision import nearly_touches
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners, places_of_points
 from workbench.scene import (
@@ -275,6 +276,8 @@ def check_traces(case: Case, dtype: torch.dtype, by: Ways = ways) -> None:
         seen = [see(make(scene), scene, case.heights(), case.cotangent()) for make in makes]
         for one in seen:
             sane(one, dtype)
+        if dtype is torch.float32 and nearly_touches(scene):
+            continue  # no digits of it are left to agree in, and runs take float64
         if way in ("collimated", "samples", "rays") and on_creases(case):
             continue
         for other in seen[1:]:

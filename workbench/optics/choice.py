@@ -68,7 +68,7 @@ class Choice(NamedTuple):
                 Said("no kernel for this path ({faces}): by the reference alone", faces=faces)
             )
         if self.fine:
-            notes.append(Said("float64: float32 would move light by a part of a pixel"))
+            notes.append(Said("float64: float32 has too few digits for this scene"))
         return notes
 
     def defects(self) -> list[str]:
