@@ -4099,6 +4099,11 @@
             <translation>Start</translation>
         </message>
         <message>
+            <location filename="../../ui/sweep/curve.py" />
+            <source>Verified error over the values</source>
+            <translation>Geprüfter Fehler über den Werten</translation>
+        </message>
+        <message>
             <location filename="../../ui/sweep/dialog.py" />
             <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
             <translation>Jeder Wert, oder jedes Paar von Werten zweier Felder, bekommt einen eigenen Entwurf, der geprüft wird. Sitzungen und eine Tabelle (CSV, JSON) kommen in den Ordner; was dort fertig ist, wird nicht noch einmal gemacht.</translation>
@@ -8431,8 +8436,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/optics/choice.py" />
-            <source>float64: float32 would move light by a part of a pixel</source>
-            <translation>float64: float32 würde Licht um einen Teil eines Pixels verschieben</translation>
+            <source>float64: float32 has too few digits for this scene</source>
+            <translation>float64: float32 hat zu wenige Stellen für diese Szene</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/choice.py" />

@@ -4099,6 +4099,11 @@
             <translation>démarrage</translation>
         </message>
         <message>
+            <location filename="../../ui/sweep/curve.py" />
+            <source>Verified error over the values</source>
+            <translation>Erreur vérifiée selon les valeurs</translation>
+        </message>
+        <message>
             <location filename="../../ui/sweep/dialog.py" />
             <source>Each value, or each pair of values of two fields, gets a design of its own, which is checked. Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again.</source>
             <translation>Chaque valeur, ou chaque paire de valeurs de deux champs, reçoit sa propre conception, qui est vérifiée. Les sessions et un tableau (CSV, JSON) vont dans le dossier ; ce qui y est terminé n'est pas refait.</translation>
@@ -8431,8 +8436,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/optics/choice.py" />
-            <source>float64: float32 would move light by a part of a pixel</source>
-            <translation>float64 : float32 déplacerait la lumière d'une fraction de pixel</translation>
+            <source>float64: float32 has too few digits for this scene</source>
+            <translation>float64 : float32 a trop peu de chiffres pour cette scène</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/choice.py" />

@@ -1,4 +1,4 @@
-"""Asks what a sweep varies, and shows its lenses as they are finished."""
+"""Asks what a sweep varies, and shows its lenses as they are finished: a table and a curve."""
 
 from collections.abc import Callable
 from functools import partial
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
+    QSplitter,
     QTableWidget,
     QTableWidgetItem,
     QToolButton,
@@ -22,6 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.sweep.curve import SweepCurve
 from ui.sweep.form import SweepForm
 from ui.sweep.work import Sweep, work_on
 from ui.threads.background import Background
@@ -34,7 +36,8 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.sweep.store import PointRow
 
-_SIZE = QSize(820, 560)
+_SIZE = QSize(1120, 640)
+_SHARES = (56, 44)  # of the table and the curve
 _ABOUT = later(
     "Each value, or each pair of values of two fields, gets a design of its own, which is checked. "
     "Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again."
@@ -43,7 +46,7 @@ _FIGURES = later(("Verified error", "Light", "Iterations", "Seconds"))
 
 
 class SweepDialog(QDialog):
-    """Fields, values and a folder; and a table of what became of them. It stays open.
+    """Fields, values and a folder; a table and a curve of what became of them. It stays open.
 
     Parameters
     ----------
@@ -69,7 +72,7 @@ class SweepDialog(QDialog):
         self.form.lines.addRow(tr("Folder"), self._folder_line())
         self.told = QLabel(wordWrap=True)
         self.told.setAccessibleName(tr("How far the sweep is"))
-        self.table = _table()
+        self.table, self.curve = _table(), SweepCurve(self)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         action = QDialogButtonBox.ButtonRole.ActionRole
         self.begin, self.look = (
@@ -81,7 +84,7 @@ class SweepDialog(QDialog):
         column.addWidget(QLabel(tr(_ABOUT), wordWrap=True))
         column.addWidget(self.form)
         column.addWidget(self.told)
-        column.addWidget(self.table, 1)
+        column.addWidget(self._results(), 1)
         column.addWidget(buttons)
         self.resize(_SIZE.boundedTo(window.size()))
         self._background = Background("sweep", self)
@@ -125,6 +128,17 @@ class SweepDialog(QDialog):
         """Leave the sweep and wait for its thread; safe to call twice."""
         self._background.close()
 
+    def _results(self) -> QSplitter:
+        """The table, and beside it the curve."""
+        parts = QSplitter(Qt.Orientation.Horizontal)
+        parts.setChildrenCollapsible(False)
+        parts.addWidget(self.table)
+        parts.addWidget(self.curve)
+        for number, share in enumerate(_SHARES):
+            parts.setStretchFactor(number, share)
+        parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
+        return parts
+
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
         choose = QToolButton()
@@ -146,6 +160,7 @@ class SweepDialog(QDialog):
         from workbench.sweep.vary import shown  # late, as above
 
         points, titles = sweep.points, self.form.titles()
+        self.curve.show_rows(titles, ())
         self.table.clear()
         self.table.setColumnCount(len(titles) + len(_FIGURES))
         self.table.setHorizontalHeaderLabels([*titles, *map(tr, _FIGURES)])
@@ -167,6 +182,7 @@ class SweepDialog(QDialog):
             light, seconds = f"{figures['efficiency']:.1%}", f"{figures['seconds']:.1f}"
             error, steps = verified_error(row.verified), f"{figures['iterations']:.0f}"
             self._fill(number, [*values, error, light.replace("%", " %"), steps, seconds])
+        self.curve.show_rows(self.form.titles(), (self._rows[key] for key in sorted(self._rows)))
         self._offer()
 
     def _fill(self, number: int, texts: list[str]) -> None:

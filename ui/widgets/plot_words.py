@@ -24,6 +24,7 @@ LABELS = later(
         later("error"),
         "as designed",
         "relative L2 error",
+        "verified error",
         "lenses up to there",
         "z of the screen",
         "Second minus first",

@@ -103,6 +103,12 @@ def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     first = texts(dialog, 0)
     assert first[:2] == ["1", "3"] and first[2].endswith(" %") and first[3].endswith(" %")
     assert texts(dialog, 1)[2] == "stopped at iteration 3: no light"
+    (axes,) = dialog.curve.figure.axes
+    (line, *_) = axes.containers[0]
+    assert list(line.get_xdata()) == [1, 2]
+    assert f"{line.get_ydata()[0]:.2f} %" == first[2]
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["Run · Seed 3"]
+    assert axes.get_xlabel() == "Run · Iterations"
     table = (tmp_path / "lenses" / "table.csv").read_text().splitlines()
     assert len(table) == 5 and table[0].startswith("scene,run.iterations,run.seed,")
 

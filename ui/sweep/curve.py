@@ -1,0 +1,73 @@
+"""Errors of a sweep's lenses over the values of its first field."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+from matplotlib.figure import Figure
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from ui.widgets.plot_words import translate
+from ui.words import tr
+from workbench.pictures.style import paint
+from workbench.pictures.sweep import Curve, draw_sweep
+
+if TYPE_CHECKING:
+    from workbench.sweep.store import PointRow
+
+
+class SweepCurve(FigureCanvasQTAgg):
+    """Draws lenses as they are finished; a curve for each value of a second field."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(Figure(layout="constrained"))
+        self.setParent(parent)
+        self.setAccessibleName(tr("Verified error over the values"))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self._recolour()  # no white sheet before the first lens
+
+    def show_rows(self, titles: Sequence[str], rows: "Iterable[PointRow]") -> None:
+        """Show those of some rows that have a lens.
+
+        Parameters
+        ----------
+        titles : sequence of str
+            What the fields are called.
+        rows : iterable of PointRow
+            In the order of their values.
+        """
+        curves: dict[str, list[PointRow]] = {}
+        for row in rows:
+            if row.reason is None:
+                curves.setdefault(_name(titles, row), []).append(row)
+        self.figure.clear()
+        if curves:
+            drawn = [
+                Curve(name, [_first(row) for row in found], [row.verified for row in found])
+                for name, found in curves.items()
+            ]
+            draw_sweep(self.figure.subplots(), titles[0], drawn)
+            translate(self.figure, (titles[0], *curves))
+        self._recolour()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the palette between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._recolour()
+
+    def _recolour(self) -> None:
+        palette = self.palette()
+        paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
+        self.draw_idle()
+
+
+def _first(row: "PointRow") -> str:
+    return next(iter(row.changes.values()))
+
+
+def _name(titles: Sequence[str], row: "PointRow") -> str:
+    """The second field and its value, if there is one."""
+    _, *others = row.changes.values()
+    return ", ".join(f"{title} {value}" for title, value in zip(titles[1:], others, strict=True))
