@@ -5,6 +5,7 @@ from pathlib import Path
 
 from workbench.extended.bound import Bound
 from workbench.files.session import open_design
+from workbench.system_memory import keep_freed_memory
 
 
 def bound(path: Path, as_json: bool) -> None:
@@ -15,6 +16,7 @@ def bound(path: Path, as_json: bool) -> None:
     Refused
         If the scene cannot be read.
     """
+    keep_freed_memory()  # a search makes the same arrays over and over
     session = open_design(path)
     session.scene.check_one_image("the bound")
     found = Bound(session.scene, session.target)

@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy import fft
 
-from workbench.arrays import Array
+from workbench.arrays import AnyArray, Array
 
 
 class Blurring:
@@ -43,7 +43,7 @@ class Blurring:
         self.seen = slice(2 * m_y, 2 * m_y + n_y), slice(2 * m_x, 2 * m_x + n_x)
         self.kernels = self.waves(kernels)
 
-    def waves(self, images: Array) -> npt.NDArray[np.complexfloating]:
+    def waves(self, images: AnyArray) -> npt.NDArray[np.complexfloating]:
         """Frequencies of images on the grid; smaller ones are padded."""
         return np.asarray(fft.rfft2(images, self.grid, workers=-1))
 
@@ -51,7 +51,7 @@ class Blurring:
         """Images on the grid of their frequencies."""
         return np.asarray(fft.irfft2(waves, self.grid, workers=-1, overwrite_x=True))
 
-    def on_grid(self, image: Array) -> Array:
+    def on_grid(self, image: AnyArray) -> AnyArray:
         """An image in its place on the grid, dark around it."""
         wide = np.zeros(self.grid, image.dtype)
         wide[self.seen] = image
@@ -66,4 +66,8 @@ class Blurring:
 
         The adjoint of `image`.
         """
-        return self.images(self.waves(self.on_grid(image)) * self.kernels.conj())
+        return self.back_from(self.waves(self.on_grid(image)))
+
+    def back_from(self, waves: npt.NDArray[np.complexfloating]) -> Array:
+        """`back` of the image on the grid that has these frequencies."""
+        return self.images(waves * self.kernels.conj())

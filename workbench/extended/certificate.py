@@ -56,8 +56,9 @@ class Certifier:
         self._footprint = kernels.shape[1:]
         margins = kernels.shape[1] // 2, kernels.shape[2] // 2
         self._image = tuple(slice(m, m + n) for m, n in zip(margins, target.shape, strict=True))
-        # One place after the other: there may be many.
+        # One place after the other: there may be many. They have one grid.
         self._each = [Blurring(kernel[None], (n_y, n_x)) for kernel in kernels]
+        self._first = self._each[0]
         ones = np.ones_like(target)
         self._shares = [blurring.back(ones)[0][blurring.places] for blurring in self._each]
 
@@ -97,28 +98,27 @@ class Certifier:
 
         With each come its blurring and 1 / ⟨k_y, 1⟩, which is 0 there.
         """
+        waves = self._first.waves(self._first.on_grid(w))
         for blurring, share in zip(self._each, self._shares, strict=True):
             seen = share > _GRAZING
             inverse = np.divide(1.0, share, out=np.zeros_like(share), where=seen)
-            yield (
-                blurring,
-                np.where(seen, blurring.back(w)[0][blurring.places] * inverse, np.inf),
-                inverse,
-            )
+            means = blurring.back_from(waves)[0][blurring.places] * inverse
+            yield blurring, np.where(seen, means, np.inf), inverse
 
     def _lack(self, w: Array, c: float) -> Array:
         """The mean of what the failing places lack that touch a pixel, for each pixel."""
-        lacking, touching = np.zeros_like(w), np.zeros_like(w)
+        waves = np.zeros((2, *self._first.kernels.shape[1:]), self._first.kernels.dtype)
+        light = np.zeros((2, *self._first.grid))
+        places = light[:, *self._first.places]
         for blurring, means, inverse in self._means(w):
             fails = (c - means).clip(min=0.0)
-            light = np.zeros((1, *blurring.grid))
-            light[0][blurring.places] = fails * inverse
-            lacking += blurring.image(light)
-            light[0][blurring.places] = (fails > 0) * inverse
-            touching += blurring.image(light)
+            places[:] = fails * inverse, (fails > 0) * inverse
+            waves += blurring.waves(light) * blurring.kernels
+        lacking, touching = self._first.images(waves)[:, *self._first.seen]
         # Where the transforms' rounding is all there is, no place fails.
         touched = touching > _GRAZING * max(float(touching.max()), 1.0)
-        return np.divide(lacking, touching, out=np.zeros_like(w), where=touched).clip(min=0.0)
+        mean = np.divide(lacking, touching, out=np.zeros_like(w), where=touched)
+        return np.asarray(mean.clip(min=0.0))
 
     def _least_means(self, w: Array) -> Array:
         """The least mean of all places in each pixel and about the image."""
