@@ -36,7 +36,7 @@ from numba.core.runtime.nrt import rtsys
 from numba.core.serialize import dumps
 
 _HERE = Path(__file__).parent
-_MARK = b"from workbench.compiled import"
+_MARK = b"from workbench.compiled import jit"
 _SEAL = hashlib.sha256().digest_size
 
 _LOG = logging.getLogger(__name__)
