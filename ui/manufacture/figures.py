@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.manufacture.limits import LimitFields
 from ui.words import later, tr
@@ -78,11 +78,13 @@ _OF_FACE = later(
 """Figures that each freeform face has; the same limits hold for both."""
 _ENTRANCE = "entrance "  # before the keys of the entrance face, and before the names of its limits
 _ROUNDING = 1e-9  # what a flat face may have of slope, and of sag in its thicknesses
-_NAME, _FOUND, _SIGN, _LIMIT, _STATE = range(5)
+_NAME, _FOUND, _SIGN, _LIMIT = range(4)
 
 
 class ManufactureFigures(QWidget):
     """A table of figures, limits and verdicts.
+
+    A verdict stands below its figure, where it is also seen in a narrow dock.
 
     Attributes
     ----------
@@ -98,12 +100,13 @@ class ManufactureFigures(QWidget):
         self._grid = grid = QGridLayout(self)
         grid.setContentsMargins(6, 4, 6, 6)
         grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(3)
+        grid.setVerticalSpacing(5)
         grid.setColumnStretch(_LIMIT, 1)
         for column, text in ((_FOUND, tr("Lens")), (_LIMIT, tr("Limit"))):
             grid.addWidget(QLabel(f"<b>{text}</b>"), 0, column)
         self.found: dict[str, QLabel] = {}
         self.states: dict[str, QLabel] = {}
+        self._cells: dict[str, QVBoxLayout] = {}  # of a figure and its verdict
         self._lines = dict(_LINES)
         self._of_entrance: list[QWidget] = []  # made when a lens has one that is freeform
         for row, (key, line) in enumerate(_LINES.items(), 1):
@@ -115,12 +118,12 @@ class ManufactureFigures(QWidget):
             else:
                 self._add(row, key, _named(*map(tr, _OF_FACE[key])))
             grid.addWidget(QLabel("≥" if line.at_least else "≤"), row, _SIGN)
-            self._add_state(row, key)
+            self._add_state(key)
         end = len(_LINES) + 1
         for row, key in enumerate(("sag_range", "draft"), end):
             self._add(row, key, _named(*map(tr, _OF_FACE[key])))
         self.note = QLabel(wordWrap=True)
-        grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 5)
+        grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
         grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
         self.cut = QPushButton(tr("Ball cutter…"))
         self.cut.setToolTip(
@@ -160,9 +163,11 @@ class ManufactureFigures(QWidget):
     def show_nothing(self) -> None:
         """Show no lens."""
         self._found = None
-        for label in (*self.found.values(), *self.states.values()):
+        for label in self.found.values():
             label.clear()
             label.setToolTip("")
+        for key in self.states:
+            self._show_state(key, None)
 
     def say(self, sentence: str) -> None:
         """What there is to know beside; while there is something, the figures are of before."""
@@ -172,24 +177,29 @@ class ManufactureFigures(QWidget):
             label.setEnabled(not sentence)
 
     def _add(self, row: int, key: str, name: QLabel) -> None:
+        name.setWordWrap(True)
         self._grid.addWidget(name, row, _NAME)
         self.found[key] = QLabel()
         self.found[key].setAccessibleName(name.text())
         self.found[key].setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._grid.addWidget(self.found[key], row, _FOUND)
+        self._cells[key] = cell = QVBoxLayout()
+        cell.setSpacing(0)
+        cell.addWidget(self.found[key])
+        self._grid.addLayout(cell, row, _FOUND)
 
-    def _add_state(self, row: int, key: str) -> None:
+    def _add_state(self, key: str) -> None:
         self.states[key] = state = QLabel()
         state.setAccessibleName(
             tr("Verdict: {figure}").format(figure=self.found[key].accessibleName())
         )
-        self._grid.addWidget(state, row, _STATE)
+        state.hide()
+        self._cells[key].addWidget(state)
 
     def _add_entrance(self) -> None:
         """Rows for a freeform entrance face, which is judged by the limits above."""
         first = len(_LINES) + 3
         title = QLabel(f"<b>{tr('Entrance face')}</b>")
-        self._grid.addWidget(title, first, 0, 1, 5)
+        self._grid.addWidget(title, first, 0, 1, 4)
         self._of_entrance.append(title)
         for row, (key, (text, tip)) in enumerate(_OF_FACE.items(), first + 1):
             name, key = _named(tr(text), tr(tip)), f"{_ENTRANCE}{key}"
@@ -199,8 +209,7 @@ class ManufactureFigures(QWidget):
             line = _LINES.get(key.removeprefix(_ENTRANCE))
             if line is not None:
                 self._lines[key] = line._replace(limited=f"{_ENTRANCE}{line.limited}", field="")
-                self._add_state(row, key)
-                self._of_entrance.append(self.states[key])
+                self._add_state(key)
 
     def _judge(self, limits: Limits) -> None:
         if self._found is None:
@@ -219,6 +228,7 @@ class ManufactureFigures(QWidget):
         if verdict is not None:
             tip = tip.format(bound=self._in_words(key, verdict.found.bound))
         label.setToolTip(f"<p>{tip}</p>" if tip else "")
+        label.setVisible(verdict is not None)
 
     def _in_words(self, key: str, value: float) -> str:
         if math.isinf(value):

@@ -8,6 +8,8 @@ from PySide6.QtCore import Qt
 
 from tests.ui.hands import fill
 from ui.manufacture.pane import ManufacturePane
+from ui.widgets import theme
+from ui.words import LANGUAGES, speak
 from workbench.analysis.manufacture import manufacture
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
@@ -44,6 +46,11 @@ def enter(pane, qtbot, name, text):
 
 def states(pane):
     return {key: label.text() for key, label in pane._figures.states.items()}
+
+
+def seen_whole(label):
+    whole = label.rect().size() == label.rect().size().expandedTo(label.sizeHint())
+    return whole and label.visibleRegion().boundingRect() == label.rect()
 
 
 def hatched(pane):
@@ -102,6 +109,28 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     assert states(pane)["tightest_convex"] == "✓ met"
     enter(pane, qtbot, "min_tool_radius", f"{1.01 * concave.value:.12g}")
     assert states(pane)["tool_radius"] == "✗ broken"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_verdicts_are_seen_at_any_width(
+    settings, session, bowl, show, application, language, qtbot
+):
+    speak(application, language)
+    try:
+        theme.apply(application)
+        pane = ManufacturePane(settings)
+        qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
+        pane.show_design(session)
+        pane.show_frame(bowl(0.2))
+        show(pane, pane.minimumSizeHint().width(), 900)
+        qtbot.waitUntil(lambda: pane._found is not None)
+        for name in pane._fields.rows:  # the keyboard stays in the last one, at the right
+            enter(pane, qtbot, name, "0.01")
+    finally:
+        speak(application, "en")
+    labels = pane._figures.states.values()
+    assert all(label.text() for label in labels)
+    qtbot.waitUntil(lambda: all(seen_whole(label) for label in labels))
 
 
 def test_a_limit_may_have_a_unit_and_be_worked_out(pane, qtbot):
