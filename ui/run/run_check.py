@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 from ui.check.checking import ACCURACY, RAYS, CheckedLens, check, verified_error
 from ui.document.document import Document
 from ui.run.control import RunControl
-from ui.shown.frame import iterations_before, same_task
+from ui.shown.frame import iterations_before, lit_alike
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.words import tr
@@ -135,7 +135,7 @@ class RunCheck(QObject):
 
     def _follow_document(self, session: "Session") -> None:
         """Leave the check of a lens of another design; one that is undone may come back."""
-        if self._end is not None and not same_task(self._end.session, session):
+        if self._end is not None and not lit_alike(self._end.session, session):
             self._background.cancel()
         self._tell()
 

@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from ui.check.checking import CheckedLens, verified_error
@@ -13,6 +12,7 @@ from ui.run.control import RunControl
 from ui.run.kept import called, renamed, restored, without
 from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
+from ui.shown.frame import lit_alike
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.session import KeptRun
@@ -169,10 +169,5 @@ class Runs(QObject):
 
 
 def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
-    """Whether a lens is that of a run, for the same task; by value, since files share nothing."""
-    task, other = run.scene, lens.session
-    return (
-        run.result.state.heights == lens.heights
-        and task == other.scene.model_copy(update={"run": task.run})
-        and np.array_equal(run.target, other.target)
-    )
+    """Whether a lens is that of a run, in the same light."""
+    return run.result.state.heights == lens.heights and lit_alike(run, lens.session)

@@ -10,7 +10,7 @@ from workbench.arrays import Array
 if TYPE_CHECKING:
     from workbench.design.lens_state import LensState
     from workbench.design.snapshot import History, Result, Snapshot
-    from workbench.files.session import Session
+    from workbench.files.session import KeptRun, Session
     from workbench.optics.paths import RayPaths
     from workbench.scene import Source
 
@@ -105,11 +105,20 @@ def same_lens(one: Frame, other: Frame) -> bool:
 
 
 def same_light(one: Frame, other: Frame) -> bool:
-    """The same, whatever regions are marked: they tell of the light and change nothing of it."""
-    if one.state.heights != other.state.heights or one.session.target is not other.session.target:
-        return False
-    scene, wanted = one.session.scene, other.session.scene
-    return scene.model_copy(update={"run": wanted.run, "regions": wanted.regions}) == wanted
+    """Whether two frames show the same lens in the same light."""
+    return one.state.heights == other.state.heights and lit_alike(one.session, other.session)
+
+
+def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
+    """Whether a lens makes the same light for both tasks, and is asked for the same image.
+
+    By value, since files share nothing. How a lens is searched for changes nothing of its light,
+    and regions only tell of it.
+    """
+    beside = {"run": other.scene.run, "regions": other.scene.regions}
+    return one.scene.model_copy(update=beside) == other.scene and (
+        one.target is other.target or np.array_equal(one.target, other.target)
+    )
 
 
 def iterations_before(frame: Frame) -> int:

@@ -2,6 +2,7 @@
 
 import time
 from dataclasses import replace
+from threading import Event
 from types import SimpleNamespace
 
 import pytest
@@ -13,7 +14,7 @@ from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
 from workbench.design.loss import relative_error
 from workbench.geometry.faces import FaceArrays
-from workbench.scene import Stage
+from workbench.scene import RectangleRegion, Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -356,6 +357,42 @@ def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypa
         window.commands["start"].trigger()
     qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
     assert [rays for _, rays, _ in checks.asked] == [4_000_000]
+
+
+def mark_a_region(window):
+    scene = window.document.session.scene
+    regions = (RectangleRegion(name="Region 1"),)
+    window.document.edit(scene.model_copy(update={"regions": regions}), "new region", "")
+
+
+def test_a_check_is_that_of_the_run_whatever_regions_are_marked(window, run):
+    run()
+    mark_a_region(window)
+    assert verified(window) == ["1.25 %"] and table(window).item(0, 0).font().bold()
+    session = window.document.session
+    window.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
+    assert verified(window) == ["3.00 %"]
+
+
+def test_regions_that_are_marked_while_a_lens_is_checked_leave_its_check(
+    window, monkeypatch, qtbot
+):
+    go_on, begun = Event(), Event()
+
+    def validating(scene, target, heights, rays, threads, accuracy):
+        begun.set()
+        while not go_on.wait(0.01):
+            yield 0.5
+        return found(0.02)
+
+    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    qtbot.waitUntil(begun.is_set)
+    mark_a_region(window)
+    go_on.set()
+    qtbot.waitUntil(lambda: verified(window) == ["2.00 %"])
+    assert window.status._verified.text() == "Checked error 2.00 % at 6"
 
 
 def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
