@@ -1,5 +1,6 @@
 """The command palette: any command of the menus, found by typing parts of its name."""
 
+import unicodedata
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
@@ -84,12 +85,12 @@ class CommandPalette(QDialog):
 
     def _find(self, text: str) -> None:
         """Show the commands whose names have all the words; the likeliest come first."""
-        words = text.lower().split()
+        words = _folded(text).split()
         fitting = [
             (name, number)
             for number, (name, action) in enumerate(self._entries)
             if isValid(action)  # files that were open last come and go meanwhile
-            and all(word in name.lower() for word in words)
+            and all(word in _folded(name) for word in words)
         ]
         first = words[0] if words else ""
         fitting.sort(key=lambda entry: _rank(entry[0], first))
@@ -126,5 +127,11 @@ class CommandPalette(QDialog):
 
 def _rank(name: str, begin: str) -> tuple[bool, int]:
     """What begins as typed comes first, and what lies in menus within menus last."""
-    *menus, own = name.lower().split(SEPARATOR)
+    *menus, own = _folded(name).split(SEPARATOR)
     return not own.startswith(begin), len(menus)
+
+
+def _folded(text: str) -> str:
+    """Letters as any keyboard has them: small, and without accents."""
+    apart = unicodedata.normalize("NFKD", text.casefold())
+    return "".join(sign for sign in apart if not unicodedata.combining(sign))

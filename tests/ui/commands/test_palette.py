@@ -40,6 +40,25 @@ def test_typing_finds_names_with_all_words(palette, qtbot):
     assert all("Flame" in name and "example" in name for name in names)
 
 
+@pytest.mark.parametrize(
+    ("own", "typed"),
+    [
+        ("Éclairement", ("eclairement", "Éclairement", "ECLAIR")),
+        ("Fläche", ("flache", "fläche", "FLÄCH")),
+        ("Größe", ("grosse", "größe")),
+    ],
+)
+def test_names_are_found_with_and_without_their_accents(palette, own, typed):
+    other, found = QAction("x", palette), QAction(own, palette)
+    palette._entries = [("View → Light account", other), (f"View → {own}", found)]
+    for text in typed:
+        palette._field.setText(text)
+        assert listed(palette) == [(f"View → {own}", "")]
+    palette._entries.insert(0, (f"View → By {own}", other))
+    palette._find(typed[0])
+    assert listed(palette)[0] == (f"View → {own}", "")  # what begins as typed comes first
+
+
 def test_where_no_command_fits_that_is_said_in_place_of_the_list(palette, qtbot):
     qtbot.keyClicks(palette._field, "<b>no such")
     assert palette._nothing.isVisible() and not palette._found.isVisible()
