@@ -99,7 +99,7 @@ class Exporter(QObject):
         self._background.close()
 
     def _tell(self, lens: str, written: "Written") -> None:
-        self._messages.note(f"{written.sentence}; {lens}")
+        self._messages.done(f"{written.sentence}; {lens}")
 
 
 def _write(session: "Session", path: Path, cutting: Cutting, task: Task) -> "Written":

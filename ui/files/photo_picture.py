@@ -81,4 +81,4 @@ class PhotoPicture(QObject):
         except Refused as refused:
             self._messages.warn(error_text(refused))
         else:
-            self._messages.note(tr("{path} is written.").format(path=path))
+            self._messages.done(tr("{path} is written.").format(path=path))

@@ -70,7 +70,7 @@ class Plots(QObject):
         self._last = next(iter(plots))
         self._background = Background("plot", self)
         self._background.done.connect(
-            lambda path, _: messages.note(tr("{path} is written.").format(path=path))
+            lambda path, _: messages.done(tr("{path} is written.").format(path=path))
         )
         self._background.failed.connect(
             lambda _, error: messages.warn(sentence_of(error, tr("plot")))
@@ -158,7 +158,7 @@ class Plots(QObject):
         except Refused as refused:
             self._messages.warn(error_text(refused))
         else:
-            self._messages.note(tr("{path} is written.").format(path=path))
+            self._messages.done(tr("{path} is written.").format(path=path))
 
     def _write_table(self, columns: "list[Column]", path: Path) -> None:
         if self._background.busy:

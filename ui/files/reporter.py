@@ -99,7 +99,7 @@ class Reporter(QObject):
         self._background.close()
 
     def _tell(self, _: None, path: Path | None) -> None:
-        self._messages.note(
+        self._messages.done(
             tr("No report is written.")
             if path is None
             else tr("{path} is written.").format(path=path)

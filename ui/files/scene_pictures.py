@@ -51,7 +51,7 @@ class ScenePictures(QObject):
         image = self._image(1)
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
-            self._messages.note(tr("A picture of the 3D scene is on the clipboard."))
+            self._messages.done(tr("A picture of the 3D scene is on the clipboard."))
 
     def choose_and_save(self, times: int) -> None:
         """Ask for a file and save the picture there, so many times as large as it is seen."""
@@ -73,7 +73,7 @@ class ScenePictures(QObject):
         except Refused as refused:
             self._messages.warn(error_text(refused))
         else:
-            self._messages.note(
+            self._messages.done(
                 tr("{path} is written, {width} × {height} pixels.").format(
                     path=path, width=image.width(), height=image.height()
                 )

@@ -48,7 +48,7 @@ class CoarseNetNotice(QObject):
         from workbench.design.coarse_net import coarse_net
 
         session = self._document.session
-        if session.result is None or self._messages.text:
+        if session.result is None or self._messages.taken:
             return
         coarse = coarse_net(session.scene, session.target, session.result)
         if coarse is not None:

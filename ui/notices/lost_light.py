@@ -37,7 +37,7 @@ class LostLightNotice(QObject):
         scene, result = self._document.session.scene, self._document.session.result
         advice = None if result is None else result.state.account.advice(scene)
         self._text = "" if advice is None else tr(advice)
-        if self._text and not self._messages.text:
+        if self._text and not self._messages.taken:
             self._messages.warn(self._text)
 
     def _withdraw(self) -> None:

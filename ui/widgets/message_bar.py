@@ -47,6 +47,7 @@ class MessageBar(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.buttons: list[QPushButton] = []
+        self._done = False  # whether it says what is done
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
@@ -65,6 +66,11 @@ class MessageBar(QFrame):
         """What it says; empty while hidden."""
         return self._text.text()
 
+    @property
+    def taken(self) -> bool:
+        """Whether it says what should be read first; what is done may give way to a warning."""
+        return bool(self.text) and not self._done
+
     def warn(self, text: str, *offers: Offer) -> None:
         """Say what went wrong, and what to do."""
         self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
@@ -73,9 +79,19 @@ class MessageBar(QFrame):
         """Say something good to know."""
         self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
 
+    def done(self, text: str) -> None:
+        """Say what is done, as a file that is written: that is as true when a run begins."""
+        self.note(text)
+        self._done = True
+
     def withdraw(self, text: str) -> None:
         """Take a message back, unless another one stands there by now."""
         if text and text == self.text:
+            self.clear()
+
+    def make_way(self) -> None:
+        """Say nothing any more of the lens before a run; what is done stays."""
+        if self.taken:
             self.clear()
 
     def clear(self) -> None:
@@ -87,6 +103,7 @@ class MessageBar(QFrame):
     def _show(
         self, kind: str, icon: QStyle.StandardPixmap, text: str, offers: Sequence[Offer]
     ) -> None:
+        self._done = False
         self._set_buttons(offers)
         self.setObjectName(kind)
         theme.restyle(self)

@@ -49,7 +49,7 @@ class EarlyParts(QObject):
         if self.forms.refused:
             self._refused.tell()
         else:
-            self.messages.clear()
+            self.messages.make_way()
             begin()
 
     def show_waiting(self, waiting: bool) -> None:

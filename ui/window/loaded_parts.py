@@ -228,7 +228,7 @@ class LoadedParts(QObject):
 
     def _tell_of_reflection(self, sentence: str) -> None:
         """In the message bar, unless something else is to be read there; it is logged anyway."""
-        if self._early.messages.text:
+        if self._early.messages.taken:
             self._early.log.add(sentence)
         else:
             self._early.messages.note(sentence)

@@ -119,6 +119,15 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert names(window) == [] and window.document.session.result is None
 
 
+def test_what_is_done_can_still_be_read_when_a_run_begins(window, run):
+    window.messages.done("lens.html is written.")
+    run()
+    assert window.messages.text == "lens.html is written." and window.messages.isVisible()
+    window.messages.note("There is no lens yet.")
+    run()
+    assert window.messages.text == ""
+
+
 def test_runs_stay_while_the_design_changes(two_runs):
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     bold = [table(two_runs).item(row, 0).font().bold() for row in (0, 1)]
