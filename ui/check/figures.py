@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QTableWidget,
     QTableWidgetItem,
     QToolButton,
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from ui.check.checking import RAYS, CheckedLens
+from ui.widgets.wrapped_label import WrappedLabel, kept_together
 from ui.words import inside, later, tr
 from workbench.said import Said
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 _CHOICES = (1_000_000, 4_000_000, 16_000_000, 64_000_000)
 _KEY = "check/rays"
-_TOGETHER = "\N{NO-BREAK SPACE}%"  # a wrapped figure keeps its sign
+_SAID = Qt.ItemDataRole.UserRole  # a text with the spaces that it was given
 _NOTHING = later("F8 traces what is on show anew, with rays that its design never saw.")
 _TIPS = later(
     {
@@ -144,7 +144,7 @@ class CheckFigures(QWidget):
     def __init__(self, settings: QSettings, check: QAction) -> None:
         super().__init__()
         self._settings = settings
-        self._hint = QLabel(tr(_NOTHING), wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint = WrappedLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(6, 4, 6, 2)
         self._table = _NarrowTable(0, 2)
         self._table.hide()  # until there is something in it
@@ -248,13 +248,14 @@ class CheckFigures(QWidget):
     def _cell(self, row: int, column: int) -> str:
         item = self._table.item(row, column)
         assert item is not None  # each row is filled
-        return item.text().replace(_TOGETHER, " %")
+        return str(item.data(_SAID))
 
     def _fill(self, rows: "Sequence[Fact]", tips: "Sequence[str]") -> None:
         self._table.setRowCount(len(rows))
         for number, (row, tip) in enumerate(zip(rows, tips, strict=True)):
             for column, text in enumerate((row.name[:1].upper() + row.name[1:], row.value)):
-                item = QTableWidgetItem(text.replace(" %", _TOGETHER))
+                item = QTableWidgetItem(kept_together(text))
+                item.setData(_SAID, text)
                 item.setToolTip(f"<p>{tip}</p>")
                 self._table.setItem(number, column, item)
         self._table.share_width()

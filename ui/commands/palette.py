@@ -8,7 +8,6 @@ from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
     QHeaderView,
-    QLabel,
     QLineEdit,
     QTreeWidget,
     QTreeWidgetItem,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 
 SEPARATOR = " \N{RIGHTWARDS ARROW} "
@@ -58,9 +58,10 @@ class CommandPalette(QDialog):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self._found.itemClicked.connect(self._do)
-        self._nothing = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
+        self._nothing = WrappedLabel(
+            alignment=Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+        )
         self._nothing.setTextFormat(Qt.TextFormat.PlainText)  # what is typed may have tags
-        self._nothing.setWordWrap(True)
         self._nothing.setMargin(_MARGIN)
         column = QVBoxLayout(self)
         column.addWidget(self._field)

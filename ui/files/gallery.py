@@ -7,7 +7,6 @@ from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QLabel,
     QListView,
     QListWidget,
     QListWidgetItem,
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from resources import Example
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.files.scene import read_scene
@@ -52,7 +52,7 @@ class Gallery(QDialog):
         self._list.setWordWrap(True)
         for example in examples:
             self._list.addItem(self._item(example))
-        self._look = QLabel(wordWrap=True)
+        self._look = WrappedLabel()
         self._look.setMinimumHeight(3 * self._look.fontMetrics().lineSpacing())
         self._look.setAlignment(Qt.AlignmentFlag.AlignTop)
         buttons = QDialogButtonBox(

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from resources.manual_pages import Page, pages
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 
 _COLUMNS, _ROWS = 140, 48  # characters and lines seen at once
@@ -70,7 +70,7 @@ class Manual(QDialog):
         self._list.setAccessibleName(tr("Pages of the manual"))
         self._list.addItems([page.title for page in self._pages])
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._nothing = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
+        self._nothing = WrappedLabel(textFormat=Qt.TextFormat.PlainText)
         self._nothing.hide()
         self._text = PageView()
         self._text.setAccessibleName(tr("Manual"))

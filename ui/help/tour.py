@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette, QRegion
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.widgets.native import make_native
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 
 
@@ -192,7 +193,7 @@ class Bubble(QFrame):
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.Base)
-        self._title, self._text, self._count = QLabel(), QLabel(wordWrap=True), QLabel()
+        self._title, self._text, self._count = QLabel(), WrappedLabel(), QLabel()
         font = self._title.font()
         font.setBold(True)
         self._title.setFont(font)

@@ -11,6 +11,7 @@ from ui.panels.fields import Row, TextRow
 from ui.panels.rows import KindRow, Make, Rows
 from ui.panels.source import file_rows
 from ui.panels.target import image_rows, of_image
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 from workbench.errors import Refused
 from workbench.jobs import Job
@@ -50,7 +51,7 @@ class JobForm(QScrollArea):
         page = QWidget()
         column = QVBoxLayout(page)
         heading = QLabel(f"<b>{tr(title_of(type(job)))}</b>")
-        about = QLabel(tr(summary_of(type(job))), wordWrap=True)
+        about = WrappedLabel(tr(summary_of(type(job))))
         column.addWidget(heading)
         column.addWidget(about)
         form = QFormLayout()

@@ -11,6 +11,7 @@ from ui.panels.editors import Wrapped
 from ui.panels.target import Thumbnail
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import begun, tr
 
 if TYPE_CHECKING:
@@ -137,7 +138,7 @@ class Outlook(QWidget):
         name = QLabel(tr(figure.name))
         mark = "\N{WARNING SIGN} " if figure.warns else ""
         sentence = begun(tr(figure.meaning))
-        said = QLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}", wordWrap=True)
+        said = WrappedLabel(f"<b>{mark}{tr(figure.value)}</b><br>{sentence}")
         self._figures.addWidget(name, row, 0, Qt.AlignmentFlag.AlignTop)
         self._figures.addWidget(said, row, 1)
         self._labels += [name, said]

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.errors import Refused
 from workbench.files.export.cutting import PLAIN, Cutting
@@ -117,7 +118,7 @@ class CutterDialog(QDialog):
         )
         self.mould.setChecked(begin_with.negative)
         form.addRow("", self.mould)
-        self.found = QLabel(wordWrap=True)
+        self.found = WrappedLabel()
         self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.found.setAccessibleName(tr("What the cut leaves"))
         self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
@@ -138,7 +139,7 @@ class CutterDialog(QDialog):
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
         column = QVBoxLayout(self)
-        column.addWidget(QLabel(tr(_ABOUT), wordWrap=True))
+        column.addWidget(WrappedLabel(tr(_ABOUT)))
         column.addLayout(form)
         column.addWidget(self.found)
         column.addWidget(buttons)

@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from ui.manufacture.limits import LimitFields
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
@@ -122,7 +123,7 @@ class ManufactureFigures(QWidget):
         end = len(_LINES) + 1
         for row, key in enumerate(("sag_range", "draft"), end):
             self._add(row, key, _named(*map(tr, _OF_FACE[key])))
-        self.note = QLabel(wordWrap=True)
+        self.note = WrappedLabel()
         grid.addWidget(self.note, end + 2 + len(_OF_FACE) + 1, 0, 1, 4)
         grid.setRowStretch(end + 3 + len(_OF_FACE) + 1, 1)
         self.cut = QPushButton(tr("Ball cutter…"))

@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QSizePolicy
+from PySide6.QtWidgets import QComboBox, QLineEdit, QSizePolicy
 
 from ui.panels.edits import Typed
+from ui.widgets.wrapped_label import WrappedLabel
 from workbench.scene import Measure
 
 
@@ -85,12 +86,11 @@ class Chooser(QComboBox):
         event.ignore()
 
 
-class Wrapped(QLabel):
+class Wrapped(WrappedLabel):
     """Wrapped text that is never cut off: forms ask for its height before they know its width."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

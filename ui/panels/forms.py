@@ -5,7 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
 from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
@@ -20,6 +20,7 @@ from ui.panels.scene import ScenePanel
 from ui.panels.source import SourcePanel
 from ui.panels.stages import StagesPanel
 from ui.panels.target import TargetPanel
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
@@ -110,9 +111,8 @@ class Forms(QScrollArea):
 
     def _lay_out(self) -> None:
         """The panels below each other, with all fields in line, below the hint."""
-        self._hint = QLabel()
+        self._hint = WrappedLabel()
         self._hint.setObjectName("hint")
-        self._hint.setWordWrap(True)
         self._hint.hide()
         page = QWidget()
         column = QVBoxLayout(page)

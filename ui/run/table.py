@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QLineEdit,
     QPushButton,
     QStyledItemDelegate,
@@ -23,6 +22,7 @@ from PySide6.QtWidgets import (
 
 from ui.run.kept import called
 from ui.run.run_figures import figures_of, thumbnail_of
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun
@@ -87,8 +87,7 @@ class RunTable(QWidget):
         self._runs: tuple[KeptRun, ...] = ()
         self._marked: set[int] = set()  # ids of results, which outlive other names
         self._pictures: dict[int, QIcon] = {}  # by the same
-        self._hint = QLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
-        self._hint.setWordWrap(True)
+        self._hint = WrappedLabel(tr(_NOTHING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setMargin(self.fontMetrics().height())
         self.table = QTableWidget(0, len(_COLUMNS))
         self.table.setAccessibleName(tr("Kept runs"))

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QLineEdit,
     QSplitter,
     QTableWidget,
@@ -28,6 +27,7 @@ from ui.sweep.form import SweepForm
 from ui.sweep.work import Sweep, work_on
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import error_text, later, tr
 from workbench.design.session import verified_error
 from workbench.errors import Refused
@@ -70,7 +70,7 @@ class SweepDialog(QDialog):
         self._sweep: Sweep | None = None
         self.form, self.folder = SweepForm(), QLineEdit()
         self.form.lines.addRow(tr("Folder"), self._folder_line())
-        self.told = QLabel(wordWrap=True)
+        self.told = WrappedLabel()
         self.told.setAccessibleName(tr("How far the sweep is"))
         self.table, self.curve = _table(), SweepCurve(self)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
@@ -81,7 +81,7 @@ class SweepDialog(QDialog):
         self.look.setToolTip(tr("Open the session of the chosen row in the window"))
         self.begin.setDefault(True)
         column = QVBoxLayout(self)
-        column.addWidget(QLabel(tr(_ABOUT), wordWrap=True))
+        column.addWidget(WrappedLabel(tr(_ABOUT)))
         column.addWidget(self.form)
         column.addWidget(self.told)
         column.addWidget(self._results(), 1)

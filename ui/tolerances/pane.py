@@ -4,7 +4,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLabel
 
 from ui.shown.frame import same_light
 from ui.threads.background import Background
@@ -13,6 +12,7 @@ from ui.tolerances.form import ToleranceForm
 from ui.tolerances.sampling import Sample, trace_sample
 from ui.tolerances.spread_view import SpreadView
 from ui.widgets.side_by_side import SideBySide
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.tolerances import Distribution
 
@@ -47,7 +47,7 @@ class TolerancePane(SideBySide):
         plot, form = SpreadView(), ToleranceForm()
         super().__init__(plot, form, (form.begin, form.save))
         self.plot, self.form = plot, form
-        self.summary = QLabel(wordWrap=True)
+        self.summary = WrappedLabel()
         self.summary.setContentsMargins(6, 0, 6, 4)
         plot.add_below(self.summary)
         self._frame: Frame | None = None

@@ -19,6 +19,7 @@ from ui.views.computing_view import ComputingView
 from ui.views.derivatives import DerivativeRequest, derivative
 from ui.views.face_choice import FaceChoice
 from ui.views.plot_view import PlotView
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import freeform_nets
@@ -62,7 +63,7 @@ class DerivativeView(PlotView, ComputingView):
         self._faces = FaceChoice()
         self._boxes = (_index_box("x"), _index_box("y"))
         self._place = QLabel()
-        self._sum = QLabel(wordWrap=True)
+        self._sum = WrappedLabel()
         self._box.insertLayout(0, self._row())
         self._box.addWidget(self._sum)
         self._sum.setContentsMargins(6, 0, 6, 4)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSlider
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSlider
 
 from ui.check.focusing import FocusRequest, trace_through_focus
 from ui.shown.frame import same_task
@@ -21,6 +21,7 @@ from ui.views.computing_view import ComputingView
 from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
 from ui.views.light_image_view import LightContent, LightImageView
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.arrays import Array
@@ -77,7 +78,7 @@ class FocusView(LightImageView, ComputingView):
             )
         )
         self._slider.valueChanged.connect(self._slide)
-        self._place = QLabel()
+        self._place = WrappedLabel()
         self._back = QPushButton(tr("At screen"))
         self._back.setToolTip(tr("Go back to the distance of the scene's screen"))
         self._back.clicked.connect(lambda: self._slider.setValue(_SCREEN))
@@ -93,7 +94,6 @@ class FocusView(LightImageView, ComputingView):
         row.addWidget(self._back)
         row.addWidget(self._more)
         self._place.setContentsMargins(6, 0, 6, 4)
-        self._place.setWordWrap(True)
         self._curve = FocusCurveView()
         self._curve.hide()
         self._box.addLayout(row)

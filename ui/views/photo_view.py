@@ -26,6 +26,7 @@ from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink
 from ui.views.photos import PhotoRequest, take_photo
 from ui.views.pixels import Pixels
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 
@@ -57,7 +58,7 @@ class PhotoView(ComputingView):
         self._resting = True
         self._taken: tuple[PhotoRequest, Photo] | None = None
         self._wanted: PhotoRequest | None = None
-        self._said = QLabel(tr(_NO_LENS), wordWrap=True)
+        self._said = WrappedLabel(tr(_NO_LENS))
         self._said.setContentsMargins(6, 0, 6, 4)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._take)

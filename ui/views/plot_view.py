@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from ui.shown.frame import same_task
 from ui.views.canvas import PlotCanvas
 from ui.views.view import View
 from ui.widgets.plot_words import translate, translate_axes
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
 from workbench.pictures.data import Column, shown_data
 
@@ -47,7 +48,7 @@ class PlotView(View):
         self._canvas.installEventFilter(self)
         self.setFocusProxy(self._canvas)
         self._box.addWidget(self._canvas, 1)
-        self._hint = QLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._hint = WrappedLabel(alignment=Qt.AlignmentFlag.AlignCenter)
         self._hint.setMargin(self.fontMetrics().height())
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._untraced = False

@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy
+from PySide6.QtWidgets import QGridLayout, QSizePolicy
 
 from ui.shown.frame import same_task
 from ui.views.scene_contents import SceneContents, SceneLook
@@ -32,6 +32,7 @@ from ui.views.tools.tool import Pointer, Tool
 from ui.views.tools.tool_input import ToolInput
 from ui.views.view import View
 from ui.widgets.native import make_native
+from ui.widgets.wrapped_label import WrappedLabel
 from workbench.arrays import Array
 from workbench.design.limits import bounded
 
@@ -80,7 +81,7 @@ class SceneView(View):
         self._tool_input.clicked.connect(self._pick)
         self._tool_input.wheeled.connect(self._zoom)
         self._tool_input.escaped.connect(self.escaped)
-        self._hint = QLabel(wordWrap=True)
+        self._hint = WrappedLabel()
         self._hint.setObjectName("hint")
         self._hint.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._hint.hide()

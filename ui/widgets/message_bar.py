@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from ui.widgets import theme
 from ui.widgets.native import make_native
+from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 
 Offer = tuple[str, Callable[[], object]]
@@ -41,8 +42,7 @@ class MessageBar(QFrame):
         self.setAutoFillBackground(True)
         make_native(self)
         self._icon = QLabel()
-        self._text = QLabel()
-        self._text.setWordWrap(True)
+        self._text = WrappedLabel()
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)

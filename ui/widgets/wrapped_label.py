@@ -1,0 +1,57 @@
+"""Words over some lines, which are not broken between a number and its unit."""
+
+import re
+from typing import Any
+
+from PySide6.QtWidgets import QLabel
+
+from workbench.units import METRES
+
+_SPACE = "\N{NO-BREAK SPACE}"
+_UNIT = rf"(?:%|{'|'.join(('lm', 'lx', 'cd', 'µm', 'nm', 's', *METRES))})(?![a-z])"
+_BETWEEN = re.compile(rf"(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹])( / | )(?={_UNIT})|(?<=\d) · (?=10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")
+
+
+def kept_together(text: str) -> str:
+    """A text with no-break spaces between numbers and their units, for what is wrapped.
+
+    Parameters
+    ----------
+    text : str
+        What is to be shown.
+
+    Examples
+    --------
+    >>> kept_together("50 mm away, 2.5 · 10⁻⁶ / mm²").replace(chr(160), "_")
+    '50_mm away, 2.5_·_10⁻⁶_/_mm²'
+    """
+    return _BETWEEN.sub(lambda found: found[0].replace(" ", _SPACE), text)
+
+
+class WrappedLabel(QLabel):
+    """Wraps its text, and keeps numbers together with their units.
+
+    Parameters
+    ----------
+    text : str
+        What it says at first.
+    **properties
+        Those of a `QLabel`.
+    """
+
+    def __init__(self, text: str = "", **properties: Any) -> None:
+        super().__init__(wordWrap=True, **properties)
+        self.setText(text)
+
+    def text(self) -> str:
+        """What it says, with the spaces that it was given."""
+        return self._said
+
+    def setText(self, text: str) -> None:
+        """Say something else."""
+        self._said = text
+        super().setText(kept_together(text))
+
+    def clear(self) -> None:
+        """Say nothing."""
+        self.setText("")
