@@ -2455,8 +2455,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/lock.py" />
-            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
-            <translation>{place}Über Kontrollpunkte malen, um sie zu sperren, oder freizugeben, wenn auf einem gesperrten begonnen wird; oder mit Pfeilen und Leertaste. Pinsel, [ und ]: {words}. {count} gesperrt</translation>
+            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
+            <translation>{place}Über Kontrollpunkte malen, um sie zu sperren, oder freizugeben, wenn auf einem gesperrten begonnen wird; oder mit Pfeilen und Leertaste. Pinsel, [ und ]: {words}. {count} gesperrt</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
@@ -2475,8 +2475,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/sculpt.py" />
-            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
-            <translation>{place}Kontrollpunkte entlang z ziehen, oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. Pinsel, [ und ]: {words}</translation>
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
+            <translation>{place}Kontrollpunkte entlang z ziehen, oder mit Pfeilen, Bild auf und Bild ab; Umschalt: fein; Esc: zurück. Pinsel, [ und ]: {words}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/sculpt.py" />

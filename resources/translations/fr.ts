@@ -2455,8 +2455,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/lock.py" />
-            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
-            <translation>{place}Peindre les points de contrôle pour les verrouiller, ou les libérer en partant d'un verrou ; ou par flèches et Espace. Pinceau, [ et ] : {words}. {count} verrouillés</translation>
+            <source>{place}Paint over control points to lock them, or unlock them where you begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. {count} locked</source>
+            <translation>{place}Peindre les points de contrôle pour les verrouiller, ou les libérer en partant d'un verrou ; ou par flèches et Espace. Pinceau, [ et ] : {words}. {count} verrouillés</translation>
         </message>
         <message>
             <location filename="../../ui/lens/move_source.py" />
@@ -2475,8 +2475,8 @@
         </message>
         <message>
             <location filename="../../ui/lens/sculpt.py" />
-            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
-            <translation>{place}Tirer des points de contrôle selon z, ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. Pinceau, [ et ] : {words}</translation>
+            <source>{place}Drag control points along z, or use arrows, Page Up and Page Down; Shift: finely; Esc: back. Brush, [ and ]: {words}</source>
+            <translation>{place}Tirer des points de contrôle selon z, ou par flèches, Page haut et bas ; Maj : finement ; Échap : retour. Pinceau, [ et ] : {words}</translation>
         </message>
         <message>
             <location filename="../../ui/lens/sculpt.py" />

@@ -63,8 +63,8 @@ class Lock(BrushTool):
         count = 0 if locked is None else int(locked.sum())
         return tr(
             "{place}Paint over control points to lock them, or unlock them where you "
-            "begin on a lock; or use arrows and Space. Brush, [ and ]: {words}. "
-            "{count} locked"
+            "begin on a lock; or use arrows and Space. Brush, "
+            "[\N{NO-BREAK SPACE}and\N{NO-BREAK SPACE}]: {words}. {count} locked"
         ).format(place=self._brush.place, words=self._brush.words, count=count)
 
     def press(self, at: Pointer) -> bool:

@@ -79,7 +79,8 @@ class Sculpt(BrushTool):
         """What can be done with it, in a line."""
         text = tr(
             "{place}Drag control points along z, or use arrows, Page Up and Page "
-            "Down; Shift: finely; Esc: back. Brush, [ and ]: {words}"
+            "Down; Shift: finely; Esc: back. Brush, "
+            "[\N{NO-BREAK SPACE}and\N{NO-BREAK SPACE}]: {words}"
         ).format(place=self._brush.place, words=self._brush.words)
         if self._drag is not None:
             text += tr(". Moved by {rise:+.4g} {unit}").format(

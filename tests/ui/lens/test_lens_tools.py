@@ -201,6 +201,13 @@ def test_the_text_of_a_tool_does_not_change_the_picture(tools, qtbot):
     assert view._hint.geometry().bottom() == place.bottom()
 
 
+@pytest.mark.parametrize("command", ["sculpt", "lock"])
+def test_the_keys_of_the_brush_are_on_one_line_of_the_hint(tools, command):
+    tools.commands[command]()
+    keys = "[ and ]".replace(" ", "\N{NO-BREAK SPACE}")
+    assert f"Brush, {keys}: " in tools.view._hint.text()
+
+
 def test_locked_points_do_not_move(sculpting, drag):
     tools = sculpting
     tools.commands["lock_all"]()
