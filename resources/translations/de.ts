@@ -2650,8 +2650,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that cuts into the face is refused.</source>
-            <translation>Schlichtbahnen eines Kugelfräsers als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird vor dem Schreiben simuliert: ein Fräser, der in die Fläche schneidet, wird abgelehnt.</translation>
+            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that leaves too much material standing, or cuts too deep, is refused.</source>
+            <translation>Schlichtbahnen eines Kugelfräsers als G-Code in Millimetern (GRBL, LinuxCNC). Der Schnitt wird vor dem Schreiben simuliert: ein Fräser, der zu viel Material stehen lässt oder zu tief schneidet, wird abgelehnt.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2715,18 +2715,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the cut goes up to {cut_off} into the face</source>
-            <translation>der Schnitt geht bis {cut_off} in die Fläche</translation>
+            <source>Up to {cut_off} is cut too deep</source>
+            <translation>Bis zu {cut_off} wird zu tief geschnitten</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.</source>
-            <translation>Radius {radius}, {size:,} Bewegungen. Rillen sind bis {left} hoch; {deep}.</translation>
+            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, as ridges or where the ball does not fit.</source>
+            <translation>Radius {radius}, {size:,} Bewegungen. {deep}; bis zu {left} Material bleibt stehen, als Rillen oder wo die Kugel nicht hineinpasst.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the face is cut into nowhere</source>
-            <translation>die Fläche wird nirgends verletzt</translation>
+            <source>Nothing is cut too deep</source>
+            <translation>Nirgends wird zu tief geschnitten</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2835,13 +2835,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Ball cutter up to</source>
-            <translation>Kugelfräser bis</translation>
+            <source>Largest ball that fits</source>
+            <translation>Größte passende Kugel</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest radius of a ball cutter that fits everywhere on the face, without cutting into another part of it</source>
-            <translation>Größter Radius eines Kugelfräsers, der überall auf die Fläche passt, ohne in einen anderen Teil zu schneiden</translation>
+            <source>Largest radius of a ball cutter that reaches every place of the face. A larger one leaves material standing in hollows</source>
+            <translation>Größter Radius eines Kugelfräsers, der jede Stelle der Fläche erreicht. Ein größerer lässt in Mulden Material stehen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2945,8 +2945,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />
-            <source>Radius of the ball cutter that has to fit everywhere</source>
-            <translation>Radius des Kugelfräsers, der überall passen muss</translation>
+            <source>Radius of the ball cutter that has to reach every place of the face. One that is too large for a hollow leaves material standing there</source>
+            <translation>Radius des Kugelfräsers, der jede Stelle der Fläche erreichen muss. Einer, der für eine Mulde zu groß ist, lässt dort Material stehen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />

@@ -2650,8 +2650,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that cuts into the face is refused.</source>
-            <translation>Une passe de finition à la fraise hémisphérique en G-code en millimètres (GRBL, LinuxCNC). L'usinage est simulé avant l'écriture : une fraise qui entame la face est refusée.</translation>
+            <source>A finishing pass of a ball cutter as G-code in millimetres (GRBL, LinuxCNC). The cut is simulated before it is written: a cutter that leaves too much material standing, or cuts too deep, is refused.</source>
+            <translation>Une passe de finition à la fraise hémisphérique en G-code en millimètres (GRBL, LinuxCNC). L'usinage est simulé avant l'écriture : une fraise qui laisse trop de matière ou coupe trop profond est refusée.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2715,18 +2715,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the cut goes up to {cut_off} into the face</source>
-            <translation>la coupe entame la face jusqu'à {cut_off}</translation>
+            <source>Up to {cut_off} is cut too deep</source>
+            <translation>Jusqu'à {cut_off} sont coupés trop profond</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.</source>
-            <translation>Rayon {radius}, {size:,} mouvements. Les crêtes ont jusqu'à {left} de haut ; {deep}.</translation>
+            <source>Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, as ridges or where the ball does not fit.</source>
+            <translation>Rayon {radius}, {size:,} mouvements. {deep} ; il reste jusqu'à {left} de matière, en crêtes ou là où la bille n'entre pas.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>the face is cut into nowhere</source>
-            <translation>la face n'est entamée nulle part</translation>
+            <source>Nothing is cut too deep</source>
+            <translation>Rien n'est coupé trop profond</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2835,13 +2835,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Ball cutter up to</source>
-            <translation>Fraise jusqu'à</translation>
+            <source>Largest ball that fits</source>
+            <translation>Plus grande bille qui passe</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
-            <source>Largest radius of a ball cutter that fits everywhere on the face, without cutting into another part of it</source>
-            <translation>Plus grand rayon d'une fraise hémisphérique qui convient partout sur la face, sans entamer une autre partie</translation>
+            <source>Largest radius of a ball cutter that reaches every place of the face. A larger one leaves material standing in hollows</source>
+            <translation>Plus grand rayon d'une fraise hémisphérique qui atteint chaque point de la face. Une plus grande laisse de la matière dans les creux</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/figures.py" />
@@ -2945,8 +2945,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />
-            <source>Radius of the ball cutter that has to fit everywhere</source>
-            <translation>Rayon de la fraise hémisphérique qui doit convenir partout</translation>
+            <source>Radius of the ball cutter that has to reach every place of the face. One that is too large for a hollow leaves material standing there</source>
+            <translation>Rayon de la fraise hémisphérique qui doit atteindre chaque point de la face. Une fraise trop grande pour un creux y laisse de la matière</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/limits.py" />

@@ -59,7 +59,7 @@ _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is 
 _ABOUT = later(
     "A finishing pass of a ball cutter as G-code in millimetres (GRBL, "
     "LinuxCNC). The cut is simulated before it is written: a cutter that "
-    "cuts into the face is refused."
+    "leaves too much material standing, or cuts too deep, is refused."
 )
 
 
@@ -227,16 +227,17 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
     if plan is None:
         return None
-    deep = tr("the cut goes up to {cut_off} into the face").format(
-        cut_off=written(plan.cut_off, unit, 2)
-    )
+    deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(plan.cut_off, unit, 2))
     whole = plan.cut_off < _NEGLIGIBLE * plan.left
     lines = [
-        tr("Radius {radius}, {size:,} moves. Ridges are up to {left} high; {deep}.").format(
+        tr(
+            "Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, "
+            "as ridges or where the ball does not fit."
+        ).format(
             radius=written(plan.raster.radius, unit),
             size=plan.raster.tip.size,
             left=written(plan.left, unit, 2),
-            deep=tr("the face is cut into nowhere") if whole else deep,
+            deep=tr("Nothing is cut too deep") if whole else deep,
         )
     ]
     if cutting.negative:

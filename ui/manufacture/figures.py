@@ -60,10 +60,10 @@ _OF_FACE = later(
             "Smallest radius of curvature of convex places",
         ),
         "tool_radius": (
-            "Ball cutter up to",
+            "Largest ball that fits",
             (
-                "Largest radius of a ball cutter that fits everywhere on the face, "
-                "without cutting into another part of it"
+                "Largest radius of a ball cutter that reaches every place of the face. A larger "
+                "one leaves material standing in hollows"
             ),
         ),
         "sag_range": (

@@ -25,8 +25,11 @@ _ROWS = later(
             "Smallest radius that a tool can cut, of concave and convex places",
         ),
         "min_tool_radius": (
-            "Ball cutter",
-            "Radius of the ball cutter that has to fit everywhere",
+            "Largest ball that fits",
+            (
+                "Radius of the ball cutter that has to reach every place of the face. One that is "
+                "too large for a hollow leaves material standing there"
+            ),
         ),
     }
 )

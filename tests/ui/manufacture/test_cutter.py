@@ -58,6 +58,7 @@ def test_ridges_and_both_errors_are_shown(dialog, qtbot, monkeypatch):
     assert not dialog.look.isEnabled()
     qtbot.waitUntil(dialog.look.isEnabled)
     assert "Radius 0.2 cm" in dialog.found.text()
+    assert "Nothing is cut too deep; up to 0.0019 cm of material is left" in dialog.found.text()
     assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
 
 
