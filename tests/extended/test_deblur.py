@@ -90,6 +90,42 @@ def test_bound_of_a_disc_holds_for_light_at_finer_places(disc):
     assert disc.least_of_finer * 0.9999 <= found.error < 1.02 * disc.least_of_finer
 
 
+@pytest.mark.parametrize("widths", [(9.5, 3.4), (3.4, 9.5)])
+def test_bound_of_an_ellipse_holds_for_light_at_finer_places(widths):
+    target, blur = letters(9, 8), Blur(widths, "ellipse")
+    exact = least_error(images_of_places(blur, target.shape, finer=2), target)
+    found = deblur(target, blur)
+    assert 0.9 * exact < found.bound <= exact + 1e-9
+    assert exact * 0.9999 <= found.error < 1.02 * exact
+
+
+def test_a_search_at_more_places_goes_on_where_it_was():
+    """The image is that of the same light, and how far copies are away is known."""
+    target, blur = letters(24, 20), Blur((10.0, 4.0), "ellipse")
+    few, many = blur.kernels(), blur.kernels(finer=2)
+    rows, columns = (len(each) for each in blur.offsets()[::-1])
+    assert (rows, columns) == (4, 2)
+    search = deblur_module._Search(few, target / target.sum())
+    for _ in range(100):
+        search.step(0.003)
+    before = search.look()
+    search.refine(many, rows)
+    after = search.look()
+    off = np.linalg.norm(after.image - before.image) / np.linalg.norm(before.image)
+    assert off < 0.05
+    np.testing.assert_array_equal(after.residual, before.residual)
+    np.testing.assert_allclose(
+        after.light.reshape(rows, 2, columns, 2, *after.light.shape[1:]).sum(axis=(1, 3)),
+        before.light.reshape(rows, columns, *before.light.shape[1:]),
+        rtol=0.05,
+    )
+    for _ in range(20):
+        search.step(0.003)
+    wanted = target / target.sum()
+    errors = [np.linalg.norm(look.image - wanted) for look in (before, search.look())]
+    assert errors[1] < errors[0]
+
+
 def test_places_that_graze_one_pixel_of_the_rim_do_not_spoil_the_bound(rng):
     # All of a target in greys is lit: light is wanted everywhere, and nearly all places matter.
     target = 1 + 0.5 * rng.random((12, 10))

@@ -137,9 +137,9 @@ def _closest(target: Array, blur: Blur) -> Generator[None, None, Deblurred]:
     few, many = blur.kernels(), blur.kernels(finer=2)
     m_x, m_y = blur.margin
     grid = (target.shape[0] + 4 * m_y) * (target.shape[1] + 4 * m_x)
-    levels = [_Level(few, _STEPS)]
+    levels, rows = [_Level(few, _STEPS)], len(blur.offsets()[1])
     if len(few) < len(many) <= _MOST_LIGHT / grid:
-        levels = [_Level(few, _STEPS - _FINER_STEPS), _Level(many, _FINER_STEPS)]
+        levels = [_Level(few, _STEPS - _FINER_STEPS), _Level(many, _FINER_STEPS, rows)]
     return (yield from _certified(levels, Certifier(many, wanted), wanted))
 
 
@@ -236,10 +236,14 @@ def spread_light(target: Array, blur: Blur, parts: int = 1) -> Array:
 
 
 class _Level(NamedTuple):
-    """The blur of light at some places in a pixel, and so many steps of a search there."""
+    """The blur of light at some places in a pixel, and so many steps of a search there.
+
+    ``rows`` is the number of places along y of the level before, which has half as many.
+    """
 
     kernels: Array
     steps: int
+    rows: int = 1
 
 
 class _Deblurred(NamedTuple):
@@ -257,7 +261,7 @@ def _search(
     search, done = _Search(levels[0].kernels, wanted), 0
     for level in levels:
         if level is not levels[0]:
-            search.refine(level.kernels)
+            search.refine(level.kernels, level.rows)
         for _ in range(level.steps):
             search.step(weights[min(done // _FALLS_EVERY, len(weights) - 1)])
             done += 1
@@ -290,14 +294,13 @@ class _Search:
         self._power = np.square(np.abs(self._blurring.kernels)).sum(axis=0)
         self._lit = self._blurring.back(np.ones_like(self._wanted)) > _LEAST_SHARE
 
-    def refine(self, kernels: Array) -> None:
-        """Go on with twice as many places along x and y; there has been a step.
+    def refine(self, kernels: Array, rows: int) -> None:
+        """Go on with twice as many places along x and y as those in some rows; after a step.
 
         Light is handed to those around it. How far its copy is away follows from that of the
         image, since light fitted both best.
         """
-        places = math.isqrt(len(self._light))
-        light = self._light.reshape(places, places, *self._image.shape) / 4
+        light = self._light.reshape(rows, -1, *self._image.shape) / 4
         self._look_at(kernels)
         self._light = light.repeat(2, axis=0).repeat(2, axis=1).reshape(-1, *self._image.shape)
         self._away_light = -self._ratio * self._blurring.back_from(
