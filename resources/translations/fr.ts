@@ -7997,7 +7997,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
             <source>{part:.0f} % of it</source>
-            <translation>{part:.0f} % en tout</translation>
+            <translation>{part:.0f} % du total</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
