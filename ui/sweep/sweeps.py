@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, QStandardPaths
 from PySide6.QtWidgets import QWidget
 
 from ui.document.document import Document
-from ui.sweep.dialog import SweepDialog
 
 if TYPE_CHECKING:
+    from ui.sweep.dialog import SweepDialog
     from workbench.files.session import Session
 
 
@@ -37,6 +37,8 @@ class Sweeps(QObject):
     def show(self) -> None:
         """Show the dialog, with the fields of the design as it is."""
         if self.dialog is None:
+            from ui.sweep.dialog import SweepDialog  # late: it draws with matplotlib
+
             self.dialog = SweepDialog(self._design, self._window)
             self.dialog.open_asked.connect(self._open)
         self.dialog.show_design()
