@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
-from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.widgets.plot_words import translate
@@ -22,10 +21,11 @@ class SweepCurve(FigureCanvasQTAgg):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(Figure(layout="constrained"))
+        self._parent = parent  # its palette gives the colours: that of a canvas is white
         self.setParent(parent)
         self.setAccessibleName(tr("Verified error over the values"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self._recolour()  # no white sheet before the first lens
+        self.recolour()
 
     def show_rows(self, titles: Sequence[str], rows: "Iterable[PointRow]") -> None:
         """Show those of some rows that have a lens.
@@ -49,16 +49,11 @@ class SweepCurve(FigureCanvasQTAgg):
             ]
             draw_sweep(self.figure.subplots(), titles[0], drawn)
             translate(self.figure, (titles[0], *curves))
-        self._recolour()
+        self.recolour()
 
-    def changeEvent(self, event: QEvent) -> None:
+    def recolour(self) -> None:
         """Follow the palette between light and dark."""
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._recolour()
-
-    def _recolour(self) -> None:
-        palette = self.palette()
+        palette = self._parent.palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self.draw_idle()
 

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
@@ -104,6 +104,12 @@ class SweepDialog(QDialog):
         self.form.show_scene(session.scene)
         if not self.folder.text():
             self.folder.setText(str(path.with_name(f"{path.stem}-sweep").absolute()))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the palette between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.curve.recolour()
 
     def toggle(self) -> None:
         """Begin the sweep that is asked for; stop the one that is under way."""

@@ -3,6 +3,8 @@
 import time
 
 import pytest
+from matplotlib.colors import to_hex
+from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QPushButton
 
 from workbench.files.session import read_session
@@ -144,6 +146,15 @@ def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
         dialog.begin.click()
     assert dialog.told.text().startswith("3 of 3 designs, ")
     assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
+
+
+def test_the_curve_has_the_colours_of_the_dialog(dialog):
+    def paper():
+        return QColor(to_hex(dialog.curve.figure.get_facecolor()))
+
+    assert paper() == dialog.palette().window().color()
+    dialog.setPalette(QPalette(QColor("#303030")))
+    assert paper() == dialog.palette().window().color() == QColor("#303030")
 
 
 def test_a_folder_that_cannot_be_made_is_said(dialog, qtbot, tmp_path):
