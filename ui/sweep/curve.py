@@ -1,10 +1,11 @@
 """Errors of a sweep's lenses over the values of its first field."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.widgets.plot_words import translate
@@ -14,6 +15,8 @@ from workbench.pictures.sweep import Curve, draw_sweep
 
 if TYPE_CHECKING:
     from workbench.sweep.store import PointRow
+
+_EVERY_MS = 50  # lenses that are there already come by the thousand
 
 
 class SweepCurve(FigureCanvasQTAgg):
@@ -25,20 +28,29 @@ class SweepCurve(FigureCanvasQTAgg):
         self.setParent(parent)
         self.setAccessibleName(tr("Verified error over the values"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self._titles: Sequence[str] = ()
+        self._rows: Mapping[int, PointRow] = {}
+        self._soon = QTimer(self, singleShot=True, interval=_EVERY_MS)
+        self._soon.timeout.connect(self._draw_rows)
         self.recolour()
 
-    def show_rows(self, titles: Sequence[str], rows: "Iterable[PointRow]") -> None:
-        """Show those of some rows that have a lens.
+    def show_rows(self, titles: Sequence[str], rows: "Mapping[int, PointRow]") -> None:
+        """Show those of some rows that have a lens, as they are in a moment.
 
         Parameters
         ----------
         titles : sequence of str
             What the fields are called.
-        rows : iterable of PointRow
-            In the order of their values.
+        rows : mapping of int to PointRow
+            By their numbers.
         """
-        curves: dict[str, list[PointRow]] = {}
-        for row in rows:
+        self._titles, self._rows = titles, rows
+        if not self._soon.isActive():
+            self._soon.start()
+
+    def _draw_rows(self) -> None:
+        titles, curves = self._titles, dict[str, list["PointRow"]]()
+        for _, row in sorted(self._rows.items()):
             if row.reason is None:
                 curves.setdefault(_name(titles, row), []).append(row)
         self.figure.clear()

@@ -166,7 +166,7 @@ class SweepDialog(QDialog):
         from workbench.sweep.vary import shown  # late, as above
 
         points, titles = sweep.points, self.form.titles()
-        self.curve.show_rows(titles, ())
+        self.curve.show_rows(titles, self._rows)
         self.table.clear()
         self.table.setColumnCount(len(titles) + len(_FIGURES))
         self.table.setHorizontalHeaderLabels([*titles, *map(tr, _FIGURES)])
@@ -188,7 +188,7 @@ class SweepDialog(QDialog):
             light, seconds = f"{figures['efficiency']:.1%}", f"{figures['seconds']:.1f}"
             error, steps = verified_error(row.verified), f"{figures['iterations']:.0f}"
             self._fill(number, [*values, error, light.replace("%", " %"), steps, seconds])
-        self.curve.show_rows(self.form.titles(), (self._rows[key] for key in sorted(self._rows)))
+        self.curve.show_rows(self.form.titles(), self._rows)
         self._offer()
 
     def _fill(self, number: int, texts: list[str]) -> None:

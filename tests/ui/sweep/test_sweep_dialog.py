@@ -105,6 +105,7 @@ def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     first = texts(dialog, 0)
     assert first[:2] == ["1", "3"] and first[2].endswith(" %") and first[3].endswith(" %")
     assert texts(dialog, 1)[2] == "stopped at iteration 3: no light"
+    qtbot.waitUntil(lambda: not dialog.curve._soon.isActive())
     (axes,) = dialog.curve.figure.axes
     (line, *_) = axes.containers[0]
     assert list(line.get_xdata()) == [1, 2]
