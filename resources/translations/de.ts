@@ -7621,6 +7621,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
+            <source>the entrance face for image {number} alone</source>
+            <translation>die Eintrittsfläche allein für Bild {number}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
             <source>the exit face for image {number} alone</source>
             <translation>die Austrittsfläche allein für Bild {number}</translation>
         </message>

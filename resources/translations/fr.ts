@@ -7621,6 +7621,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/transport/first.py" />
+            <source>the entrance face for image {number} alone</source>
+            <translation>la face d'entrée pour l'image {number} seule</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/transport/first.py" />
             <source>the exit face for image {number} alone</source>
             <translation>la face de sortie pour l'image {number} seule</translation>
         </message>

@@ -114,6 +114,17 @@ def test_the_first_lens_goes_along_lines_through_all_images(at_two_distances):
     assert shots[-1].state.loss < 0.8 * shots[1].state.loss
 
 
+def test_a_first_lens_with_a_locked_exit_face_suits_the_image_that_it_makes_best(at_two_distances):
+    scene, target = at_two_distances.scene, at_two_distances.target
+    locked = {"exit": np.ones(scene.optic.net_shape, dtype=bool)}
+    undesigned, first, *_ = run(scene, target, locked=locked)
+    exits = (each.state.heights["exit"] for each in (undesigned, first))
+    np.testing.assert_array_equal(*exits)
+    (note,) = (note for note in first.notes if note.startswith("first lens: "))
+    assert "it begins with the entrance face for image" in note
+    assert first.state.loss < 0.5 * undesigned.state.loss
+
+
 def test_an_automatic_entrance_range_does_as_well_as_one_that_is_given(
     at_two_distances, make_scene, tmp_path
 ):

@@ -31,6 +31,7 @@ control points, and a rectangle of 40 × 40 pixels by one of 1 × 1 mm 15 mm bef
 | the same over thirds of pixels | 12.5 % | 8.0 % | – |
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -39,6 +40,7 @@ from workbench.arrays import Array
 from workbench.design.transport import First, first_of, first_of_several
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
+from workbench.geometry.faces import NO_FACES
 from workbench.scene import Scene
 
 # Control points along an axis, at most, of a lens that only tells where its face is.
@@ -52,7 +54,7 @@ class _Aim(NamedTuple):
     target: Array
 
 
-def first_lens(scene: Scene, target: Array) -> First | None:
+def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES) -> First | None:
     """A first lens by transport; see `first_of`, and for several images `first_of_several`.
 
     Parameters
@@ -61,16 +63,21 @@ def first_lens(scene: Scene, target: Array) -> First | None:
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
+    fixed : mapping of str to ndarray, shape (n_u, n_v)
+        As for `first_of`.
     """
     if scene.further_images:
-        return first_of_several(scene, target, lambda image: first_lens(image.scene, image.target))
+        return first_of_several(
+            scene, target, lambda image: first_lens(image.scene, image.target, fixed), fixed
+        )
     if Blur.of(scene).within_a_pixel or not one_over_the_lens(scene):
-        return first_of(scene, target)
+        return first_of(scene, target, fixed)
     # How far the designed face is from the receiver tells how wide the blur is.
-    rough = first_of(_roughly(scene), target)
+    face = scene.optic.face
+    rough = First({**fixed}) if face in fixed else first_of(_roughly(scene), target, fixed)
     if rough is None:
         return None
-    return first_of(*_aim(scene, target, float(rough.heights[scene.optic.face].mean())))
+    return first_of(*_aim(scene, target, float(rough.heights[face].mean())), fixed)
 
 
 def _roughly(scene: Scene) -> Scene:

@@ -69,7 +69,8 @@ class Room:
     def first(self) -> Mapping[str, Array] | None:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
-            self._found = (first_lens(self.scene, self.target),)
+            fixed = {face: self.begin[face] for face, mask in self.locked.items() if mask.all()}
+            self._found = (first_lens(self.scene, self.target, fixed),)
             release_freed_memory()
         found = self._found[0]
         return None if found is None else found.heights

@@ -92,3 +92,6 @@ class ControlPoint:
 
 NO_LOCKS: Locks = FaceArrays({})
 """All control points may move."""
+
+NO_FACES: ControlHeights = FaceArrays({})
+"""Of no face the heights are given."""

@@ -18,6 +18,7 @@ from workbench.design.transport.face import SlopeFit
 from workbench.design.transport.faces import UPRIGHT
 from workbench.design.transport.start import FEW_ROUNDS, wanted_cells
 from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
+from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.interruption import check_interruption
 from workbench.scene import Scene, WantedImage
@@ -52,9 +53,11 @@ class BothFaces:
     ----------
     scene : Scene
         With a lens of two freeform faces; an extended source counts as a point at its centre.
+    fixed : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of a face that is what it is, by its name, scene units.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, fixed: Mapping[str, Array] = NO_FACES) -> None:
         nets = freeform_nets(scene.optic)
         self._index, self._limits = scene.optic.index, HeightLimits.of_faces(bounded(scene))
         self._cells = cells_for(nets)
@@ -64,6 +67,7 @@ class BothFaces:
             face: np.full(net.shape, float(self._limits[face].undesigned.mean()))
             for face, net in nets.items()
         }
+        self._fixed = fixed
         x, y = nets["exit"].positions
         base = scene.optic.base.height_at(x[:, None], y[None, :])
         self._thickness = float(base.mean()) - scene.optic.datum
@@ -94,7 +98,7 @@ class BothFaces:
             By the names of the faces, scene units; those of the exit face beyond their limits where
             these are too narrow. None if no light leaves a plate.
         """
-        heights = self._plate
+        heights = {**self._plate, **self._fixed}
         traced = self._light.through(heights)
         if traced.flux is None:
             return None
@@ -122,6 +126,8 @@ class BothFaces:
 
     def _entrance(self, traced: LightInLens, goal: Goal, fraction: float) -> Array:
         """The entrance face that bends light by a part, or by less where that does not fit."""
+        if "entrance" in self._fixed:
+            return self._fixed["entrance"]
         coming, limits = self._light.coming, self._limits["entrance"]
         way = goal.in_glass(coming, traced)
         for _ in range(_TRIALS):
@@ -141,6 +147,8 @@ class BothFaces:
         It rises with the entrance face where glass would be thinner than between their places: the
         thinner it is, the more both faces have to bend the light to move it as far.
         """
+        if "exit" in self._fixed:
+            return self._fixed["exit"]
         slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
         heights = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
         between = float(self._plate["exit"].mean() - entrance.mean())

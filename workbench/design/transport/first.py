@@ -11,6 +11,7 @@ from workbench.design.limits import bounded
 from workbench.design.transport.lines import line_start
 from workbench.design.transport.start import first_error, transport_start
 from workbench.design.transport.two_faces import split_start
+from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
 from workbench.powers import written
 from workbench.said import Said
@@ -47,11 +48,11 @@ class First(NamedTuple):
     alone: Array | None = None
 
 
-def first_of(scene: Scene, target: Array) -> First | None:
+def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES) -> First | None:
     """The first lens by transport; None if no light leaves any.
 
     A lens of two faces begins with each bending the light by half, or with a flat entrance face
-    where that makes a better image.
+    where that makes a better image. Where one of them is fixed, the other does what is left.
 
     Parameters
     ----------
@@ -59,10 +60,15 @@ def first_of(scene: Scene, target: Array) -> First | None:
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
+    fixed : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of one of two faces that is what it is, by its name, scene units.
     """
     if "entrance" not in freeform_nets(scene.optic):
         heights = transport_start(scene, target)
         return None if heights is None else First({scene.optic.face: heights})
+    if fixed:
+        both = split_start(scene, target, fixed)
+        return None if both is None else First(both)
     found = {
         name: (first_error(scene, target, heights), heights)
         for name, heights in (
@@ -80,7 +86,10 @@ def first_of(scene: Scene, target: Array) -> First | None:
 
 
 def first_of_several(
-    scene: Scene, target: Array, alone: Callable[[WantedImage], First | None]
+    scene: Scene,
+    target: Array,
+    alone: Callable[[WantedImage], First | None],
+    fixed: Mapping[str, Array] = NO_FACES,
 ) -> First | None:
     """The first lens for several images: the best of one for all of them and those for each.
 
@@ -91,13 +100,15 @@ def first_of_several(
     target : ndarray, shape (n_y, n_x)
         The first wanted image in any scale, row 0 at +y.
     alone : callable
-        For a lens of one face, the first one for an image as if there were no other.
+        For a lens of which one face is free, the first one for an image as if there were no other.
+    fixed : mapping of str to ndarray, shape (n_u, n_v)
+        As for `first_of`.
     """
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.images(target)]
     found: dict[Said, Mapping[str, Array]] = {}
-    two_faces = "entrance" in freeform_nets(scene.optic)
+    two_faces = "entrance" in freeform_nets(scene.optic) and not fixed
     if two_faces and (both := line_start(scene, target)) is not None:
         found[_LINES] = both
     for number, image in enumerate(images, start=1):
@@ -107,7 +118,12 @@ def first_of_several(
             lens = alone(image)
             heights = None if lens is None else lens.heights
         if heights is not None:
-            found[Said("the exit face for image {number} alone", number=number)] = heights
+            name = (
+                Said("the entrance face for image {number} alone", number=number)
+                if "exit" in fixed
+                else Said("the exit face for image {number} alone", number=number)
+            )
+            found[name] = heights
     if not found:
         return None
     weights = [image.weight for image in images]

@@ -37,6 +37,8 @@ class LightInLens(NamedTuple):
         Places where it meets the faces; of light that does not, stand-ins.
     glass : tuple of three ndarray
         Unit vectors along which it goes between the faces.
+    normal : tuple of three ndarray
+        Unit vectors upright on the exit face where it meets that.
     flux : ndarray, optional
         Of what leaves the lens, all together 1; None where that is none.
     """
@@ -44,6 +46,7 @@ class LightInLens(NamedTuple):
     entrance: Vector
     exit: Vector
     glass: Vector
+    normal: Vector
     flux: Array | None
 
 
@@ -96,6 +99,7 @@ class TwoFaceLight:
             self._lifted(entrance),
             self._lifted(exit_face),
             glass,
+            _arrays(meeting.normal),
             flux / total if total > 0 else None,
         )
 

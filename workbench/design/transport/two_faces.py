@@ -5,9 +5,11 @@ lens. Between two flat faces light goes on behind the lens as it came. Here it t
 glass that it would take there if it came from half-way between where it comes from and where it
 should go: each face then turns light by half, which takes equal slopes of both where these are
 small. Light without a turn finds two flat faces, from however near a source it comes.
+
+Where one of the faces is fixed, the other one makes all of the turn that is left.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +19,7 @@ from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.both_faces import BothFaces, Vector, unit
 from workbench.design.transport.two_face_light import LightInLens
 from workbench.design.transport.view import ReceiverView
+from workbench.geometry.faces import NO_FACES
 from workbench.scene import Scene, WantedImage
 
 # Faces in each round of transport.
@@ -33,9 +36,12 @@ _FITS = 2
 # Ways that lead 0.85 of the turn within the glass, as if that did not turn light back to the axis,
 # asked for faces as steep as the light: 58.6 % of the light close by, 29 % on the rectangle.
 _PART = 0.5
+_UPRIGHT = np.zeros(()), np.zeros(()), np.ones(())
 
 
-def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
+def split_start(
+    scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES
+) -> dict[str, Array] | None:
     """Control heights of both faces of a first lens.
 
     Parameters
@@ -44,20 +50,24 @@ def split_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         The design task; an extended source counts as a point at its centre.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
+    fixed : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of a face that is what it is, by its name, scene units.
 
     Returns
     -------
     dict of str to ndarray, shape (n_u, n_v), or None
         See `workbench.design.transport.both_faces.BothFaces.heights`.
     """
-    faces = BothFaces(scene)
+    faces = BothFaces(scene, fixed)
     view = ReceiverView.of(scene)
+    exit_fixed = "exit" in fixed
 
     def goal(transports: Sequence[Transport]) -> _Split:
         (transport,) = transports
-        return _Split(scene, *view.places(transport))
+        return _Split(scene, *view.places(transport), exit_fixed)
 
-    return faces.heights([WantedImage(scene, target, 1.0)], goal, _PART, _FITS)
+    part = 1.0 if exit_fixed else _PART
+    return faces.heights([WantedImage(scene, target, 1.0)], goal, part, _FITS)
 
 
 class _Split(NamedTuple):
@@ -69,23 +79,28 @@ class _Split(NamedTuple):
         The design task.
     to_u, to_v : ndarray, shape (cells, cells)
         Where on the receiver the light of each cell should go.
+    exit_fixed : bool
+        Whether the exit face turns light as it does, in place of as it should.
     """
 
     scene: Scene
     to_u: Array
     to_v: Array
+    exit_fixed: bool
 
     def in_glass(self, coming: Vector, traced: LightInLens) -> Callable[[float], Vector]:
-        """Ways behind a flat face of light between that which comes and that which should go."""
+        """Ways in the glass of light that leaves between where it comes from and should go.
+
+        It leaves through the exit face where that is fixed, and else through a flat one.
+        """
         leaving, index = self.behind(traced), self.scene.optic.index
+        normal = traced.normal if self.exit_fixed else _UPRIGHT
 
         def way(fraction: float) -> Vector:
             x, y, z = (
                 (1 - fraction) * a + fraction * b for a, b in zip(coming, leaving, strict=True)
             )
-            x, y, _ = unit((x, y, z))
-            x, y = x / index, y / index
-            return x, y, np.sqrt(1 - x**2 - y**2)
+            return _before(unit((x, y, z)), normal, index)
 
         return way
 
@@ -93,3 +108,12 @@ class _Split(NamedTuple):
         """Directions from the exit face to the receiver."""
         x, y, z = self.scene.receiver.towards(self.scene.optic, traced.exit, self.to_u, self.to_v)
         return x, y, z
+
+
+def _before(leaving: Vector, normal: Vector, index: float) -> Vector:
+    """Unit vectors in the glass of light that leaves along unit vectors: Snell's law backwards."""
+    along = sum(a * b for a, b in zip(leaving, normal, strict=True))
+    across = [(a - along * b) / index for a, b in zip(leaving, normal, strict=True)]
+    upright = np.sqrt(1 - sum(part**2 for part in across))
+    x, y, z = (part + upright * b for part, b in zip(across, normal, strict=True))
+    return x, y, z
