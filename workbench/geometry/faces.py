@@ -94,4 +94,4 @@ NO_LOCKS: Locks = FaceArrays({})
 """All control points may move."""
 
 NO_FACES: ControlHeights = FaceArrays({})
-"""Of no face the heights are given."""
+"""The heights of no face."""
