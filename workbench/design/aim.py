@@ -73,11 +73,17 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
     if Blur.of(scene).within_a_pixel or not one_over_the_lens(scene):
         return first_of(scene, target, fixed)
     # How far the designed face is from the receiver tells how wide the blur is.
+    face_z = _face_z(scene, target, fixed)
+    return None if face_z is None else first_of(*_aim(scene, target, face_z), fixed)
+
+
+def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | None:
+    """Mean height of the designed face; of one that is not fixed, on a net of few points."""
     face = scene.optic.face
-    rough = First({**fixed}) if face in fixed else first_of(_roughly(scene), target, fixed)
-    if rough is None:
-        return None
-    return first_of(*_aim(scene, target, float(rough.heights[face].mean())), fixed)
+    if face in fixed:
+        return float(fixed[face].mean())
+    rough = first_of(_roughly(scene), target, fixed)
+    return None if rough is None else float(rough.heights[face].mean())
 
 
 def _roughly(scene: Scene) -> Scene:

@@ -200,12 +200,11 @@ def _joined(
     """A first lens, moved along z until it meets locked control points that stay as before.
 
     Light hardly minds how far a face is from the screen, but it is lost at a step in the face. A
-    face that is locked as a whole stays where it is.
+    face that is locked as a whole is in the first lens as it is.
     """
     joined = dict(first)
     for face, mask in locked.items():
         if mask.all():
-            joined[face] = before[face]
             continue
         from scipy.ndimage import binary_dilation  # late: it takes a tenth of a second to import
 

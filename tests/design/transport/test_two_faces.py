@@ -46,7 +46,7 @@ class TestOneFaceIsFixed:
 
     @pytest.fixture
     def fixed(self, scene):
-        """Heights of a face that is as its net says, but for a wave of this height."""
+        """Heights of an undesigned face with a wave of this height on it."""
 
         def heights(face, wave):
             net = freeform_nets(scene.optic)[face]

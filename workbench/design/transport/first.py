@@ -108,11 +108,11 @@ def first_of_several(
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.images(target)]
     found: dict[Said, Mapping[str, Array]] = {}
-    two_faces = "entrance" in freeform_nets(scene.optic) and not fixed
-    if two_faces and (both := line_start(scene, target)) is not None:
+    both_free = "entrance" in freeform_nets(scene.optic) and not fixed
+    if both_free and (both := line_start(scene, target)) is not None:
         found[_LINES] = both
     for number, image in enumerate(images, start=1):
-        if two_faces:
+        if both_free:
             heights = _flat_start(image.scene, image.target)
         else:
             lens = alone(image)
@@ -138,7 +138,7 @@ def first_of_several(
     }
     handicap: dict[str, float] = {_LINES: 1 / _ONE_FACE}
     best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
-    one_face = [name for name in found if name != _LINES] if two_faces else []
+    one_face = [name for name in found if name != _LINES] if both_free else []
     exit_alone = found[min(one_face, key=errors.__getitem__)]["exit"] if one_face else None
     return First(dict(found[best]), (_chosen(errors, best),), exit_alone)
 

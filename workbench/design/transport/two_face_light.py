@@ -76,7 +76,7 @@ class TwoFaceLight:
         rays = through_cells(origins, lens, (cells, cells))
         x, y, z = (part.expand(cells, cells) for part in rays.position)
         self._rays = rays._replace(position=(x, y, z - self._path.datum))
-        self.coming = _arrays(rays.direction)
+        self.coming = to_arrays(rays.direction)
         self._widths = 2 * lens.half_width[0] / cells, 2 * lens.half_width[1] / cells
         self._fits = fits
         # From which cells light came to the cells of a face last.
@@ -91,7 +91,7 @@ class TwoFaceLight:
             for surface, interface, _ in self._path.steps:
                 meeting = self._meet(surface.name, rays, heights[surface.name])
                 rays = interface.turn(rays, meeting).rays
-                found += [_arrays(meeting.position), _arrays(rays.direction)]
+                found += [to_arrays(meeting.position), to_arrays(rays.direction)]
         flux = rays.flux.numpy()
         entrance, glass, exit_face, _ = found
         total = float(flux.sum())
@@ -99,7 +99,7 @@ class TwoFaceLight:
             self._lifted(entrance),
             self._lifted(exit_face),
             glass,
-            _arrays(meeting.normal),
+            to_arrays(meeting.normal),
             flux / total if total > 0 else None,
         )
 
@@ -122,7 +122,7 @@ class TwoFaceLight:
 
     def _meet(self, face: str, rays: RayBundle, heights: Array) -> Meeting:
         """Where rays meet a face that is straight between the middles of cells."""
-        (x, y, z), (d_x, d_y, d_z) = _arrays(rays.position), _arrays(rays.direction)
+        (x, y, z), (d_x, d_y, d_z) = to_arrays(rays.position), to_arrays(rays.direction)
         a, b = d_x / d_z, d_y / d_z
         heights, fit = heights - self._path.datum, self._fits[face]
         found = fit.surface(heights), *fit.slopes(heights)
@@ -131,7 +131,7 @@ class TwoFaceLight:
         length = 1 / np.sqrt(z_x**2 + z_y**2 + 1)
         inside = self._path.outline.contains(x / RIM, y / RIM)
         position, normal = (x, y, up), (-z_x * length, -z_y * length, length)
-        return Meeting(_tensors(position), _tensors(normal), torch.as_tensor(inside))
+        return Meeting(to_tensors(position), to_tensors(normal), torch.as_tensor(inside))
 
     def _in_cells(self, x: Array, y: Array) -> Pair:
         at_x, at_y = (
@@ -145,12 +145,14 @@ class TwoFaceLight:
         return x, y, z + self._path.datum
 
 
-def _arrays(vector: tuple[Tensor, Tensor, Tensor]) -> Vector:
+def to_arrays(vector: tuple[Tensor, Tensor, Tensor]) -> Vector:
+    """The parts of a vector, all of the same shape."""
     shape = np.broadcast_shapes(*(part.shape for part in vector))
     x, y, z = (part.expand(shape).numpy() for part in vector)
     return x, y, z
 
 
-def _tensors(vector: Vector) -> tuple[Tensor, Tensor, Tensor]:
+def to_tensors(vector: Vector) -> tuple[Tensor, Tensor, Tensor]:
+    """The same vector for what takes tensors."""
     x, y, z = map(torch.as_tensor, vector)
     return x, y, z

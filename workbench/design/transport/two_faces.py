@@ -17,9 +17,10 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.design.transport.back_and_forth import Transport
 from workbench.design.transport.both_faces import BothFaces, Vector, unit
-from workbench.design.transport.two_face_light import LightInLens
+from workbench.design.transport.two_face_light import LightInLens, to_arrays, to_tensors
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.faces import NO_FACES
+from workbench.optics.refraction import refract
 from workbench.scene import Scene, WantedImage
 
 # Faces in each round of transport.
@@ -94,13 +95,15 @@ class _Split(NamedTuple):
         It leaves through the exit face where that is fixed, and else through a flat one.
         """
         leaving, index = self.behind(traced), self.scene.optic.index
-        normal = traced.normal if self.exit_fixed else _UPRIGHT
+        normal = to_tensors(traced.normal if self.exit_fixed else _UPRIGHT)
 
         def way(fraction: float) -> Vector:
             x, y, z = (
                 (1 - fraction) * a + fraction * b for a, b in zip(coming, leaving, strict=True)
             )
-            return _before(unit((x, y, z)), normal, index)
+            # Snell's law is the same both ways: this is how light would enter the glass.
+            leaves = to_tensors(unit((x, y, z)))
+            return to_arrays(refract(leaves, normal, 1 / index).direction)
 
         return way
 
@@ -108,12 +111,3 @@ class _Split(NamedTuple):
         """Directions from the exit face to the receiver."""
         x, y, z = self.scene.receiver.towards(self.scene.optic, traced.exit, self.to_u, self.to_v)
         return x, y, z
-
-
-def _before(leaving: Vector, normal: Vector, index: float) -> Vector:
-    """Unit vectors in the glass of light that leaves along unit vectors: Snell's law backwards."""
-    along = sum(a * b for a, b in zip(leaving, normal, strict=True))
-    across = [(a - along * b) / index for a, b in zip(leaving, normal, strict=True)]
-    upright = np.sqrt(1 - sum(part**2 for part in across))
-    x, y, z = (part + upright * b for part, b in zip(across, normal, strict=True))
-    return x, y, z
