@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from workbench.design import auto
+from workbench.design import descent
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
@@ -45,7 +45,7 @@ def test_auto_says_that_it_converged(make_scene, disc):
 
 
 def test_auto_ends_where_errors_fall_by_less_than_is_visible(make_scene, disc, monkeypatch):
-    monkeypatch.setattr(auto, "_SHARP", auto._SHARP._replace(points=0.5))
+    monkeypatch.setattr(descent, "_SHARP", (descent._SHARP[0]._replace(points=0.5),))
     why = ended(run(make_scene({"run.iterations": 1000}), disc))
     assert why == "converged: error less than 50 percentage points lower in 8 iterations"
 

@@ -43,6 +43,18 @@ def test_only_even_waves_are_left_of_a_mirrored_net(mirrored, rng):
     assert torch.allclose(made, even, rtol=0, atol=1e-13)
 
 
+def test_only_the_longest_waves_are_left_of_a_part(rng):
+    some = torch.as_tensor(rng.normal(size=SHAPE))
+    made, every = (
+        dctn(Waves(SHAPE, 1.25, (False, False), longest=part).eased(some).numpy(), norm="ortho")
+        for part in (0.3, 1.0)
+    )
+    # 3 of 9 along u, and 2 of 6 along v.
+    np.testing.assert_allclose(made[:3, :2], every[:3, :2], rtol=1e-12)
+    assert np.abs(made[3:]).max() < 1e-14
+    assert np.abs(made[:, 2:]).max() < 1e-14
+
+
 def test_heights_of_two_faces_change_as_easily(rng):
     nets = {"entrance": torch.zeros(4, 5).double(), "exit": torch.zeros(SHAPE).double()}
     widths = {"entrance": 0.5, "exit": 2.0}

@@ -13,20 +13,17 @@
   that light beside the screen counts as an error.
 """
 
-import math
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Generator, Mapping
 from functools import partial
-from itertools import islice
-from typing import NamedTuple
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from workbench.arrays import Array, Mask
-from workbench.design.endings import FLAT, LOWEST, SLOW, SMALL
+from workbench.design.descent import descend, descents_of
 from workbench.design.heights import FreeHeights
-from workbench.design.lbfgs import Evaluation, minimise
+from workbench.design.lbfgs import Evaluation
 from workbench.design.levels import finest_image, judging_image
 from workbench.design.loss import check_gradient
 from workbench.design.room import Room
@@ -38,45 +35,7 @@ from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
 from workbench.interruption import check_given_up
 from workbench.optics.plan import device_of
-from workbench.said import Said
 from workbench.scene import Scene
-
-# The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
-# brings there does not find back.
-_MAX_STEP = 0.3
-# A run ends when steps together gain little: five steps with so many beams, or more where each
-# costs less.
-_STEPS, _BEAMS, _MOST_STEPS = 5, 768**2, 8
-
-
-class _Descent(NamedTuple):
-    """How a run descends, by what the size of the source does to the image.
-
-    Attributes
-    ----------
-    power : float
-        Waves of the net are made small in proportion to this power of their periods; see `Waves`.
-    gain, points : float
-        The run ends when steps together lower the error by less than this part of it, or by less
-        than these points.
-    """
-
-    power: float
-    gain: float
-    points: float
-
-
-# Where nothing blurs the light, 0.50 % of a photograph's error is left after 24 steps where it was
-# 0.52 % after 19. Nobody sees that.
-_SHARP = _Descent(1.25, 0.05, 3e-4)
-# What a blur hides is found by smaller steps, and where it is even, a step takes a single trace. In
-# the sun a letter is 5.58 % off after 20 steps and 5.53 % after 30, a photograph 1.88 and 1.81 %.
-_EVEN = _Descent(1.25, 0.0025, 1.5e-4)
-# With an LED close by, the example *Phone torch* is 10.6 % off after 36 steps where it was 11.0 %
-# after 22, and *LED to a rectangle* 5.8 % where it was 6.8 %.
-_UNEVEN = _Descent(1.0, 0.01, 0.0)
-# The image cannot tell smaller errors from its own.
-_SMALLEST = 1e-3
 
 
 def auto_steps(room: Room) -> Generator[Step, None, str]:
@@ -113,13 +72,14 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         first = {face: room.limits[face].nearest(each) for face, each in room.first.items()}
         parameters = free.parameters(_joined(first, before, locked))
         image = finest_image(scene, target, free.heights(parameters), mirrored)
-    descent = _descent_of(image)
-    steps = _descend(
+    descents = descents_of(image)
+    kept = mirrored, free.widths, image.blur_widths
+    steps = descend(
         image,
         partial(_evaluated, image, free=free, smoothness=smoothness),
         parameters,
-        FaceWaves(parameters, descent.power, mirrored, free.widths, image.blur_widths),
-        descent,
+        lambda each: FaceWaves(parameters, each.power, *kept, each.longest),
+        descents[-1:] if goes_on else descents,
         scene.run.iterations + goes_on,
     )
     if goes_on:
@@ -148,50 +108,6 @@ def auto_judged(scene: Scene, target: Array, heights: Mapping[str, Array]) -> St
     lens = {face: torch.tensor(each, device=device) for face, each in heights.items()}
     image = judging_image(scene, target, lens, _mirrored(scene, target, heights))
     return None if image is None else image.step(lens)
-
-
-def _descend(
-    image: AnyImage,
-    evaluated: Callable[[Tensor, Mapping[str, Tensor]], Evaluation[Step]],
-    parameters: Mapping[str, Tensor],
-    waves: FaceWaves,
-    descent: _Descent,
-    left: int,
-) -> Generator[Step, None, str]:
-    """Minimise for as many steps as are left.
-
-    Returns
-    -------
-    str
-        Why it ended of its own accord.
-    """
-
-    def objective(x: Tensor) -> Evaluation[Step]:
-        x = x.detach().requires_grad_()
-        return evaluated(x, waves.nets(x))
-
-    patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
-    errors: list[float] = []
-    start = waves.values(parameters)
-    for _, found in islice(minimise(objective, start, _MAX_STEP, waves.eased), left):
-        yield found.seen
-        errors.append(math.sqrt(found.value))
-        if errors[-1] < _SMALLEST:
-            return Said(SMALL, error=100 * _SMALLEST)
-        if len(errors) <= patience:
-            continue
-        lower = errors[-1 - patience] - errors[-1]
-        if lower < descent.gain * errors[-1 - patience]:
-            return Said(SLOW, gain=100 * descent.gain, patience=patience)
-        if lower < descent.points:
-            return Said(FLAT, points=100 * descent.points, patience=patience)
-    return Said(LOWEST)
-
-
-def _descent_of(image: AnyImage) -> _Descent:
-    if not image.blurred:
-        return _SHARP
-    return _EVEN if any(image.blur_widths) else _UNEVEN
 
 
 def _joined(

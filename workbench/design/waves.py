@@ -53,6 +53,8 @@ class Waves:
     blur_widths : tuple[float, float]
         Full widths of a blur of what the waves make along u and v, parts of the lens: the waves
         that it damps are all of one size.
+    longest : float
+        Part of the waves along each axis, the longest ones, that are left.
     """
 
     def __init__(
@@ -61,12 +63,15 @@ class Waves:
         power: float,
         mirrored: tuple[bool, bool],
         blur_widths: tuple[float, float] = (0.0, 0.0),
+        longest: float = 1.0,
     ) -> None:
         self.shape = tuple(shape)
         (along_u, along_v), (b_u, b_v) = (np.arange(count) / 2 for count in shape), blur_widths
         periods = 1 + along_u[:, None] ** 2 + along_v**2
         damped = 1 + ((b_u * along_u[:, None]) ** 2 + (b_v * along_v) ** 2) / _DAMPED**2
         self._squares = (periods / damped) ** -power  # of sizes
+        for axis, count in enumerate(shape):
+            np.moveaxis(self._squares, axis, 0)[math.ceil(longest * count) :] = 0.0
         if mirrored[0]:
             self._squares[1::2] = 0.0
         if mirrored[1]:
@@ -91,7 +96,7 @@ class FaceWaves:
     ----------
     like : mapping of str to Tensor, shape (n_u, n_v)
         A net of each face.
-    power, mirrored, blur_widths
+    power, mirrored, blur_widths, longest
         See `Waves`.
     widths : mapping of str to float
         By how much about heights change with a parameter of each face. A wave of any face then
@@ -105,9 +110,11 @@ class FaceWaves:
         mirrored: tuple[bool, bool],
         widths: Mapping[str, float],
         blur_widths: tuple[float, float] = (0.0, 0.0),
+        longest: float = 1.0,
     ) -> None:
         self._waves = {
-            face: Waves(each.shape, power, mirrored, blur_widths) for face, each in like.items()
+            face: Waves(each.shape, power, mirrored, blur_widths, longest)
+            for face, each in like.items()
         }
         widest = max(widths.values())
         self._factors = {face: widest / widths[face] for face in like}

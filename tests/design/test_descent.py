@@ -1,0 +1,82 @@
+"""Descents along waves of a net, one after the other."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+from scipy.fft import dctn
+
+from workbench.design.descent import Descent, descend
+from workbench.design.lbfgs import Evaluation
+from workbench.design.waves import FaceWaves
+
+SHAPE = 16, 12
+ALL = Descent(1.0, 0.01, 0.0)
+LONG = Descent(1.0, 0.01, 0.0, longest=0.25)
+
+
+@pytest.fixture
+def wanted(rng):
+    """A net of long and of short waves."""
+    return torch.as_tensor(rng.normal(size=SHAPE))
+
+
+def _descended(wanted, *descents, left=200):
+    """Nets of all steps from zeros to a wanted net, and why they ended."""
+
+    def evaluated(x, nets):
+        off = nets["exit"] - wanted
+        value = off.square().sum() / wanted.square().sum()
+        (gradient,) = torch.autograd.grad(value, [x])
+        return Evaluation(value.item(), gradient, nets["exit"].detach().numpy().copy())
+
+    begin = {"exit": torch.zeros_like(wanted)}
+
+    def waves_of(descent):
+        widths = {"exit": 1.0}
+        return FaceWaves(begin, descent.power, (False, False), widths, longest=descent.longest)
+
+    # It costs so much that few steps tell whether they gain something.
+    image = SimpleNamespace(effort=768**2)
+    steps, nets = descend(image, evaluated, begin, waves_of, descents, left), []
+    while True:
+        try:
+            nets.append(next(steps))
+        except StopIteration as end:
+            return nets, str(end.value)
+
+
+def _short(net):
+    """What a net has of waves that are not among the longest quarter along each axis."""
+    amplitudes = dctn(net, norm="ortho")
+    amplitudes[:4, :3] = 0.0
+    return np.linalg.norm(amplitudes)
+
+
+def test_long_waves_come_first_then_all(wanted):
+    nets, ended = _descended(wanted, LONG, ALL)
+    short = [_short(net) for net in nets]
+    alone, _ = _descended(wanted, LONG)
+    count = len(alone)
+    assert max(short[:count]) < 1e-12 < short[count]
+    np.testing.assert_allclose(nets[count - 1], alone[-1], atol=1e-12)
+    # The next one begins where the first has ended, without a step that changes nothing.
+    assert not np.array_equal(nets[count], nets[count - 1])
+    assert np.linalg.norm(nets[-1] - wanted.numpy()) < 0.01 * wanted.norm()
+    assert ended.startswith("converged")
+
+
+def test_a_descent_is_left_out_where_the_error_is_small_enough_already(wanted):
+    nets, _ = _descended(wanted, LONG._replace(above=1.5), ALL)
+    alone, _ = _descended(wanted, ALL)
+    assert len(nets) == len(alone)
+    for found, expected in zip(nets, alone, strict=True):
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("left", [1, 2, 7, 20])
+def test_all_descents_together_take_no_more_steps_than_are_left(wanted, left):
+    nets, _ = _descended(wanted, LONG, ALL, left=left)
+    whole, _ = _descended(wanted, LONG, ALL)
+    assert len(nets) == min(left, len(whole))
