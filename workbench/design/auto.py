@@ -4,7 +4,7 @@
   the right part of the screen before the first iteration.
 - L-BFGS follows, on the image of beams of light (`workbench.optics.beams`): without noise and
   without a filter, so that what it lowers is the true error. Changes of the net are cosine waves,
-  the long ones made easy.
+  the long ones made easy; near a source, long ones may come first (`workbench.design.descent`).
 - All steps look at as many beams as the error of their image is worth: a lens also learns what is
   wrong with its own image. Steps by fewer beams, whose lenses this image judges as well, cost as
   much (0.098 and 0.103 s of the processor for 256 × 256 pixels) and gain less. What a run says of
@@ -73,12 +73,13 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         parameters = free.parameters(_joined(first, before, locked))
         image = finest_image(scene, target, free.heights(parameters), mirrored)
     descents = descents_of(image)
-    kept = mirrored, free.widths, image.blur_widths
     steps = descend(
         image,
         partial(_evaluated, image, free=free, smoothness=smoothness),
         parameters,
-        lambda each: FaceWaves(parameters, each.power, *kept, each.longest),
+        lambda descent: FaceWaves(
+            parameters, descent.power, mirrored, free.widths, image.blur_widths, descent.longest
+        ),
         descents[-1:] if goes_on else descents,
         scene.run.iterations + goes_on,
     )
