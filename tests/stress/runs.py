@@ -7,7 +7,7 @@ import pytest
 
 from tests.stress.scenes import Case
 from workbench.arrays import Array
-from workbench.design import auto
+from workbench.design import descent
 from workbench.design.limits import HeightLimits
 from workbench.design.run import run
 from workbench.errors import Refused, RunFailed
@@ -45,7 +45,7 @@ def check_within(heights: Array, allowed: HeightLimits) -> None:
 def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
     """Run a few iterations; returns the sentence with which the run refused or failed, or none."""
     descents: list[list[float]] = []
-    minimise = auto.minimise
+    minimise = descent.minimise
 
     def watched(*args: Any) -> Any:
         values: list[float] = []
@@ -54,7 +54,7 @@ def check_run(case: Case, image: str, monkeypatch: pytest.MonkeyPatch) -> str:
             values.append(found.value)
             yield x, found
 
-    monkeypatch.setattr(auto, "minimise", watched)
+    monkeypatch.setattr(descent, "minimise", watched)
     scene = case.scene
     settings = scene.run.model_copy(update={"iterations": 6})
     scene = scene.model_copy(update={"run": settings})
