@@ -112,7 +112,8 @@ def descend(
         Why the last descent ended of its own accord.
     """
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
-    waves = waves_of(descents[-1])
+    every = [waves_of(descent) for descent in descents]
+    waves = every[-1]
     x = waves.values(parameters)
 
     def objective(x: Tensor) -> Evaluation[Step]:
@@ -120,7 +121,7 @@ def descend(
         return evaluated(x, waves.nets(x))
 
     for number, descent in enumerate(descents):
-        found = minimise(objective, x, _MAX_STEP, waves_of(descent).eased)
+        found = minimise(objective, x, _MAX_STEP, every[number].eased)
         if number:
             next(found)  # has been shown
         errors: list[float] = []
