@@ -108,7 +108,8 @@ def _triangles(shape: torch.Size, along_u: Tensor) -> list[tuple[Tensor, Tensor]
     Cells are counted anew in each grid of several that lie side by side.
     """
     n, m = (count - 1 for count in shape)
-    i, j = torch.meshgrid(torch.arange(n), torch.arange(m), indexing="ij")
+    lines = (torch.arange(count, device=along_u.device) for count in (n, m))
+    i, j = torch.meshgrid(*lines, indexing="ij")
     a = i * (m + 1) + j
     b, c, d = a + m + 1, a + m + 2, a + 1  # the corners in turn
     even = (i - first_lines(along_u)[:n, None] + j) % 2 == 0

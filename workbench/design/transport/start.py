@@ -29,6 +29,7 @@ from workbench.design.transport.charts import chart_of
 from workbench.design.transport.grids import PER_CONTROL_POINT, Grids
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
+from workbench.optics.plan import device_of
 from workbench.scene import Scene
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes, in a
@@ -130,5 +131,8 @@ def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> fl
     """
     limits = HeightLimits.of_faces(bounded(scene))
     image = image_of(COARSE, scene, target, scene.receiver.half_extent)
-    near = {face: torch.as_tensor(limits[face].nearest(z)) for face, z in heights.items()}
+    device = device_of(scene)
+    near = {
+        face: torch.as_tensor(limits[face].nearest(z), device=device) for face, z in heights.items()
+    }
     return relative_error(image.step(near).state, target)

@@ -1,0 +1,90 @@
+"""The torch reference on a graphics card: the same light, from tensors that are all there."""
+
+import numpy as np
+import pytest
+import torch
+
+from resources import path
+from tests.optics.cells_of_light import nodes_of, splits
+from workbench.design.net import definite
+from workbench.design.room import Room
+from workbench.files.session import open_design
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.beam_reference import reference_beam_image
+from workbench.optics.box_reference import reference_box_image
+from workbench.optics.plan import Plan
+from workbench.optics.rim import rim_light
+from workbench.optics.samples import Corners
+
+# Every source, receiver, outline and number of faces is in one of them.
+EXAMPLES = [
+    "letter",
+    "flame-point",
+    "flame-grid",
+    "sun-plate",
+    "phone-torch",
+    "led-rectangle",
+    "led-dome",
+    "wall-washer",
+    "street-light",
+    "beam-shaper",
+    "measured-led",
+    "mirror-photo",
+    "two-distances",
+    "wide-angle",
+]
+
+
+@pytest.mark.parametrize(
+    "image", [reference_beam_image, reference_box_image], ids=["beams", "boxes"]
+)
+def test_images_are_made_of_tensors_where_the_rays_are(image):
+    column, row = np.meshgrid(np.linspace(0.5, 3.5, 6), np.linspace(0.2, 2.8, 5))
+    nodes = nodes_of(column, row).requires_grad_()
+    true, _ = image(nodes, (4, 3), splits((5, 6)))
+    # Tensors of no named device are now on another one, and torch does not mix them.
+    with torch.device("meta"):
+        found, _ = image(nodes, (4, 3), splits((5, 6)))
+    assert torch.equal(found, true)
+
+
+def test_light_at_the_rim_is_made_of_tensors_where_the_rays_are():
+    column, row = np.meshgrid(np.linspace(0.5, 3.5, 6), np.linspace(0.2, 2.8, 5))
+    nodes = nodes_of(column, row)
+    room = 1 - (nodes[0] - 2).square() / 3 - (nodes[1] - 1.5).square()
+    true = rim_light(nodes, room, (4, 3), splits((5, 6)), triangles=True, fused=False)
+    with torch.device("meta"):
+        found = rim_light(nodes, room, (4, 3), splits((5, 6)), triangles=True, fused=False)
+    assert torch.equal(found.flux, true.flux)
+
+
+@pytest.mark.skipif(not torch.cuda.is_available(), reason="there is no GPU here")
+@pytest.mark.parametrize("way", ["rays", "beams"])
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_gpu_traces_what_the_processor_does(name, way):
+    task = open_design(path("examples", f"{name}.json"))
+    scene, rng = definite(task.scene, task.target), np.random.default_rng(1)
+    begin = Room(scene, task.target).begin
+    heights = {face: z + 2e-3 * rng.uniform(-1, 1, z.shape) for face, z in begin.items()}
+    weights = rng.uniform(0, 1, scene.receiver.pixels[::-1])
+    seen = []
+    for device in ("cpu", "cuda"):
+        run = scene.run.model_copy(update={"device": device})
+        there = scene.model_copy(update={"run": run})
+        if way == "rays":
+            plan = Plan(there, dtype=torch.float64, fused=False)
+        else:
+            cells = Corners(48, 48, 16 if scene.source.continuous else 1)
+            plan = BeamPlan(there, cells, dtype=torch.float64, fused=False)
+        leaves = {
+            face: torch.tensor(z, device=device, requires_grad=True) for face, z in heights.items()
+        }
+        flux = plan.trace(leaves).flux
+        (flux * torch.tensor(weights, device=device)).sum().backward()
+        gradients = [each.grad.cpu().numpy().ravel() for each in leaves.values()]
+        seen.append((flux.detach().cpu().numpy(), np.concatenate(gradients)))
+    (image, gradient), (there_image, there_gradient) = seen
+    assert image.sum() > 0.01
+    assert np.abs(there_image - image).sum() < 1e-12
+    # Pieces of edges end on borders of pixels; that of a piece that is nearly none is rounding.
+    assert np.linalg.norm(there_gradient - gradient) < 1e-6 * np.linalg.norm(gradient)
