@@ -8,8 +8,10 @@ from tests.optics.gradients import check_against_differences
 from tests.optics.landing import places_of
 from tests.optics.points import interpolating
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners
 
 INDEX = 1.5
 LENS = {
@@ -168,3 +170,20 @@ def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
     came, _, _ = path.rays.position
     x, _ = places_of(arrival, scene.screen)
     np.testing.assert_allclose(x.reshape(30, 30), factor * came.expand(30, 30), rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("fused", [True, False], ids=["kernel", "reference"])
+def test_what_does_not_lie_ahead_of_a_source_is_dark(make_scene, fused):
+    # The near half of the entrance face goes through the middle of the source and behind it.
+    scene = make_scene(
+        {**LENS, "version": 2, "source": SOURCES["area"], "source.center": [0, 0, -1]}
+    )
+    nets = freeform_nets(scene.lens)
+    heights = {face: torch.full(net.shape, 0.6, dtype=torch.float64) for face, net in nets.items()}
+    heights["entrance"][:] = 0
+    heights["entrance"][: len(heights["entrance"]) // 2] = -1.0
+    heights = {face: each.requires_grad_() for face, each in heights.items()}
+    flux = BeamPlan(scene, Corners(12, 12, 4), dtype=torch.float64, fused=fused).trace(heights).flux
+    flux.sum().backward()
+    assert 0 < flux.sum() < 0.5
+    assert all(each.grad.isfinite().all() for each in heights.values())

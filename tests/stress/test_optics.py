@@ -17,6 +17,14 @@ ENTRANCE = {"shape": "freeform", "control_points": [9, 8], "height_range": [-0.0
 BOWL = {"half_width": [1.0, 1.0], "control_points": [9, 8], "height_range": [-0.3, 0.3]}
 POINTS = {"kind": "grid", "points": [2, 3], "half_width": [0.2, 0.2], "rays": 25}
 BEAM = {"kind": "collimated", "rays": [5, 4], "profile": {"kind": "gaussian", "radius": 0.05}}
+ROOF = {
+    "half_width": [1.0, 1.0],
+    "degree": [1, 1],
+    "base": {"shape": "flat", "height": 0.001},
+    "height_range": [-0.1, 0.1],
+}
+SPECK = {"kind": "area", "center": [0.0, 0.0, -0.099000001], "half_width": [1e-9, 1e-9], "rays": 1}
+TO_A_POINT = {"screen": None, "far_field": {"half_angle": [0.001, 0.001], "pixels": [1, 1]}}
 ASIDE = {"z": -3.0, "half_width": [1.0, 1.0], "center": [4.0, 0.0], "tilt": [0.0, -50.0]}
 
 # Each has broken something once, or stands for an extreme that chance may not meet.
@@ -59,6 +67,23 @@ NAMED = {
     ),
     "a roof that sends light across the axis": plain(
         {"lens": None, "mirror": BOWL | {"outline": "ellipse"}, "screen.z": -3.0}, face="critical"
+    ),
+    "a source that touches the mirror for float32": plain(
+        {"lens": None, "mirror": ROOF | {"control_points": [3, 2]}, "source": SPECK} | TO_A_POINT,
+        face="critical",
+        samples=(2, 1),
+        origins=1,
+    ),
+    "long triangles of nearly no width": plain(
+        {
+            "lens": None,
+            "mirror": ROOF | {"control_points": [24, 2]},
+            "source": {"kind": "collimated", "rays": [1, 1]},
+        }
+        | TO_A_POINT,
+        face="critical",
+        samples=(7, 1),
+        origins=1,
     ),
 }
 

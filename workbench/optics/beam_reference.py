@@ -27,10 +27,10 @@ def reference_beam_image(
         hit = (x + y).isfinite().all(1)
         x, y, half = x[hit], y[hit], half[hit]
         landed += half.sum().item()
-        area = 0.5 * (
-            (x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])
-        )
-        wide = area.abs() > SLIVER
+        sides = torch.stack([x[:, 1:] - x[:, :1], y[:, 1:] - y[:, :1]])
+        (x_1, x_2), (y_1, y_2) = (side.unbind(1) for side in sides)
+        area = 0.5 * (x_1 * y_2 - x_2 * y_1)
+        wide = area.abs() > SLIVER * sides.abs().amax((0, 2)).clamp_min(1)
         densities.append(half[wide] / area[wide])
         edges.append(torch.stack([x[wide], y[wide]]))
         j, i = (hits[~wide].mean(1).detach().floor() for hits in (x, y))

@@ -107,7 +107,7 @@ class LitFace:
             fall = torch.exp(-2 * beside2 / origins.waist**2)
             return (d_x / d_z, d_y / d_z), self._flux * d_z * fall
         p_x, p_y, p_z = self._at
-        way = z - p_z
+        way = torch.where(z > p_z, z - p_z, torch.inf)  # dark is what does not lie ahead
         s_x, s_y = (self._x - p_x) / way, (self._y - p_y) / way
         cos = (1 + s_x.square() + s_y.square()).rsqrt()
         density = self._flux * cos.pow(4 if origins.lambertian else 3) / way.square()

@@ -22,7 +22,9 @@ from workbench.optics.kernels.beam_edge import add_edge, see_edge
 
 _ZERO, _ONE, _TWO = (np.uintp(k) for k in range(3))
 
-# A triangle with less area than this, in pixels, lights the one pixel in which its middle is.
+# A triangle that is narrower than this, in pixels, lights the one pixel in which its middle is. Its
+# width is its area by its length, or by a pixel if it is shorter. Where the light of a long one is
+# in a pixel would be a difference of great numbers.
 SLIVER = 1e-7
 # Pixels with less than this part of all light are dark: so much is the rounding of sums along rows.
 ROUNDING = 1e-15
@@ -40,6 +42,13 @@ def _corners(i, j, triangle):  # type: ignore[no-untyped-def]
     if triangle == 0:
         return i, j, i + 1, j, i, j + 1
     return i + 1, j, i + 1, j + 1, i, j + 1
+
+
+@jit(allocates=False, error_model="numpy", forceinline=True)
+def _is_sliver(x_1, y_1, x_2, y_2, area):  # type: ignore[no-untyped-def]
+    """Whether a triangle is too narrow to be drawn; it is given by two of its sides."""
+    length = max(abs(x_1), abs(y_1), abs(x_2), abs(y_2), 1.0)
+    return abs(area) <= SLIVER * length
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
@@ -72,7 +81,7 @@ def densities(column, row, flux, parts, begin, end, density, image):  # type: ig
         The result: flux per pixel area, with the sign of the area; 0 where there is none, and in
         a ring of cells around all others, so that each edge lies between two.
     image : array, shape (n_y, n_x), float64
-        Triangles without area are added to it.
+        Triangles that are too narrow are added to it.
 
     Returns
     -------
@@ -86,18 +95,18 @@ def densities(column, row, flux, parts, begin, end, density, image):  # type: ig
             for triangle in range(2):
                 a, b, c, d, e, f = _corners(i, j, triangle)
                 x, y = column[a, b], row[a, b]
-                area = 0.5 * (
-                    (column[c, d] - x) * (row[e, f] - y) - (column[e, f] - x) * (row[c, d] - y)
-                )
+                x_1, y_1 = column[c, d] - x, row[c, d] - y
+                x_2, y_2 = column[e, f] - x, row[e, f] - y
+                area = 0.5 * (x_1 * y_2 - x_2 * y_1)
                 if not np.isfinite(area):
                     density[i + 1, j + 1, triangle] = 0.0
                     continue
                 lands += half
-                if abs(area) > SLIVER:
+                if not _is_sliver(x_1, y_1, x_2, y_2, area):
                     density[i + 1, j + 1, triangle] = half / area
                     continue
                 density[i + 1, j + 1, triangle] = 0.0
-                x, y = (x + column[c, d] + column[e, f]) / 3, (y + row[c, d] + row[e, f]) / 3
+                x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
                 if 0 <= x < image.shape[1] and 0 <= y < image.shape[0]:
                     image[int(y), int(x)] += half
     return lands
@@ -220,7 +229,7 @@ def densities_back(  # type: ignore[no-untyped-def]
                 area = 0.5 * (x_1 * y_2 - x_2 * y_1)
                 if not np.isfinite(area):
                     continue
-                if abs(area) <= SLIVER:
+                if _is_sliver(x_1, y_1, x_2, y_2, area):
                     x, y = x + (x_1 + x_2) / 3, y + (y_1 + y_2) / 3
                     if 0 <= x < cotangent.shape[1] and 0 <= y < cotangent.shape[0]:
                         d_half += cotangent[int(y), int(x)]

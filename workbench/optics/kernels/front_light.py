@@ -98,7 +98,7 @@ def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
 def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one point at a batch of samples."""
     kind = t.dtype.type
-    one, two, power = kind(1), kind(2), kind(3) + light.lambert
+    zero, one, two, power = kind(0), kind(1), kind(2), kind(3) + light.lambert
     p_x, p_y, below, flux, lambert = (
         light.x[k],
         light.y[k],
@@ -107,7 +107,8 @@ def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
         light.lambert,
     )
     for lane in range(np.uintp(lanes)):
-        by_way = one / (t[Z + lane] + below)
+        way = t[Z + lane] + below
+        by_way = one / way if way > zero else zero  # dark is what does not lie ahead
         s_x, s_y = (x[lane] - p_x) * by_way, (y - p_y) * by_way
         sine2 = s_x * s_x + s_y * s_y
         cos2 = one / (one + sine2)
