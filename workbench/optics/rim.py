@@ -96,12 +96,13 @@ def rim_light(
         torch.tensor(_EVEN, device=nodes.device),
         torch.tensor(_ODD, device=nodes.device),
     )
-    cell = torch.arange(len(turns), device=nodes.device)[:, None, None]
+    turns = turns.flatten(1)
     # Those between three rays within the rim are drawn by the flux of these.
-    within = cells.within.flatten(1)[cell, turns].all(2)
+    within = cells.within.flatten(1).gather(1, turns).unflatten(1, (2, 3)).all(2)
     already = 0.5 * cells.flux[:, None] * (within & triangles)
     half = (0.5 * cells.whole[:, None] - already).flatten()
-    (column, row), part = _cut(cells.values.flatten(2)[:, cell, turns].flatten(1, 2))
+    corners = cells.values.flatten(2).gather(2, turns.expand(3, -1, -1))
+    (column, row), part = _cut(corners.view(3, -1, 3))
     lit = half * part
     landed, counted = lit.sum().item(), (cells.flux.sum() - already.sum()).item()
     area = _area(column, row)
@@ -129,20 +130,29 @@ def _cells(nodes: Tensor, room: Tensor, splits: Splits) -> _Cells:
     first = first_lines(along_u)
     there = there & (first[rows] == first[i][:, None, None])
     at = rows * m + columns
-    found = nodes.flatten(1)[:, at].double(), room.flatten()[at].double()
-    known = torch.cat([found[0][:2], found[1][None]])
+    column, row, lit, known_room = (_taken(part, at).double() for part in (*nodes, room))
+    known = torch.stack([column, row, known_room])
     within = there & (known[:2].abs() < FARTHEST).all(0) & (known[2] >= 0)
     values, complete = _carried_on(torch.where(within, known, 0.0), within)
     inner = within[:, 1:3, 1:3]
     beside = room.detach().flatten()[at[:, 1:3, 1:3]] < 0
     parts_u = torch.stack([along_u[i, 1], along_u[i + 1, 0]], 1)[:, :, None]
     parts_v = torch.stack([along_v[j, 1], along_v[j + 1, 0]], 1)[:, None, :]
-    flux = torch.where(inner, found[0][2][:, 1:3, 1:3] * parts_u * parts_v, 0.0).sum((1, 2))
+    flux = torch.where(inner, lit[:, 1:3, 1:3] * parts_u * parts_v, 0.0).sum((1, 2))
     cut = (inner | beside).all(2).all(1) & inner.any(2).any(1)  # no corner is totally reflected
     inner, flux, complete = inner[cut], flux[cut], complete[cut]
     whole = torch.where(complete, 4 * flux / inner.sum((1, 2)), 0.0)
     even = (i - first[i] + j) % 2 == 0
     return _Cells(values[:, cut], whole, inner, flux, even[cut])
+
+
+def _taken(values: Tensor, at: Tensor) -> Tensor:
+    """Values at numbers of nodes.
+
+    ``values.flatten()[at]``, but for the gradient: that of nodes which are taken several times is a
+    sum, whose order would be left to the threads there.
+    """
+    return values.flatten().index_select(0, at.flatten()).view(at.shape)
 
 
 def _beside_the_rim(beside: Tensor) -> tuple[Tensor, Tensor]:
