@@ -7481,6 +7481,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
+            <source>the graphics card has too little free memory; compute on the processor, or take fewer pixels</source>
+            <translation>die Grafikkarte hat zu wenig freien Speicher; rechnen Sie auf dem Prozessor, oder nehmen Sie weniger Pixel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
             <source>{why}. {limit}</source>
             <translation>{why}. {limit}</translation>
         </message>

@@ -7481,6 +7481,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/run.py" />
+            <source>the graphics card has too little free memory; compute on the processor, or take fewer pixels</source>
+            <translation>la carte graphique a trop peu de mémoire libre ; calculez sur le processeur, ou prenez moins de pixels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/run.py" />
             <source>{why}. {limit}</source>
             <translation>{why}. {limit}</translation>
         </message>

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import torch
 
+from workbench.design.methods import method_of
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
@@ -190,6 +191,17 @@ def test_a_gpu_that_is_not_there_is_refused(make_scene, disc):
     for method in METHODS:
         with pytest.raises(Refused, match=r"run\.device: 'cuda' needs an NVIDIA GPU"):
             next(run(make_scene({"run": method | {"device": "cuda"}}), disc))
+
+
+def test_a_full_graphics_card_ends_a_run_with_what_to_do(scene, disc, monkeypatch):
+    def full(*_):
+        raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate 670.00 MiB.")
+        yield
+
+    method = method_of(scene)._replace(steps=full)
+    monkeypatch.setattr("workbench.design.run.method_of", lambda scene: method)
+    with pytest.raises(RunFailed, match="too little free memory; compute on the processor"):
+        next(run(scene, disc))
 
 
 def test_history_gathers_the_best_lens_and_all_losses(scene, disc):

@@ -9,6 +9,8 @@ import time
 from collections.abc import Generator, Mapping
 from dataclasses import replace
 
+import torch
+
 from workbench.arrays import Array, Mask
 from workbench.design.endings import DONE, LOCKED
 from workbench.design.lens_state import LensState
@@ -22,6 +24,10 @@ from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import AutoNet, Optic, Scene
+
+_FULL_CARD = Said(
+    "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
+)
 
 
 def run(
@@ -100,6 +106,8 @@ def run(
                 break
             except RunFailed as error:
                 raise _stopped(iteration, error, room, scene) from None
+            except torch.OutOfMemoryError:
+                raise _stopped(iteration, RunFailed(_FULL_CARD), room, scene) from None
             merit = step.state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
