@@ -84,7 +84,7 @@ class Exporter(QObject):
             cutting = self.ask_cutting(session)
             if cutting is None:
                 return
-        self._messages.note(tr("{name} is being written…").format(name=path.name))
+        self._messages.note(tr("{name} is being written…").format(name=path.name), lasts=True)
         self._background.begin(partial(_write, session, path, cutting or PLAIN), self._lens.text)
 
     def ask_for_name(self) -> Path | None:

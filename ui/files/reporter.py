@@ -82,6 +82,7 @@ class Reporter(QObject):
                 file=path.name, lens=self._lens.text
             ),
             (tr("Cancel"), self.cancel),
+            lasts=True,
         )
         self._background.begin(partial(_write, session, name, path))
 

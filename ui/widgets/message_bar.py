@@ -48,6 +48,7 @@ class MessageBar(QFrame):
         self._text.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.buttons: list[QPushButton] = []
         self._done = False  # whether it says what is done
+        self._lasts = False  # whether it is as true when a run begins
         close = QToolButton()
         close.setText("✕")
         close.setAutoRaise(True)
@@ -75,13 +76,14 @@ class MessageBar(QFrame):
         """Say what went wrong, and what to do."""
         self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
 
-    def note(self, text: str, *offers: Offer) -> None:
-        """Say something good to know."""
+    def note(self, text: str, *offers: Offer, lasts: bool = False) -> None:
+        """Say something good to know; that lasts which is as true when a run begins."""
         self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
+        self._lasts = lasts
 
     def done(self, text: str) -> None:
-        """Say what is done, as a file that is written: that is as true when a run begins."""
-        self.note(text)
+        """Say what is done, as a file that is written."""
+        self.note(text, lasts=True)
         self._done = True
 
     def withdraw(self, text: str) -> None:
@@ -90,8 +92,8 @@ class MessageBar(QFrame):
             self.clear()
 
     def make_way(self) -> None:
-        """Say nothing any more of the lens before a run; what is done stays."""
-        if self.taken:
+        """Say nothing any more of the lens before a run."""
+        if not self._lasts:
             self.clear()
 
     def clear(self) -> None:
@@ -103,7 +105,7 @@ class MessageBar(QFrame):
     def _show(
         self, kind: str, icon: QStyle.StandardPixmap, text: str, offers: Sequence[Offer]
     ) -> None:
-        self._done = False
+        self._done = self._lasts = False
         self._set_buttons(offers)
         self.setObjectName(kind)
         theme.restyle(self)

@@ -128,6 +128,13 @@ def test_what_is_done_can_still_be_read_when_a_run_begins(window, run):
     assert window.messages.text == ""
 
 
+def test_a_file_that_is_being_written_can_still_be_cancelled_when_a_run_begins(window, run):
+    window.messages.note("lens.pdf is being written…", ("Cancel", print), lasts=True)
+    run()
+    assert window.messages.text == "lens.pdf is being written…"
+    assert window.messages.buttons[0].isVisible()
+
+
 def test_runs_stay_while_the_design_changes(two_runs):
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     bold = [table(two_runs).item(row, 0).font().bold() for row in (0, 1)]
