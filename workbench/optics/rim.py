@@ -98,7 +98,7 @@ def rim_light(
     )
     turns = turns.flatten(1)
     # Those between three rays within the rim are drawn by the flux of these.
-    within = cells.within.flatten(1).gather(1, turns).unflatten(1, (2, 3)).all(2)
+    within = cells.within.flatten(1).gather(1, turns).view(-1, 2, 3).all(2)
     already = 0.5 * cells.flux[:, None] * (within & triangles)
     half = (0.5 * cells.whole[:, None] - already).flatten()
     corners = cells.values.flatten(2).gather(2, turns.expand(3, -1, -1))
