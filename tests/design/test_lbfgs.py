@@ -5,7 +5,7 @@ from itertools import islice, pairwise
 import pytest
 import torch
 
-from workbench.design.lbfgs import Evaluation, minimise
+from workbench.design.lbfgs import Evaluation, minimise, remembered
 
 
 def objective(function):
@@ -63,3 +63,20 @@ def test_an_eased_descent_is_one_in_other_coordinates(rng):
     here = minimise(objective(rosenbrock), torch.zeros(6).double(), eased=(way @ way.T).__matmul__)
     for (amplitudes, _), (x, _) in islice(zip(there, here, strict=True), 12):
         assert torch.allclose(way @ amplitudes, x, rtol=0, atol=1e-9)
+
+
+def test_as_much_curvature_is_remembered_as_fits_into_some_memory():
+    assert [remembered(count) for count in (100, 8_000, 100_000, 1_000_000)] == [150, 150, 62, 20]
+
+
+def test_more_remembered_steps_go_further_down_where_curvatures_differ(monkeypatch):
+    scale = torch.logspace(-2, 0, 60).double()
+
+    def lowest(most):
+        monkeypatch.setattr("workbench.design.lbfgs._MOST", most)
+        monkeypatch.setattr("workbench.design.lbfgs._FEWEST", 1)
+        start = torch.ones(60).double() / scale
+        found = islice(minimise(objective(lambda x: (scale * x).square().sum()), start), 80)
+        return [here.value for _, here in found][-1]
+
+    assert lowest(150) < 0.1 * lowest(5)

@@ -53,17 +53,16 @@ _SHARP = (Descent(1.25, 0.05, 3e-4),)
 _EVEN = (Descent(1.25, 0.0025, 1.5e-4),)
 # With an LED close by, the example *Phone torch* is 10.6 % off after 36 steps where it was 11.0 %
 # after 22, and *LED to a rectangle* 5.8 % where it was 6.8 %. A first lens, made for light from one
-# place, may be far from what such light needs; a descent along all waves at once then ends in folds
-# of the face. So long waves come first there, until they gain little:
+# place, may be far from what such light needs. Long waves come first there, until they gain little:
+# two faces before the LED then take half of the steps.
 #
 # | example | first lens | all waves | a quarter of them first |
 # |---|---|---|---|
-# | LED close by | 21.7 % | 7.7 %, 191 steps | 4.5 %, 136 steps |
-# | LED to a rectangle | 47.3 % | 6.2 %, 136 steps | 6.2 %, 158 steps |
-# | the same with an entrance face of -4 to 4 mm | 53 % | 5.0 %, 268 steps | 4.9 %, 242 steps |
-# | Phone torch | 18.6 % | 10.3 %, 41 steps | 10.3 %, 50 steps |
-# | Measured LED | 8.6 % | 0.49 %, 67 steps | 0.47 %, 90 steps |
-# | Wall washer | 2.6 % | 0.62 %, 41 steps | 0.64 %, 50 steps |
+# | LED to a rectangle | 47.3 % | 6.2 %, 138 steps | 6.2 %, 160 steps |
+# | the same, entrance face of -4 to 4 mm | 46.7 % | 4.8 %, 302 steps | 4.7 %, 151 steps |
+# | the same, range automatic | 39.8 % | 2.6 %, 251 steps | 2.7 %, 129 steps |
+# | LED close by | 21.7 % | 2.6 %, 158 steps | 2.8 %, 199 steps |
+# | Phone torch | 18.6 % | 10.3 %, 43 steps | 10.3 %, 46 steps |
 _UNEVEN = (Descent(1.0, 0.03, 0.0, longest=0.25, above=0.15), Descent(1.0, 0.01, 0.0))
 # The image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3

@@ -21,8 +21,10 @@ class Evaluation(NamedTuple, Generic[Seen]):
 
 Objective = Callable[[Tensor], Evaluation[Seen]]
 
-MEMORY = 20
-"""Steps whose curvature is remembered."""
+# Steps whose curvature is remembered: as many as fit into some memory, but not fewer or more. Most
+# runs end before they make a difference. The example *LED close by* ends at 4.8 % after 118 steps
+# with 20 of them, and at 3.2 % after 199 steps with 150.
+_FEWEST, _MOST, _BYTES = 20, 150, 100e6
 _ARMIJO = 1e-4
 _MAX_TRIALS = 12
 
@@ -41,6 +43,11 @@ class _Pair(NamedTuple):
     moved: Tensor
     turned: Tensor
     product: float
+
+
+def remembered(count: int) -> int:
+    """Number of steps whose curvature a descent along so many parameters remembers."""
+    return int(min(max(_BYTES / (2 * torch.float64.itemsize * count), _FEWEST), _MOST))
 
 
 def minimise(
@@ -77,7 +84,7 @@ def minimise(
     the steps are those of a descent in other coordinates, without going there and back: of
     amplitudes a of a change W a, if it is W Wᵀ.
     """
-    pairs: deque[_Pair] = deque(maxlen=MEMORY)
+    pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
     here = objective(x)
     while True:
         yield x, here

@@ -19,7 +19,7 @@ itself, for a photograph:
 
 import math
 
-from workbench.design.lbfgs import MEMORY
+from workbench.design.lbfgs import remembered
 from workbench.design.levels import FINE, cells_of
 from workbench.design.near_sources import source_cells
 from workbench.design.transport import both_faces, start
@@ -127,7 +127,7 @@ def _of_start(scene: Scene) -> float:
 def _of_descent(scene: Scene) -> float:
     """Bytes of a step on the finest images, all of which are there at the same time."""
     heights = sum(math.prod(net.shape) for net in freeform_nets(scene.optic).values())
-    steps = _REAL * heights * (2 * MEMORY + _VECTORS)
+    steps = _REAL * heights * (2 * remembered(heights) + _VECTORS)
     return _SCATTERED * (steps + sum(map(_of_image, scene.single)))
 
 
