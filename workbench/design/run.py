@@ -104,10 +104,8 @@ def run(
             except StopIteration as end:
                 ended: str = end.value
                 break
-            except RunFailed as error:
+            except (RunFailed, torch.OutOfMemoryError) as error:
                 raise _stopped(iteration, error, room, scene) from None
-            except torch.OutOfMemoryError:
-                raise _stopped(iteration, RunFailed(_FULL_CARD), room, scene) from None
             merit = step.state.loss if step.merit is None else step.merit
             # The first one is the best so far even if its light falls beside the screen.
             best = best_heights is None or merit < lowest
@@ -156,9 +154,12 @@ def _judged(
     return ended
 
 
-def _stopped(iteration: int, error: RunFailed, room: Room, scene: Scene) -> RunFailed:
+def _stopped(
+    iteration: int, error: RunFailed | torch.OutOfMemoryError, room: Room, scene: Scene
+) -> RunFailed:
     """What ends a run, with what the first lens cannot meet where that is why."""
-    why, short = error.args[0], room.shortfall(room.begin)
+    why = error.args[0] if isinstance(error, RunFailed) else _FULL_CARD
+    short = room.shortfall(room.begin)
     if short is not None:
         why = Said("{why}. {limit}", why=why, limit=short.in_full(scene))
     return RunFailed(Said("stopped at iteration {iteration}: {why}", iteration=iteration, why=why))
