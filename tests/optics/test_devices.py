@@ -5,6 +5,7 @@ import pytest
 import torch
 
 from resources import path
+from tests.graphics_card import EXAMPLES, NEEDED, computed_on
 from tests.optics.cells_of_light import nodes_of, splits
 from workbench.design.net import definite
 from workbench.design.room import Room
@@ -15,24 +16,6 @@ from workbench.optics.box_reference import reference_box_image
 from workbench.optics.plan import Plan
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
-
-# Every source, receiver, outline and number of faces is in one of them.
-EXAMPLES = [
-    "letter",
-    "flame-point",
-    "flame-grid",
-    "sun-plate",
-    "phone-torch",
-    "led-rectangle",
-    "led-dome",
-    "wall-washer",
-    "street-light",
-    "beam-shaper",
-    "measured-led",
-    "mirror-photo",
-    "two-distances",
-    "wide-angle",
-]
 
 
 @pytest.mark.parametrize(
@@ -58,9 +41,9 @@ def test_light_at_the_rim_is_made_of_tensors_where_the_rays_are():
     assert torch.equal(found.flux, true.flux)
 
 
-@pytest.mark.skipif(not torch.cuda.is_available(), reason="there is no GPU here")
+@NEEDED
 @pytest.mark.parametrize("way", ["rays", "beams"])
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", [*EXAMPLES, "flame-grid"])
 def test_a_gpu_traces_what_the_processor_does(name, way):
     task = open_design(path("examples", f"{name}.json"))
     scene, rng = definite(task.scene, task.target), np.random.default_rng(1)
@@ -69,8 +52,7 @@ def test_a_gpu_traces_what_the_processor_does(name, way):
     weights = rng.uniform(0, 1, scene.receiver.pixels[::-1])
     seen = []
     for device in ("cpu", "cuda"):
-        run = scene.run.model_copy(update={"device": device})
-        there = scene.model_copy(update={"run": run})
+        there = computed_on(device, scene)
         if way == "rays":
             plan = Plan(there, dtype=torch.float64, fused=False)
         else:
