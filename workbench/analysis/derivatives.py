@@ -15,7 +15,7 @@ from torch.autograd import forward_ad
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.optics.plan import Plan, device_of
+from workbench.optics.plan import Plan, tensors_of
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -95,7 +95,7 @@ def irradiance_derivative(
     net = freeform_nets(scene.optic)[face]
     _check(scene, net, index)
     plan = Plan(scene, dtype=dtype)
-    tensors = {face: torch.tensor(each, device=device_of(scene)) for face, each in heights.items()}
+    tensors = tensors_of(heights, scene)
     rise = torch.zeros_like(tensors[face])
     rise[index] = 1.0
     # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the

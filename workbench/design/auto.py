@@ -34,7 +34,7 @@ from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
 from workbench.interruption import check_given_up
-from workbench.optics.plan import device_of
+from workbench.optics.plan import device_of, tensors_of
 from workbench.scene import Scene
 
 
@@ -57,7 +57,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     mirrored = _mirrored(scene, target, room.start, locked)
     smoothness = Smoothness.of(scene, target, device)
     before = room.begin
-    heights = {face: torch.tensor(each, device=device) for face, each in before.items()}
+    heights = tensors_of(before, scene)
     image = finest_image(scene, target, heights, mirrored)
     step = image.step(heights)
     if smoothness is not None:
@@ -105,8 +105,7 @@ def auto_judged(scene: Scene, target: Array, heights: Mapping[str, Array]) -> St
     Step or None
         The step to report; None where the run compared lenses by as many beams.
     """
-    device = device_of(scene)
-    lens = {face: torch.tensor(each, device=device) for face, each in heights.items()}
+    lens = tensors_of(heights, scene)
     image = judging_image(scene, target, lens, _mirrored(scene, target, heights))
     return None if image is None else image.step(lens)
 

@@ -2,13 +2,12 @@
 
 import numpy as np
 import torch
-from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.design.methods import method_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
-from workbench.optics.plan import device_of
+from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
 
 
@@ -39,9 +38,8 @@ class Evaluator:
     ) -> None:
         self._scene, self._target, self._locked = scene, target, locked
         self._kept = heights
-        self._device = device_of(scene)
         self._image = method_of(scene).image(
-            scene, target, self._tensors(heights), locked.get(scene.optic.face)
+            scene, target, tensors_of(heights, scene), locked.get(scene.optic.face)
         )
 
     def suits(
@@ -71,7 +69,7 @@ class Evaluator:
             If no light reaches the screen.
         """
         with torch.no_grad():
-            _, step = self._image.compare(self._tensors(heights))
+            _, step = self._image.compare(tensors_of(heights, self._scene))
         scene, count = self._scene, earlier.iterations if earlier else 0
         return Snapshot(
             step.state,
@@ -84,6 +82,3 @@ class Evaluator:
             stages=1 + len(scene.run.stages),
             notes=step.notes,
         )
-
-    def _tensors(self, heights: ControlHeights) -> dict[str, Tensor]:
-        return {face: torch.tensor(each, device=self._device) for face, each in heights.items()}

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import torch
 from torch import Tensor
 
-from workbench.arrays import Mask
+from workbench.arrays import Array, Mask
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.choice import Choice
@@ -116,3 +116,17 @@ def device_of(scene: Scene) -> torch.device:
             Said("'cuda' needs an NVIDIA GPU that torch can use, and there is none; 'cpu'"),
         )
     return torch.device(scene.run.device)
+
+
+def tensors_of(heights: Mapping[str, Array], scene: Scene) -> dict[str, Tensor]:
+    """Control heights of each freeform face, copied to where a scene wants to be traced.
+
+    Parameters
+    ----------
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        By the names of the faces, scene units.
+    scene : Scene
+        Of the trace; see `device_of`.
+    """
+    device = device_of(scene)
+    return {face: torch.tensor(each, device=device) for face, each in heights.items()}

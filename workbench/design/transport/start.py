@@ -18,8 +18,6 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple, Self
 
-import torch
-
 from workbench.arrays import Array
 from workbench.design.levels import COARSE, image_of
 from workbench.design.limits import HeightLimits, bounded
@@ -29,7 +27,7 @@ from workbench.design.transport.charts import chart_of
 from workbench.design.transport.grids import PER_CONTROL_POINT, Grids
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
-from workbench.optics.plan import device_of
+from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
 
 # Cells along each axis, of lens and screen alike; finer nets get more places for their slopes, in a
@@ -131,8 +129,5 @@ def first_error(scene: Scene, target: Array, heights: Mapping[str, Array]) -> fl
     """
     limits = HeightLimits.of_faces(bounded(scene))
     image = image_of(COARSE, scene, target, scene.receiver.half_extent)
-    device = device_of(scene)
-    near = {
-        face: torch.as_tensor(limits[face].nearest(z), device=device) for face, z in heights.items()
-    }
-    return relative_error(image.step(near).state, target)
+    near = {face: limits[face].nearest(z) for face, z in heights.items()}
+    return relative_error(image.step(tensors_of(near, scene)).state, target)
