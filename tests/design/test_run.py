@@ -204,6 +204,18 @@ def test_a_full_graphics_card_ends_a_run_with_what_to_do(scene, disc, monkeypatc
         next(run(scene, disc))
 
 
+def test_a_card_that_is_full_in_the_last_look_ends_a_run_with_what_to_do(scene, disc, monkeypatch):
+    def full(*_):
+        raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate 670.00 MiB.")
+
+    method = method_of(scene)._replace(judged=full)
+    monkeypatch.setattr("workbench.design.run.method_of", lambda scene: method)
+    seen = []
+    with pytest.raises(RunFailed, match="too little free memory; compute on the processor"):
+        seen.extend(run(scene, disc))
+    assert seen[-1].iteration > 0  # lenses up to then stay good
+
+
 def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     history = History()
     assert history.result() is None

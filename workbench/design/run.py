@@ -131,7 +131,7 @@ def run(
         if stage + 1 < len(scenes) and best_heights is not None:
             start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
     del steps  # and its images, before others are made
-    return (yield from _judged(scene, target, kept, snapshot, ended))
+    return (yield from _judged(scene, target, room, kept, snapshot, ended))
 
 
 def _finished(state: LensState, room: Room, scene: Scene) -> LensState:
@@ -142,11 +142,14 @@ def _finished(state: LensState, room: Room, scene: Scene) -> LensState:
 
 
 def _judged(
-    scene: Scene, target: Array, best: Snapshot, last: Snapshot, ended: str
+    scene: Scene, target: Array, room: Room, best: Snapshot, last: Snapshot, ended: str
 ) -> Generator[Snapshot, None, str]:
     """The best lens of a run in light that it was not fitted to, if it has not been seen so."""
     resumed = time.perf_counter()
-    light = method_of(scene).judged(scene, target, best.state.heights)
+    try:
+        light = method_of(scene).judged(scene, target, best.state.heights)
+    except torch.OutOfMemoryError as error:
+        raise _stopped(last.iteration, error, room, scene) from None
     if light is not None:
         state = replace(light.state, shortfall=best.state.shortfall)
         seconds = last.seconds + time.perf_counter() - resumed
