@@ -38,6 +38,24 @@ def test_all_light_in_one_point_is_in_its_pixel(fused):
     assert landed == pytest.approx(1, abs=1e-15)
 
 
+@pytest.mark.parametrize("width", [1.5e-7, 4e-7, 2e-6])
+def test_rounding_hardly_changes_the_gradient_of_narrow_light(width, rng):
+    cotangent = torch.tensor(rng.standard_normal((40, 40)))
+    for _ in range(100):
+        angle, length = rng.uniform(0, 2 * np.pi), rng.uniform(1, 25)
+        along, across = length * np.array([[-1, 1], [-1, 1]]), width * np.array([[-1, -1], [1, 1]])
+        x, y = rng.uniform(15, 25, 2)
+        column = x + (np.cos(angle) * along - np.sin(angle) * across) / 2
+        row = y + (np.sin(angle) * along + np.cos(angle) * across) / 2
+        gradients = []
+        for moved, fused in ((1, True), (1, False), (1 + 1e-15, False)):
+            nodes = nodes_of(moved * column, moved * row).requires_grad_()
+            image, _ = image_of(nodes, (40, 40), fused)
+            gradients.append(torch.autograd.grad((image * cotangent).sum(), [nodes])[0][:2])
+        one, *others = gradients
+        assert max((other - one).abs().max() for other in others) < 0.003
+
+
 def test_an_image_of_a_bent_map_converges_with_the_square_of_the_cells():
     def image(count):
         t = np.linspace(0, 1, count + 1)

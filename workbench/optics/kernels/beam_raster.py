@@ -24,8 +24,9 @@ _ZERO, _ONE, _TWO = (np.uintp(k) for k in range(3))
 
 # A triangle that is narrower than this, in pixels, lights the one pixel in which its middle is. Its
 # width is its area by its length, or by a pixel if it is shorter. Where the light of a long one is
-# in a pixel would be a difference of great numbers.
-SLIVER = 1e-7
+# in a pixel would be a difference of great numbers, and its gradient that of greater ones: with
+# 1e-7 rounding changes a gradient of 13 × 13 × 48² cells by 3e-5, with 1e-6 by 3e-7.
+SLIVER = 1e-6
 # Pixels with less than this part of all light are dark: so much is the rounding of sums along rows.
 ROUNDING = 1e-15
 # Hits further from the image than this, in pixels, stay there: nothing overflows.
