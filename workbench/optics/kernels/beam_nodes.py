@@ -28,8 +28,8 @@ _ONE, _TWO, _THREE = np.uintp(1), np.uintp(2), np.uintp(3)
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _second_diff(before, here, after):  # type: ignore[no-untyped-def]
-    """Second difference of hits."""
-    return np.float64(before) + np.float64(after) - 2.0 * np.float64(here)
+    """Second difference of hits; those of neighbours are exact in float32, too."""
+    return (before - here) + (after - here)
 
 
 @jit(allocates=False, error_model="numpy")
@@ -49,7 +49,8 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
         The result; infinite or within ``FARTHEST``.
     """
     along_u, along_v = parts
-    m = np.uintp(hits.shape[1])
+    m, kind = np.uintp(hits.shape[1]), hits.dtype.type
+    zero, twelfth, far = kind(0), kind(_TWELFTH), kind(FARTHEST)
     for i in range(np.uintp(begin), np.uintp(end)):
         # Loops along a row have no branches: the compiler makes vectors of them.
         for j in range(m):
@@ -57,28 +58,28 @@ def shift(hits, parts, begin, end, shifted):  # type: ignore[no-untyped-def]
         if along_u[i, 2] > 0.0:
             for j in range(m):
                 second_diff = _second_diff(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
-                shifted[i, j] -= _TWELFTH * second_diff if abs(second_diff) < FARTHEST else 0.0
+                shifted[i, j] -= twelfth * second_diff if abs(second_diff) < far else zero
         for j in range(_ONE, m - _ONE):
             second_diff = _second_diff(hits[i, j - _ONE], hits[i, j], hits[i, j + _ONE])
-            shifted[i, j] -= (
-                _TWELFTH * along_v[j, 2] * second_diff if abs(second_diff) < FARTHEST else 0.0
-            )
+            part = twelfth * kind(along_v[j, 2])
+            shifted[i, j] -= part * second_diff if abs(second_diff) < far else zero
         for j in range(m):
-            place = min(max(shifted[i, j], -FARTHEST), FARTHEST)
+            place = min(max(shifted[i, j], -far), far)
             shifted[i, j] = place if abs(hits[i, j]) < np.inf else np.inf
 
 
 @jit(allocates=False, error_model="numpy", forceinline=True)
 def _unshift(hits, along_u, cotangent, i, counts):  # type: ignore[no-untyped-def]
     """What the shifts along u of a row of nodes let the cotangents of its hits count elsewhere."""
-    m = np.uintp(hits.shape[1])
+    m, kind = np.uintp(hits.shape[1]), cotangent.dtype.type
+    zero, twelfth, far = kind(0), kind(_TWELFTH), hits.dtype.type(FARTHEST)
     if i >= np.uintp(hits.shape[0]) or not along_u[i, 2] > 0.0:  # also behind the rim's other side
         for j in range(m):
-            counts[j] = 0.0
+            counts[j] = zero
         return
     for j in range(m):
         second_diff = _second_diff(hits[i - _ONE, j], hits[i, j], hits[i + _ONE, j])
-        counts[j] = -_TWELFTH * cotangent[i, j] if abs(second_diff) < FARTHEST else 0.0
+        counts[j] = -twelfth * cotangent[i, j] if abs(second_diff) < far else zero
 
 
 @jit(error_model="numpy")
@@ -95,11 +96,12 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
         That of the hits, in their float type.
     """
     along_u, along_v = parts
-    m, first = np.uintp(hits.shape[1]), np.uintp(begin)
-    total, along = np.empty(m), np.zeros(m)
+    m, first, kind = np.uintp(hits.shape[1]), np.uintp(begin), cotangent.dtype.type
+    zero, two, twelfth, far = kind(0), kind(2), kind(_TWELFTH), hits.dtype.type(FARTHEST)
+    total, along = np.empty(m, kind), np.zeros(m, kind)
     # The matrix is symmetric, but for the rim: a node there is not shifted, but counts in the
     # shift of its neighbour.
-    around = np.empty((3, m))  # the rows before, here and behind, in turns
+    around = np.empty((3, m), kind)  # the rows before, here and behind, in turns
     _unshift(hits, along_u, cotangent, first - _ONE, around[0])
     _unshift(hits, along_u, cotangent, first, around[1])
     for i in range(first, np.uintp(end)):
@@ -108,16 +110,16 @@ def shift_back(hits, parts, cotangent, begin, end, result):  # type: ignore[no-u
         before = around[turn]
         _unshift(hits, along_u, cotangent, i + _ONE, behind)
         for j in range(m):
-            total[j] = cotangent[i, j] + before[j] - 2.0 * here[j] + behind[j]
+            total[j] = cotangent[i, j] + before[j] - two * here[j] + behind[j]
         for b in range(_ONE, m - _ONE):
             second_diff = _second_diff(hits[i, b - _ONE], hits[i, b], hits[i, b + _ONE])
-            counts = -_TWELFTH * along_v[b, 2] * cotangent[i, b]
-            along[b] = counts if abs(second_diff) < FARTHEST else 0.0
+            counts = -twelfth * kind(along_v[b, 2]) * cotangent[i, b]
+            along[b] = counts if abs(second_diff) < far else zero
         for j in range(m - _ONE):
             total[j] += along[j + _ONE]
         for j in range(m):
-            total[j] -= 2.0 * along[j]
+            total[j] -= two * along[j]
         for j in range(_ONE, m):
             total[j] += along[j - _ONE]
         for j in range(m):
-            result[i, j] = total[j] if abs(hits[i, j]) < FARTHEST else 0.0
+            result[i, j] = total[j] if abs(hits[i, j]) < far else zero

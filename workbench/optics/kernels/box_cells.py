@@ -1,10 +1,10 @@
 """From hits of a grid of rays to boxes, some cells of a row at a time; and the adjoint.
 
 See `workbench.optics.boxes` for what a box is. Along columns and along rows its interval comes from
-the four hits of its cell in the same way. With sums s and differences d of the hits of two
-neighbouring rows of rays, for the cell from ray j to ray j + 1 of both,
+the four hits p, q, r and s of its cell in the same way, p and q by rays of a row, r and s by those
+behind them in the next one,
 
-    c = (s_j + s_j+1) / 4,  a = (s_j+1 − s_j) / 2,  b = (d_j + d_j+1) / 2,  w² = a² + b²,
+    c = (p + q + r + s) / 4,  a = (q − p + s − r) / 2,  b = (r − p + s − q) / 2,  w² = a² + b²,
 
 and the interval goes from c − w/2 to c + w/2. All loops vectorise.
 """
@@ -17,46 +17,54 @@ from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
 
 # Rays of a batch, one more than its cells: its numbers fit into the first-level cache.
-RAYS = 128
+RAYS = 144
 # No box is narrower, in pixels: all light in a point would be so dense that sums over the image,
 # see `workbench.optics.kernels.box_raster`, lose digits.
 NARROWEST = 1 / 64
 
 _ONE = np.uintp(1)
-# Numbers, in float64. Those of an interval: a and b; its ends; the pixels in which these are, once
-# they are moved into the image, and how far behind the beginning of these; 1 / w. Then for the way
-# back how much more cotangent is at its end than at its beginning, and at both than within.
-_A, _B, LOW, HIGH, LOW_PIXEL, HIGH_PIXEL, LOW_PART, HIGH_PART, BY_WIDTH, MORE, OUTER = (
-    np.uintp(RAYS * k) for k in range(11)
+# Numbers, in the float type of the hits. Those of an interval: a and b; the pixel in which its
+# first hit is; its ends counted from there, then the pixels in which these are; the same once they
+# are moved into the image, and how far behind the beginning of these; 1 / w. Then for the way back
+# how much more cotangent is at its end than at its beginning, and at both than within.
+_A, _B, _PIXEL, LOW, HIGH, LOW_PIXEL, HIGH_PIXEL, LOW_PART, HIGH_PART, BY_WIDTH, MORE, OUTER = (
+    np.uintp(RAYS * k) for k in range(12)
 )
 # Numbers of a batch: both intervals, flux of the boxes, the cotangent's mean within; free room.
 X, Y, FLUX, MEAN, _FIRST, _SECOND, _THIRD, END = (
-    np.uintp(RAYS * k) for k in (0, 11, 22, 23, 24, 25, 26, 27)
+    np.uintp(RAYS * k) for k in (0, 12, 24, 25, 26, 27, 28, 29)
 )
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _find_interval(hits, i, j, lanes, axis, t):  # type: ignore[no-untyped-def]
-    """Intervals of a batch along one axis; no numbers where a ray hits nowhere."""
-    here, there = hits[i, j:], hits[i + _ONE, j:]
-    for lane in range(lanes + _ONE):
-        low, high = np.float64(here[lane]), np.float64(there[lane])
-        t[_FIRST + lane] = low + high
-        t[_SECOND + lane] = high - low
+    """Intervals of a batch along one axis; no numbers where a ray hits nowhere.
+
+    All is counted from the first hit, and from the pixel in which it is: far out in a large image
+    float32 leaves narrow boxes few digits.
+    """
+    kind = t.dtype.type
+    zero, quarter, half, one = kind(0), kind(0.25), kind(0.5), kind(1)
+    narrowest, here, there = kind(NARROWEST), hits[i, j:], hits[i + _ONE, j:]
     for lane in range(lanes):
-        before, behind = t[_FIRST + lane], t[_FIRST + lane + _ONE]
-        a = 0.5 * (behind - before)
-        b = 0.5 * (t[_SECOND + lane] + t[_SECOND + lane + _ONE])
+        first = here[lane]
+        along, across, both = (
+            here[lane + _ONE] - first,
+            there[lane] - first,
+            there[lane + _ONE] - first,
+        )
+        a, b = half * (along + (both - across)), half * (across + (both - along))
         width = math.sqrt(a * a + b * b)
-        narrow = width < NARROWEST  # and stays as it is, whatever the cell does
-        width = NARROWEST if narrow else width
-        middle = 0.25 * (before + behind)
-        low, high = middle - 0.5 * width, middle + 0.5 * width
-        t[axis + _A + lane] = 0.0 if narrow else a
-        t[axis + _B + lane] = 0.0 if narrow else b
-        t[axis + LOW + lane] = low
-        t[axis + HIGH + lane] = high
-        t[axis + BY_WIDTH + lane] = 1.0 / width
+        narrow = width < narrowest  # and stays as it is, whatever the cell does
+        width = narrowest if narrow else width
+        pixel, far = np.floor(first), half * width
+        middle = (first - pixel) + quarter * (along + across + both)
+        t[axis + _A + lane] = zero if narrow else a
+        t[axis + _B + lane] = zero if narrow else b
+        t[axis + _PIXEL + lane] = pixel
+        t[axis + LOW + lane] = middle - far
+        t[axis + HIGH + lane] = middle + far
+        t[axis + BY_WIDTH + lane] = one / width
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -76,35 +84,41 @@ def _find_flux(flux, parts, i, j, lanes, t):  # type: ignore[no-untyped-def]
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _leave_out(lanes, t):  # type: ignore[no-untyped-def]
     """Make the flux of cells 0 of which a ray hits nowhere; gives all other flux."""
-    total = 0.0
+    kind = t.dtype.type
+    zero, one, total = kind(0), kind(1), kind(0)
     for lane in range(lanes):
-        lands = abs(t[X + LOW + lane]) + abs(t[Y + LOW + lane]) < np.inf
+        lands = abs(t[X + LOW + lane]) + abs(t[Y + LOW + lane]) < kind(np.inf)
         flux = t[FLUX + lane]
-        flux = flux if lands else 0.0
+        flux = flux if lands else zero
         t[FLUX + lane] = flux
-        t[_FIRST + lane] = 1.0 if lands else 0.0
+        t[_FIRST + lane] = one if lands else zero
         total += flux
-    return total
+    return np.float64(total)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _place(lanes, last, axis, t):  # type: ignore[no-untyped-def]
     """Pixels in which ends of intervals are, moved into the image; any of cells left out."""
+    zero = t.dtype.type(0)
     for lane in range(lanes):
-        lands = t[_FIRST + lane] > 0.0
+        lands = t[_FIRST + lane] > zero
         a, b, by_width = t[axis + _A + lane], t[axis + _B + lane], t[axis + BY_WIDTH + lane]
+        pixel = t[axis + _PIXEL + lane]
         low, high = t[axis + LOW + lane], t[axis + HIGH + lane]
-        low, high = low if lands else 0.0, high if lands else 0.0
-        t[axis + _A + lane] = a if lands else 0.0
-        t[axis + _B + lane] = b if lands else 0.0
-        t[axis + BY_WIDTH + lane] = by_width if lands else 0.0
-        t[axis + LOW + lane] = low
-        t[axis + HIGH + lane] = high
-        low, high = min(max(low, 0.0), last), min(max(high, 0.0), last)
-        t[axis + LOW_PIXEL + lane] = np.floor(low)
-        t[axis + LOW_PART + lane] = low - np.floor(low)
-        t[axis + HIGH_PIXEL + lane] = np.floor(high)
-        t[axis + HIGH_PART + lane] = high - np.floor(high)
+        low, high, pixel = low if lands else zero, high if lands else zero, pixel if lands else zero
+        t[axis + _A + lane] = a if lands else zero
+        t[axis + _B + lane] = b if lands else zero
+        t[axis + BY_WIDTH + lane] = by_width if lands else zero
+        low_floor, high_floor = np.floor(low), np.floor(high)
+        low_pixel, high_pixel = pixel + low_floor, pixel + high_floor
+        t[axis + LOW + lane] = low_pixel
+        t[axis + HIGH + lane] = high_pixel
+        t[axis + LOW_PIXEL + lane] = min(max(low_pixel, zero), last)
+        t[axis + HIGH_PIXEL + lane] = min(max(high_pixel, zero), last)
+        low_inside = (low_pixel >= zero) & (low_pixel < last)
+        high_inside = (high_pixel >= zero) & (high_pixel < last)
+        t[axis + LOW_PART + lane] = low - low_floor if low_inside else zero
+        t[axis + HIGH_PART + lane] = high - high_floor if high_inside else zero
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -125,8 +139,8 @@ def find_boxes(hits, flux, parts, i, j, lanes, pixels, t):  # type: ignore[no-un
         Number of cells, below ``RAYS``.
     pixels : tuple of two int
         (n_x, n_y).
-    t : array, shape (END,), float64
-        The result.
+    t : array, shape (END,)
+        The result, in the float type of the hits.
 
     Returns
     -------
@@ -137,8 +151,9 @@ def find_boxes(hits, flux, parts, i, j, lanes, pixels, t):  # type: ignore[no-un
     _find_interval(hits[1], i, j, lanes, Y, t)
     _find_flux(flux, parts, i, j, lanes, t)
     total = _leave_out(lanes, t)
-    _place(lanes, np.float64(pixels[0]), X, t)
-    _place(lanes, np.float64(pixels[1]), Y, t)
+    kind = t.dtype.type
+    _place(lanes, kind(pixels[0]), X, t)
+    _place(lanes, kind(pixels[1]), Y, t)
     return total
 
 
@@ -150,11 +165,12 @@ def _interval_back(d_hits, i, j, lanes, axis, t):  # type: ignore[no-untyped-def
     flux F lets its middle have the cotangent F (X_1 − X_0) / w, and its width
     F ((X_0 + X_1) / 2 − S) / w.
     """
+    half, quarter = t.dtype.type(0.5), t.dtype.type(0.25)
     for lane in range(lanes):
         by_width = t[axis + BY_WIDTH + lane]
         light = t[FLUX + lane] * by_width
-        by_sides = 0.5 * light * t[axis + OUTER + lane] * by_width
-        t[_FIRST + lane] = 0.25 * light * t[axis + MORE + lane]
+        by_sides = half * light * t[axis + OUTER + lane] * by_width
+        t[_FIRST + lane] = quarter * light * t[axis + MORE + lane]
         t[_SECOND + lane] = by_sides * t[axis + _A + lane]
         t[_THIRD + lane] = by_sides * t[axis + _B + lane]
     here, there = d_hits[i, j:], d_hits[i + _ONE, j:]

@@ -8,14 +8,13 @@ from torch import Tensor
 
 from workbench.arrays import AnyArray, Array
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.beam_image import grids_of, splits_of_grids
-from workbench.optics.kernels.beam_nodes import shift, shift_back
 from workbench.optics.kernels.beam_raster import ROUNDING
-from workbench.optics.kernels.box_raster import add_boxes, see_boxes
+from workbench.optics.kernels.box_grids import Grids, add_grids, see_grids
 from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.function import kind_of
 
-_Parts = tuple[Array, Array]
+# Parts for each thread where a part needs no image of its own: none then waits long for another.
+_SHARES = 4
 
 
 def compiled_box_image(
@@ -41,14 +40,12 @@ def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Arr
 def _forward(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float]:
     """The image, and the flux that lands on its plane."""
     n_x, n_y = pixels
-    grids = _grids(nodes, splits)
-    at = threads.bounds(len(grids), min(torch.get_num_threads(), len(grids)))
+    grids = Grids.of(nodes, splits)
+    at = _bounds(grids)
     corners, landed = np.zeros((len(at) - 1, n_y + 1, n_x + 1, 4)), [0.0] * (len(at) - 1)
 
     def work(part: int) -> None:
-        for rows in grids[at[part] : at[part + 1]]:
-            hits, parts = _moved(nodes[:, rows], splits_of_grids(splits, rows))
-            landed[part] += add_boxes(hits, nodes[2, rows], parts, corners[part])
+        landed[part] = add_grids(nodes, grids, at[part], at[part + 1], corners[part])
 
     threads.run(work, len(at) - 1)
     image = _summed(corners)
@@ -69,19 +66,20 @@ def _summed(corners: Array) -> Array:
 def _back(nodes: AnyArray, cotangent: Array, splits: Splits) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     sums, result = _sums(cotangent), np.empty_like(nodes)
-    grids = _grids(nodes, splits)
+    grids = Grids.of(nodes, splits)
+    at = _bounds(grids, _SHARES)
 
     def work(part: int) -> None:
-        rows = grids[part]
-        split, flux = splits_of_grids(splits, rows), nodes[2, rows]
-        hits, parts = _moved(nodes[:, rows], split)
-        d_hits, result[2, rows] = np.zeros_like(hits), 0.0
-        see_boxes(hits, flux, parts, sums, d_hits, result[2, rows])
-        for k in range(2):
-            shift_back(nodes[k, rows], split, d_hits[k], 0, len(flux), result[k, rows])
+        see_grids(nodes, grids, at[part], at[part + 1], sums, result)
 
-    threads.run(work, len(grids))
+    threads.run(work, len(at) - 1)
     return result
+
+
+def _bounds(grids: Grids, shares: int = 1) -> list[int]:
+    """Where the parts of some grids begin, for each thread so many, and where the last ends."""
+    count = len(grids.behind)
+    return threads.bounds(count, min(shares * torch.get_num_threads(), count))
 
 
 def _sums(cotangent: Array) -> Array:
@@ -91,17 +89,3 @@ def _sums(cotangent: Array) -> Array:
     whole[-3::-1, -3::-1] = cotangent[::-1, ::-1].cumsum(axis=0).cumsum(axis=1)
     here, right, below, beyond = whole[:-1, :-1], whole[:-1, 1:], whole[1:, :-1], whole[1:, 1:]
     return np.stack([here, right - here, below - here, beyond - right - below + here], axis=-1)
-
-
-def _grids(nodes: AnyArray, splits: Splits) -> list[slice]:
-    """Rows of grids that are drawn one by one: what a grid needs stays within a cache."""
-    return grids_of(splits, nodes.shape[1:]) or [slice(0, nodes.shape[1])]
-
-
-def _moved(nodes: AnyArray, split: tuple[Array, Array]) -> tuple[AnyArray, _Parts]:
-    """Hits of a grid, shifted; and parts of flux as `add_boxes` takes them."""
-    hits = np.empty_like(nodes[:2])
-    for k in range(2):
-        shift(nodes[k], split, 0, len(hits[k]), hits[k])
-    along_u, along_v = (np.ascontiguousarray(each[:, :2].T) for each in split)
-    return hits, (along_u, along_v)

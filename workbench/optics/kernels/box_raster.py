@@ -11,7 +11,7 @@ On the way back sums of the cotangent, from each place to the end of the image a
 bilinear within each pixel. At the four corners they give the cotangent's integral over a box, and
 their slopes give those along its sides.
 
-All of it is in float64, as large sums cancel.
+All sums are in float64, as large ones cancel. Boxes are in the float type of the hits.
 """
 
 import numpy as np
@@ -82,7 +82,7 @@ def add_boxes(hits, flux, parts, corners):  # type: ignore[no-untyped-def]
         Flux of all boxes, on the image or beside it.
     """
     pixels, row = (corners.shape[1] - 1, corners.shape[0] - 1), _FOUR * np.uintp(corners.shape[1])
-    flat, t, at = corners.reshape(-1), np.empty(END), np.empty(_ENDS, np.uintp)
+    flat, t, at = corners.reshape(-1), np.empty(END, hits.dtype), np.empty(_ENDS, np.uintp)
     cells = flux.shape[1] - 1
     blocks = (cells + RAYS - 2) // (RAYS - 1)
     landed = 0.0
@@ -178,7 +178,7 @@ def see_boxes(hits, flux, parts, sums, d_hits, d_flux):  # type: ignore[no-untyp
         Cotangents of the rays; changed.
     """
     pixels, row = (sums.shape[1] - 1, sums.shape[0] - 1), _FOUR * np.uintp(sums.shape[1])
-    flat, t, at = sums.reshape(-1), np.empty(END), np.empty(_ENDS, np.uintp)
+    flat, t, at = sums.reshape(-1), np.empty(END, hits.dtype), np.empty(_ENDS, np.uintp)
     cells = flux.shape[1] - 1
     blocks = (cells + RAYS - 2) // (RAYS - 1)
     for i in range(np.uintp(flux.shape[0] - 1)):
