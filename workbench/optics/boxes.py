@@ -18,8 +18,8 @@ Differences from images of 1024 origins, of lenses as a run left them:
 | *Phone torch*, 256² pixels, 182² cells × 128 origins | 2.11 % | 2.08 % | 2.18 % |
 
 What is left is that of too few origins: boxes and beams of the same rays differ by 0.6, 0.9 and
-0.4 %. With 255² cells of 64 origins a trace, its image and the gradient take
-0.38 s of the processor for either lens, in place of 1.31 and 1.18 s by beams. The shifts are those of
+0.4 %. With 255² cells of 64 origins a trace, its image and the gradient take 0.38 s of the
+processor for either lens, in place of 1.31 and 1.18 s by beams. The shifts are those of
 `workbench.optics.kernels.beam_nodes`.
 """
 
