@@ -11,6 +11,7 @@ from workbench.analysis.benchmark.bounds import BoundedDesign
 from workbench.analysis.benchmark.comparison import Measured
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.frontier import Course
+from workbench.analysis.benchmark.leds import LedDesign
 from workbench.analysis.benchmark.names import BENCHMARKS
 from workbench.analysis.benchmark.precision import PrecisionDifference
 from workbench.pictures import benchmark
@@ -34,6 +35,8 @@ DIFFERENCES = [
 ]
 TRACED = [SimpleNamespace(scene="one face, point", difference=0.02, noise=0.019)]
 BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, spots=0.052, light=0.049, lens=0.057)]
+
+LIT = [LedDesign("flat, freeform", seconds=16.0, efficiency=0.64, deviation=0.05)]
 
 
 @pytest.fixture(scope="module")
@@ -68,6 +71,7 @@ def test_every_benchmark_has_a_picture():
         ("kernels", MEASURED),
         ("precision", DIFFERENCES),
         ("bound", BOUNDED),
+        ("led", LIT),
         ("mitsuba", TRACED),
     ],
 )

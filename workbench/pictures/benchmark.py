@@ -31,6 +31,8 @@ _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 _TRACED = (("difference", "o"), ("noise", "|"))
 _ERRORS = (("sharp", "s"), ("bound", "|"), ("spots", "1"), ("light", "o"), ("lens", "^"))
 
+_LIT = (("efficiency", "o"), ("merit", "^"), ("deviation", "|"))
+
 
 class CourseRow(Protocol):
     """Verified error of a method over time."""
@@ -122,6 +124,26 @@ class BoundRow(Protocol):
     @property
     def lens(self) -> float:
         """Of the designed lens."""
+
+
+class LedRow(Protocol):
+    """Light of an LED on a rectangle."""
+
+    @property
+    def scene(self) -> str:
+        """The faces of the lens."""
+
+    @property
+    def efficiency(self) -> float:
+        """Part of the light that lands on the rectangle."""
+
+    @property
+    def deviation(self) -> float:
+        """Relative standard deviation of the irradiance there."""
+
+    @property
+    def merit(self) -> float:
+        """Efficiency × (1 − deviation)."""
 
 
 class TracedRow(Protocol):
@@ -228,6 +250,11 @@ def bounds(rows: Sequence[BoundRow]) -> Figure:
     return _marks(rows, _ERRORS, "relative L2 error")
 
 
+def leds(rows: Sequence[LedRow]) -> Figure:
+    """How much light lands on a rectangle, and how evenly, as marks on one logarithmic scale."""
+    return _marks(rows, _LIT, "part of the light; relative deviation of the irradiance")
+
+
 def tracers(rows: Sequence[TracedRow]) -> Figure:
     """How far two tracers are apart, and by how much of that their rays scatter."""
     return _marks(rows, _TRACED, "relative L2 difference")
@@ -277,6 +304,7 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "precision": differences,
     "skips": comparisons,
     "bound": bounds,
+    "led": leds,
     "mitsuba": tracers,
     "paper": page,
 }

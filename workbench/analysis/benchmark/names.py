@@ -8,6 +8,7 @@ BENCHMARKS = {
     "precision": "float32 against float64: image, loss and gradient of the examples",
     "skips": "what is saved by leaving out what a scene does not need",
     "bound": "lenses for four pictures in the sun, and what no lens is below",
+    "led": "lenses close to an LED: how much light lands on a rectangle, and how evenly",
     "mitsuba": "the check beside Mitsuba 3: every source, receiver and outline; an hour or so",
     "paper": "all experiments of the paper: a table, and a page of pictures",
 }

@@ -9,6 +9,7 @@ from workbench.analysis.benchmark import (
     experiments,
     frontier,
     kernels,
+    leds,
     precision,
     second_tracer,
     skips,
@@ -53,6 +54,7 @@ SUITE = {
         lambda rows: (comparison.table("What each skip saves, the skip first", rows),),
     ),
     "bound": Benchmark(bounds.lenses, lambda rows: (bounds.table(rows),)),
+    "led": Benchmark(leds.lenses, lambda rows: (leds.table(rows),)),
     "mitsuba": Benchmark(
         lambda iterations, notify: second_tracer.comparisons(notify),
         lambda rows: (second_tracer.table(rows),),

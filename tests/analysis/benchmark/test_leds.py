@@ -1,0 +1,35 @@
+"""Light of an LED on a rectangle."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.benchmark.examples import BenchmarkTask
+from workbench.analysis.benchmark.leds import designed, table
+
+SMALL = {"run": {"iterations": 2}, "screen": {"pixels": [29, 14]}}
+ENTRANCE = {"shape": "freeform", "control_points": [8, 6], "height_range": [-2.0, 2.0]}
+
+
+@pytest.mark.parametrize("plane_exit", [False, True])
+def test_a_lens_is_checked_where_the_target_is_bright(plane_exit, monkeypatch):
+    monkeypatch.setattr("workbench.analysis.benchmark.leds._RAYS", 200_000)
+    lens = {"control_points": [12, 8], "entrance": ENTRANCE}
+    example = BenchmarkTask.of("led-rectangle", lens=lens, **SMALL)
+    progress = []
+    found = designed("led", example, plane_exit, lambda *state: progress.append(state))
+    assert 0.2 < found.efficiency < 0.9
+    assert 0.05 < found.deviation < 1.5
+    assert found.merit == pytest.approx(found.efficiency * (1 - found.deviation))
+    assert progress[0] == ("led", "iteration 0") and progress[-1] == ("led", "its check")
+    assert "| led | " in table([found]).to_markdown()
+
+
+def test_the_scatter_of_rays_is_no_unevenness(monkeypatch):
+    from workbench.analysis.benchmark import leds
+
+    rng, even = np.random.default_rng(3), np.ones((40, 50))
+    wave = even + 0.1 * np.sin(np.arange(50))
+    noisy = [wave + 0.2 * rng.standard_normal(wave.shape) for _ in range(2)]
+    found = leds._deviation(noisy, even > 0)
+    assert found == pytest.approx(np.std(wave), rel=0.1)
+    assert leds._deviation([even, even], even > 0) == 0
