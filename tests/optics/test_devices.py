@@ -50,8 +50,8 @@ def test_a_gpu_traces_what_the_processor_does(name, way):
     begin = Room(scene, task.target).begin
     heights = {face: z + 2e-3 * rng.uniform(-1, 1, z.shape) for face, z in begin.items()}
     weights = rng.uniform(0, 1, scene.receiver.pixels[::-1])
-    seen = []
-    for device in ("cpu", "cuda"):
+
+    def seen(device, lens):
         there = computed_on(device, scene)
         if way == "rays":
             plan = Plan(there, dtype=torch.float64, fused=False)
@@ -59,14 +59,21 @@ def test_a_gpu_traces_what_the_processor_does(name, way):
             cells = Corners(48, 48, 16 if scene.source.continuous else 1)
             plan = BeamPlan(there, cells, dtype=torch.float64, fused=False)
         leaves = {
-            face: torch.tensor(z, device=device, requires_grad=True) for face, z in heights.items()
+            face: torch.tensor(z, device=device, requires_grad=True) for face, z in lens.items()
         }
         flux = plan.trace(leaves).flux
         (flux * torch.tensor(weights, device=device)).sum().backward()
         gradients = [each.grad.cpu().numpy().ravel() for each in leaves.values()]
-        seen.append((flux.detach().cpu().numpy(), np.concatenate(gradients)))
-    (image, gradient), (there_image, there_gradient) = seen
+        return flux.detach().cpu().numpy(), np.concatenate(gradients)
+
+    image, gradient = seen("cpu", heights)
+    there_image, there_gradient = seen("cuda", heights)
     assert image.sum() > 0.01
     assert np.abs(there_image - image).sum() < 1e-12
-    # Pieces of edges end on borders of pixels; that of a piece that is nearly none is rounding.
-    assert np.linalg.norm(there_gradient - gradient) < 1e-6 * np.linalg.norm(gradient)
+    # Gradients of narrow triangles are differences of great numbers. Of a million beams through a
+    # rough lens, rounding of its heights changes them by 8e-5, on the processor alone.
+    ulp = np.finfo(np.float64).eps
+    near = {face: z * (1 + ulp * rng.integers(-1, 2, z.shape)) for face, z in heights.items()}
+    rounding = np.linalg.norm(seen("cpu", near)[1] - gradient)
+    bound = 1e-6 * np.linalg.norm(gradient) + rounding
+    assert np.linalg.norm(there_gradient - gradient) < bound
