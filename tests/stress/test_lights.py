@@ -89,6 +89,12 @@ NAMED = {
             }
         }
     ),
+    "light in one point of a far field, in boxes far narrower than pixels": plain(
+        {"source": {"kind": "collimated", "rays": [1, 1], "angular_diameter": 1e-6}}
+        | {"screen": None, "far_field": {"half_angle": [1.0, 0.001], "pixels": [1, 1]}}
+        | {"lens.control_points": [2, 2], "lens.degree": [1, 1], "lens.refractive_index": 1.0003},
+        samples=(1, 1),
+    ),
 }
 
 

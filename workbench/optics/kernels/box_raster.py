@@ -11,7 +11,8 @@ On the way back sums of the cotangent, from each place to the end of the image a
 bilinear within each pixel. At the four corners they give the cotangent's integral over a box, and
 their slopes give those along its sides.
 
-All sums are in float64, as large ones cancel. Boxes are in the float type of the hits.
+All sums and what they are of are in float64, as large ones cancel. Boxes are in the float type of
+the hits.
 """
 
 import numpy as np
@@ -94,7 +95,8 @@ def add_boxes(hits, flux, parts, corners):  # type: ignore[no-untyped-def]
             for lane in range(lanes):
                 left, right, top, bottom = _ends(lane, at)
                 a, b, c, d = _parts(lane, t)
-                density = t[FLUX + lane] * t[X + BY_WIDTH + lane] * t[Y + BY_WIDTH + lane]
+                density = np.float64(t[FLUX + lane]) * t[X + BY_WIDTH + lane]
+                density *= t[Y + BY_WIDTH + lane]
                 _add_corner(top + left, density, a, c, flat)
                 _add_corner(top + right, -density, b, c, flat)
                 _add_corner(bottom + left, -density, a, d, flat)
@@ -119,10 +121,10 @@ def _ends(lane, at):  # type: ignore[no-untyped-def]
 def _parts(lane, t):  # type: ignore[no-untyped-def]
     """How far behind the beginning of their pixels left, right, upper and lower ends are."""
     return (
-        t[X + LOW_PART + lane],
-        t[X + HIGH_PART + lane],
-        t[Y + LOW_PART + lane],
-        t[Y + HIGH_PART + lane],
+        np.float64(t[X + LOW_PART + lane]),
+        np.float64(t[X + HIGH_PART + lane]),
+        np.float64(t[Y + LOW_PART + lane]),
+        np.float64(t[Y + HIGH_PART + lane]),
     )
 
 
