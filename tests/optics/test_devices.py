@@ -70,10 +70,11 @@ def test_a_gpu_traces_what_the_processor_does(name, way):
     there_image, there_gradient = seen("cuda", heights)
     assert image.sum() > 0.01
     assert np.abs(there_image - image).sum() < 1e-12
-    # Gradients of narrow triangles are differences of great numbers. Of a million beams through a
-    # rough lens, rounding of its heights changes them by 8e-5, on the processor alone.
-    ulp = np.finfo(np.float64).eps
-    near = {face: z * (1 + ulp * rng.integers(-1, 2, z.shape)) for face, z in heights.items()}
-    rounding = np.linalg.norm(seen("cpu", near)[1] - gradient)
-    bound = 1e-6 * np.linalg.norm(gradient) + rounding
+    bound = 1e-6 * np.linalg.norm(gradient)
+    if name == "flame-grid":
+        # Gradients of narrow triangles are differences of great numbers. Of a million beams through
+        # a rough lens, rounding of its heights changes them by 8e-5, on the processor alone.
+        ulp = np.finfo(np.float64).eps
+        near = {face: z * (1 + ulp * rng.integers(-1, 2, z.shape)) for face, z in heights.items()}
+        bound += np.linalg.norm(seen("cpu", near)[1] - gradient)
     assert np.linalg.norm(there_gradient - gradient) < bound

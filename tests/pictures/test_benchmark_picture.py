@@ -35,7 +35,6 @@ DIFFERENCES = [
 ]
 TRACED = [SimpleNamespace(scene="one face, point", difference=0.02, noise=0.019)]
 BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, spots=0.052, light=0.049, lens=0.057)]
-
 LIT = [LedDesign("flat, freeform", seconds=16.0, efficiency=0.64, deviation=0.05)]
 
 

@@ -30,7 +30,6 @@ _BAR = "#2f86d1"
 _KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 _TRACED = (("difference", "o"), ("noise", "|"))
 _ERRORS = (("sharp", "s"), ("bound", "|"), ("spots", "1"), ("light", "o"), ("lens", "^"))
-
 _LIT = (("efficiency", "o"), ("merit", "^"), ("deviation", "|"))
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workbench.analysis.benchmark import leds
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.leds import designed, table
 
@@ -24,9 +25,7 @@ def test_a_lens_is_checked_where_the_target_is_bright(plane_exit, monkeypatch):
     assert "| led | " in table([found]).to_markdown()
 
 
-def test_the_scatter_of_rays_is_no_unevenness(monkeypatch):
-    from workbench.analysis.benchmark import leds
-
+def test_the_scatter_of_rays_is_no_unevenness():
     rng, even = np.random.default_rng(3), np.ones((40, 50))
     wave = even + 0.1 * np.sin(np.arange(50))
     noisy = [wave + 0.2 * rng.standard_normal(wave.shape) for _ in range(2)]

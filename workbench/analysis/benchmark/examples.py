@@ -1,6 +1,6 @@
 """The example scenes, ready to be measured."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -9,9 +9,12 @@ import numpy as np
 
 import resources
 from resources.drawings import photograph
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits
 from workbench.design.net import definite
+from workbench.design.run import run
+from workbench.design.snapshot import History, Result
+from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -79,6 +82,26 @@ class BenchmarkTask:
     def cloud(cls) -> "BenchmarkTask":
         """A cloud, which no example has, through the photograph's lens."""
         return replace(cls.of("photo", cloud(_PHOTO)), name="cloud")
+
+    def designed(
+        self, tell: Callable[[str], None], locked: Mapping[str, Mask] = NO_LOCKS
+    ) -> Result:
+        """Run the design to its end.
+
+        Parameters
+        ----------
+        tell : callable
+            Told how far it is.
+        locked : mapping of str to ndarray of bool, shape (n_u, n_v)
+            Control points of each face that stay; see `run`.
+        """
+        history = History()
+        for snapshot in run(self.scene, self.target, locked=locked):
+            tell(f"iteration {snapshot.iteration}")
+            history.add(snapshot)
+        found = history.result()
+        assert found is not None  # a run begins with a lens
+        return found
 
     def save(self, folder: Path) -> Path:
         """Write the scene and its target into a folder.
