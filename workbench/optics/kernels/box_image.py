@@ -28,19 +28,20 @@ def compile_for(dtype: torch.dtype) -> None:
     """Compile the kernels for a float type by an image of one cell."""
     nodes = np.zeros((3, 2, 2), kind_of(dtype))
     splits = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-    _forward(nodes, (2, 2), (splits, splits))
-    _back(nodes, np.zeros((2, 2)), (splits, splits))
+    grids = Grids.of(nodes, (splits, splits))
+    _forward(nodes, (2, 2), grids)
+    _back(nodes, np.zeros((2, 2)), grids)
 
 
 def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float, Back]:
     """See `workbench.optics.kernels.cell_image.Draw`."""
-    return *_forward(nodes, pixels, splits), partial(_back, splits=splits)
+    grids = Grids.of(nodes, splits)
+    return *_forward(nodes, pixels, grids), partial(_back, grids=grids)
 
 
-def _forward(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Array, float]:
+def _forward(nodes: AnyArray, pixels: tuple[int, int], grids: Grids) -> tuple[Array, float]:
     """The image, and the flux that lands on its plane."""
     n_x, n_y = pixels
-    grids = Grids.of(nodes, splits)
     at = _bounds(grids)
     corners, landed = np.zeros((len(at) - 1, n_y + 1, n_x + 1, 4)), [0.0] * (len(at) - 1)
 
@@ -63,10 +64,9 @@ def _summed(corners: Array) -> Array:
     return np.asarray(steps.cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
 
 
-def _back(nodes: AnyArray, cotangent: Array, splits: Splits) -> AnyArray:
+def _back(nodes: AnyArray, cotangent: Array, grids: Grids) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     sums, result = _sums(cotangent), np.empty_like(nodes)
-    grids = Grids.of(nodes, splits)
     at = _bounds(grids, _SHARES)
 
     def work(part: int) -> None:
