@@ -16,6 +16,8 @@ from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.leaving import LeavingRays, leaving
 from workbench.measured.photometry import IntensityTable
+from workbench.measured.photometry.ies import read_ies
+from workbench.measured.photometry.ldt import read_ldt
 from workbench.measured.photometry.table import solid_angles, table_of
 from workbench.said import Said
 from workbench.scene import Optic
@@ -45,8 +47,7 @@ def write_ies(design: Design, file: BinaryIO) -> Deviation:
         *_rows(table.c),
         *(row for plane in table.candela for row in _rows(plane)),
     ]
-    file.write(("\r\n".join(lines) + "\r\n").encode("ascii"))
-    return _deviation(table, rays, design.scene.optic)
+    return _deviation(read_ies(_written(lines, file)), rays, design.scene.optic)
 
 
 def write_ldt(design: Design, file: BinaryIO) -> Deviation:
@@ -68,8 +69,7 @@ def write_ldt(design: Design, file: BinaryIO) -> Deviation:
     angles = [*table.c[:-1], *table.gamma]
     lines = [*head, *names, *sizes, *factors, *lamps, *ratios, *angles, *table.candela[:-1].ravel()]
     text = [f"{line:.7g}" if isinstance(line, float) else str(line) for line in lines]
-    file.write(("\r\n".join(text) + "\r\n").encode("ascii"))
-    return _deviation(table, rays, optic)
+    return _deviation(read_ldt(_written(text, file)), rays, optic)
 
 
 def intensity_of_rays(rays: LeavingRays, optic: Optic) -> IntensityTable:
@@ -133,8 +133,15 @@ def _rows(values: Iterable[float]) -> list[str]:
     return [" ".join(words[first : first + 10]) for first in range(0, len(words), 10)]
 
 
+def _written(lines: list[str], file: BinaryIO) -> bytes:
+    """Write lines to a file, and return what stands there."""
+    content = ("\r\n".join(lines) + "\r\n").encode("ascii")
+    file.write(content)
+    return content
+
+
 def _deviation(table: IntensityTable, rays: LeavingRays, optic: Optic) -> Deviation:
-    """How far the flux of the table is from that of the rays."""
+    """How far the flux of the table, as read again, is from that of the rays."""
     out = float(rays.flux.sum())
     off = abs(table.lumens / (_LUMENS * out) - 1)
     noise = 1 / math.sqrt(len(rays.flux))
@@ -142,4 +149,4 @@ def _deviation(table: IntensityTable, rays: LeavingRays, optic: Optic) -> Deviat
         f"of {len(rays.flux)} rays, {_LUMENS * out:.1f} lm of {_LUMENS:g} lm leave the "
         f"{optic.body_called}; the nadir is {'+z' if optic.onwards > 0 else '−z'}"
     )
-    return Deviation("flux off by", max(off, 0.0), f"of it, scatter about {noise:.1g}", note)
+    return Deviation("flux off by", off, f"of it, scatter about {noise:.1g}", note)
