@@ -268,7 +268,7 @@ def _marks(rows: Sequence[Any], kinds: Sequence[tuple[str, str]], label: str) ->
         axes.plot([getattr(row, kind) for row in rows], places, mark, label=kind)
     axes.set_xscale("log")
     axes.set_yticks(places, [row.scene for row in rows])
-    axes.invert_yaxis()
+    axes.set_ylim(len(rows) - 0.5, -0.5)
     axes.set_xlabel(label, fontsize=_FONT)
     axes.tick_params(labelsize=_FONT)
     axes.grid(linewidth=0.5, alpha=0.4)
