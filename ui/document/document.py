@@ -209,6 +209,10 @@ class Document(QObject):
         self._session = session
         self.undo_stack.amend(session)
 
+    def seal(self) -> None:
+        """Begin a step of its own with the next edit: undoing that edit comes back to this lens."""
+        self.undo_stack.seal()
+
     def begin(self, session: Session, name: str) -> None:
         """Go on with a new task, which has no file yet, as one step that can be undone.
 

@@ -78,6 +78,11 @@ class UndoSteps(QUndoStack):
             self.resetClean()
         self._forget_oldest()
 
+    def seal(self) -> None:
+        """Let no later step become part of the last one; nothing happens without a step."""
+        if self.canUndo():
+            self._all()[self.index() - 1].key = ""
+
     def origin(self, key: str) -> Session | None:
         """Where the step began that one with this key would become part of, if there is one."""
         if not key or self.isClean() or not self.canUndo():

@@ -3,7 +3,8 @@
 1. One thread designs. An edit lets the design that is under way come to its first lens, which is
    shown, and then the latest edit is next: whoever drags a slider sees lens after lens.
 2. Each lens is part of the step of its edit (`Document.improve`): whatever is done with the design
-   is done with the best lens so far, and undoing the edit takes it back.
+   is done with the best lens so far, and undoing the edit takes it back. Once a lens is finished,
+   the next edit begins another step, also one of the same field; and the lens is a kept run.
 3. An edit changes the document once. Where it has changed more often something else was done, such
    as undo or opening a file, and the lens that followed before is none to go on from.
 4. An edit that asks for no other lens, such as a region, lets the design go on from its best lens.
@@ -21,7 +22,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
 from ui.run.control import RunControl
-from ui.run.kept import with_followed
+from ui.run.kept import called, with_followed
 from ui.run.worker import RunJob, frame_of, work
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
@@ -169,6 +170,7 @@ class Follow(QObject):
         waiting = self._wanted
         if held:
             self._show_best()
+            self._document.seal()  # what is checked can be returned to
             self.rest()
             if self._document.session.result is None:
                 self._wanted = waiting
@@ -292,7 +294,7 @@ class Follow(QObject):
 
     def _put(self, design: _Design, best: "Result") -> None:
         """Give the document the best lens so far."""
-        session = with_followed(self._document.session, best)
+        session, given_way = with_followed(self._document.session, best)
         if design.own_step:
             design.own_step = False
             self._document.change(
@@ -302,6 +304,8 @@ class Follow(QObject):
             self._changes = 0
         else:
             self._document.improve(session)
+        for run in given_way:
+            self._control.gave_way.emit(called(run))
         error = 100 * relative_error(best.state, session.target)
         self._say(tr("Following: error {error:.1f} %, still getting better").format(error=error))
 
@@ -311,6 +315,7 @@ class Follow(QObject):
         wanted = self._is_wanted(design)
         if wanted and best is not None and best.iterations:
             self._put(design, best)  # with why it ended
+            self._document.seal()
         self._take_next()
         if wanted:
             self.rest()

@@ -10,6 +10,7 @@ from ui.document.document import Document
 from ui.run import follow as followed
 from ui.run.control import RunControl
 from ui.run.follow import Follow
+from ui.run.kept import restored
 from workbench.design.live import LiveDesign
 from workbench.scene import Scene
 
@@ -209,8 +210,7 @@ def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, de
         desk.edit(z, key="drag")
         desk.wait(settled)
     assert starts == [False, True, True]
-    assert desk.steps == 1
-    desk.document.undo_stack.undo()
+    desk.document.undo_stack.setIndex(0)
     assert desk.document.session is designed
     desk.edit(9)
     desk.wait(4)
@@ -248,18 +248,57 @@ def test_the_lens_of_a_run_is_kept_when_the_next_edit_is_followed(desk, qtbot):
     desk.edit(7)
     desk.wait()
     names = [run.name for run in desk.document.session.runs]
-    assert names == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+    assert names == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
     desk.document.undo_stack.undo()
     assert desk.document.session is designed
 
 
-def test_all_lenses_that_follow_share_one_kept_run(desk):
+def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, designed):
+    lenses = []
     for settled, z in enumerate((6, 7, 8), 1):
-        desk.edit(z)
+        desk.edit(z, key="screen.z")  # one field, edited again and again
         desk.wait(settled)
+        lenses.append(desk.document.session.result)
+    runs = desk.document.session.runs
+    assert [run.name for run in runs] == [f"Followed {k}: auto, 12 × 10" for k in (1, 2, 3)]
+    assert [run.result for run in runs] == lenses
+    assert [run.scene.screen.z for run in runs] == [6, 7, 8]
+    desk.document.change(restored(desk.document.session, runs[0]), "return")
+    assert desk.document.session.result is lenses[0]
+    assert desk.document.session.scene.screen.z == 6
+    for lens in reversed(lenses):
+        desk.document.undo_stack.undo()
+        assert desk.document.session.result is lens
+    desk.document.undo_stack.undo()
+    assert desk.document.session is designed
+
+
+def test_edits_before_a_lens_is_finished_are_one_step_and_one_run(desk, designed):
+    desk.engine.hold()
+    desk.edit(6, key="screen.z")
+    desk.come_to_a_lens()
+    desk.edit(7, key="screen.z")
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    assert desk.steps == 1
     (run,) = desk.document.session.runs
-    assert run.scene.screen.z == 8
     assert run.result is desk.document.session.result
+    desk.document.undo_stack.undo()
+    assert desk.document.session is designed
+
+
+def test_a_lens_that_is_checked_before_it_is_finished_can_be_returned_to(desk):
+    desk.engine.hold()
+    desk.edit(6, key="screen.z")
+    desk.come_to_a_lens()
+    desk.follow.hold(True)
+    lens = desk.document.session.result
+    desk.engine.leave.release(_FREE)
+    desk.follow.hold(False)
+    desk.edit(7, key="screen.z")
+    desk.wait()
+    desk.document.undo_stack.undo()
+    assert desk.document.session.result is lens
 
 
 def test_an_edit_during_a_check_is_followed_after_it(desk, qtbot):

@@ -67,7 +67,7 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     assert any("still getting better" in text for text in texts)
     assert texts[-1] == ""
     assert window.status.text == result.ended[0].upper() + result.ended[1:]
-    assert [run.name for run in document.session.runs] == ["Followed: auto, 12 × 10"]
+    assert [run.name for run in document.session.runs] == ["Followed 1: auto, 12 × 10"]
     window.commands["undo"].trigger()
     assert document.session is designed
     window.commands["redo"].trigger()
@@ -117,7 +117,7 @@ def test_a_run_keeps_edits_waiting_and_they_are_followed_after_it(following, qtb
     with settled(window, qtbot):
         window.commands["stop"].trigger()
     names = [run.name for run in window.document.session.runs]
-    assert names == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+    assert names == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
 
 
 def test_the_choice_to_follow_is_kept(following, settings):

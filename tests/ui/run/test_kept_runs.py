@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.run.kept import is_named, renamed, restored, with_followed, with_run, without
+from ui.run.kept import called, is_named, renamed, restored, with_followed, with_run, without
+from workbench.design.endings import STOPPED
 from workbench.errors import Refused
 from workbench.files.header import MOST_RUNS
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
@@ -109,23 +110,55 @@ def test_an_empty_or_too_long_name_is_refused(session, result):
             renamed(session, session.runs[0], name)
 
 
-def test_a_lens_that_follows_takes_the_place_of_the_one_before(session, result):
+@pytest.fixture
+def unfinished(result):
+    return replace(result, ended=STOPPED)
+
+
+def test_a_lens_that_follows_replaces_an_unfinished_one(session, result, unfinished):
     session, _ = with_run(session, result)
     for _ in range(3):
-        session = with_followed(session, result)
-    assert names(session) == ["Run 1: auto, 12 × 10", "Followed: auto, 12 × 10"]
+        session, _ = with_followed(session, unfinished)
+    assert names(session) == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
     assert not is_named(session.runs[-1])
+    session, _ = with_followed(session, result)
+    assert names(session) == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
+    assert session.runs[-1].result is result
 
 
-def test_a_followed_lens_that_a_person_has_named_stays(session, result):
-    session = with_followed(session, result)
+def test_a_finished_lens_that_followed_stays_beside_the_next(session, result, unfinished):
+    session, _ = with_followed(session, result)
+    session, _ = with_followed(session, unfinished)
+    assert names(session) == ["Followed 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
+    session, _ = with_run(session, result)
+    assert names(session)[-1] == "Run 3: auto, 12 × 10"
+
+
+def test_a_followed_lens_that_a_person_has_named_stays(session, unfinished):
+    session, _ = with_followed(session, unfinished)
     session = renamed(session, session.runs[0], "Followed: the good one")
-    session = with_followed(session, result)
-    assert names(session) == ["Followed: the good one", "Followed: auto, 12 × 10"]
+    session, _ = with_followed(session, unfinished)
+    assert names(session) == ["Followed: the good one", "Followed 1: auto, 12 × 10"]
 
 
-def test_a_lens_that_follows_takes_no_room_from_runs(session, large):
+def test_an_unfinished_lens_drops_no_run(session, large):
     session, _ = with_run(session, large(300))
-    session = with_followed(session, large(300), budget=500 * KILOBYTE)
-    assert names(session) == ["Run 1: auto, 12 × 10"]
-    assert session.result is not session.runs[0].result
+    unfinished = replace(large(300), ended=STOPPED)
+    session, given_way = with_followed(session, unfinished, budget=500 * KILOBYTE)
+    assert names(session) == ["Run 1: auto, 12 × 10"] and given_way == []
+    assert session.result is unfinished
+
+
+def test_lenses_that_followed_are_dropped_before_runs(session, large):
+    session, _ = with_run(session, large(100))
+    for _ in range(2):
+        session, _ = with_followed(session, large(100))
+    session, given_way = with_followed(session, large(100), budget=350 * KILOBYTE)
+    assert [run.name for run in given_way] == ["Followed 2: auto, 12 × 10"]
+    assert names(session)[0] == "Run 1: auto, 12 × 10"
+    assert len(session.runs) == 3
+
+
+def test_a_followed_lens_is_called_by_its_number(session, result):
+    session, _ = with_followed(session, result)
+    assert called(session.runs[0]) == "Followed 1: auto, 12 × 10"
