@@ -13,12 +13,19 @@ from workbench.units import WRITTEN
 
 _LONGEST = 100
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d[\d.,]*|[.,]\d+)(?:[eE][+-]?\d+)?)"
+    r"\s*(?:(?P<number>(?:[1-9]\d{0,2}(?:[ '’\u00a0\u2009\u202f]\d{3})+(?!\d)[\d.,]*"
+    r"|\d[\d.,]*|[.,]\d+)(?:[eE][+-]?\d+)?)"
     r"|(?P<unit>[^\W\d_]+|[°\"%])"
     r"|(?P<sign>[-+*/()−×·÷]))\s*"
 )
 _SIGNS = str.maketrans("−×·÷", "-**/")
+_SPACED = str.maketrans("", "", " '’\u00a0\u2009\u202f")
 _THOUSANDS = re.compile(r"[1-9]\d{0,2},\d{3}")
+# 1,234.5 and 1.234,5 and 1.234.567: the repeated or the first mark stands between thousands.
+_GROUPED = re.compile(
+    r"(?P<whole>[1-9]\d{0,2}(?P<mark>[.,])\d{3}(?:(?P=mark)\d{3})*)"
+    r"(?P<rest>(?!(?P=mark))[.,]\d*(?:[eE][+-]?\d+)?)?"
+)
 
 
 @dataclass(frozen=True)
@@ -32,7 +39,8 @@ class _Quantity:
 def read_number(text: str, unit: str = "") -> Fraction:
     """Work out what somebody typed.
 
-    Numbers have a decimal point, or a comma where it cannot stand between thousands. They may be
+    Numbers have a decimal point, or a comma where it cannot stand between thousands. Thousands may
+    be grouped by spaces or apostrophes, or by the mark that is not the decimal one. Numbers may be
     added, subtracted, multiplied and divided, with parentheses. A length may have any unit of
     `WRITTEN`, where the field is of one, and a part of something may be in percent; without it, it
     is in the unit of the field.
@@ -118,6 +126,7 @@ def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Q
 
 
 def _decimal(text: str) -> Fraction:
+    text = text.translate(_SPACED)
     if _THOUSANDS.fullmatch(text):
         raise ValueError(
             f"{text} may be {text.replace(',', '.')} or {text.replace(',', '')}; "
@@ -125,6 +134,9 @@ def _decimal(text: str) -> Fraction:
         )
     if text.isdecimal():
         return Fraction(int(text))
+    grouped = _GROUPED.fullmatch(text)
+    if grouped and (grouped["rest"] or grouped["whole"].count(grouped["mark"]) > 1):
+        text = grouped["whole"].replace(grouped["mark"], "") + (grouped["rest"] or "")
     plain = text.replace(",", ".")
     if plain.count(".") > 1:
         raise ValueError(f"{text} has more than one decimal point")

@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 from tests.scenes import changed
+from workbench.cli.verbs.kinds import count
 from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
@@ -61,7 +62,9 @@ def session_file(tmp_path, make_scene):
         (["design", "scene.json", "-o", "o", "--iter", "3"], "--iter"),
         (["validate"], "SESSION"),
         (["validate", "o", "--rays", "0"], "a whole number greater than 0"),
-        (["validate", "o", "--rays", "1e6"], "'1e6'"),
+        (["validate", "o", "--rays", "2.5"], "'2.5'"),
+        (["validate", "o", "--rays", "1e-3"], "'1e-3'"),
+        (["validate", "o", "--rays", "1e99"], "'1e99'"),
         (["pictures", "o"], "FOLDER"),
     ],
 )
@@ -69,6 +72,13 @@ def test_wrong_use(refusal, arguments, reason):
     stderr = refusal(*arguments)
     assert stderr.startswith("usage: ")
     assert reason in stderr
+
+
+@pytest.mark.parametrize(
+    "text, number", [("1000", 1000), ("1e6", 1_000_000), ("1.5e3", 1500), ("2.0", 2)]
+)
+def test_counts_may_have_an_exponent(text, number):
+    assert count(text) == number
 
 
 class TestScene:

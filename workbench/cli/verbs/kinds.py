@@ -8,6 +8,7 @@ from workbench.analysis.tracing.ray_limit import MOST_RAYS
 
 _MOST_DISTANCES = 1000
 _MOST_STOPS = 20.0
+_LARGEST_EXACT = 2.0**53  # above it, a float64 stands for several whole numbers
 
 
 def positive(text: str) -> float:
@@ -36,10 +37,13 @@ def stops(text: str) -> float:
 
 
 def count(text: str) -> int:
-    """A whole number greater than 0."""
+    """A whole number greater than 0; 1e6 and 16e6 too."""
     with suppress(ValueError):
         if (number := int(text)) > 0:
             return number
+    with suppress(ValueError):
+        if (written := float(text)).is_integer() and 0 < written <= _LARGEST_EXACT:
+            return int(written)
     raise argparse.ArgumentTypeError(f"{text!r}; a whole number greater than 0 is needed")
 
 
