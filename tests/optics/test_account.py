@@ -138,3 +138,13 @@ def test_parts_of_a_mirror_are_none_of_a_lens(make_scene):
     assert parts["on_screen"] == 0.7 and parts["missed_mirror"] == 0.2
     assert "fresnel_entrance" not in parts and "missed_lens" not in parts
     assert "fresnel_entrance" in account.parts_in(make_scene())
+
+
+@pytest.mark.parametrize("lost", ["fresnel_entrance", "fresnel_exit"])
+def test_a_coating_is_the_cure_of_reflection_by_a_face(make_scene, lost):
+    account = Account(0.3, {lost: 0.6, "off_screen": 0.1})
+    assert "antireflection coating" in account.advice(make_scene())
+    scene = make_scene({"lens.refractive_index": 4.0, "lens.coating": [0.0, 0.0]})
+    heights = torch.full((12, 10), 0.5, dtype=torch.float64)
+    traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
+    assert traced.account.lost[lost] == 0

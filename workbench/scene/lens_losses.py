@@ -31,14 +31,15 @@ LENS_LOSSES: Mapping[str, Loss] = {
         "Reflected on entry",
         "The part that the entrance face reflects of the light that it refracts.",
         "is reflected at the entrance",
-        "a source nearer to the axis lets it in",
+        "an antireflection coating, a lower index or a source nearer to the axis lets it in",
         always=True,
     ),
     "fresnel_exit": Loss(
         "Reflected on exit",
         "The part that the exit face reflects of the light that it refracts.",
         "is reflected at the exit",
-        "{flatter}thicker stock, a lower index or a target that needs less bending lets it out",
+        "an antireflection coating, {flatter}a lower index or a target that needs less bending "
+        "lets it out",
         always=True,
     ),
 }
