@@ -35,6 +35,13 @@ def interrupted_when(asked_to_end: Callable[[], bool]) -> Iterator[None]:
 
 
 @contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Let the work of this thread end only when it is given up: without it there is no result."""
+    with _answered(_asked_to_end, _never):
+        yield
+
+
+@contextmanager
 def given_up_when(given_up: Callable[[], bool]) -> Iterator[None]:
     """Let the work of this thread end at once when that is true: nobody wants any of it."""
     with _answered(_given_up, given_up):

@@ -159,8 +159,10 @@ class TestDone:
         assert status == 0
         assert read_session(out).result.state.heights["exit"] == pytest.approx(0.5, abs=1e-9)
 
-    def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run):
-        fake_run({})  # each iteration takes a second
+    def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run, monkeypatch):
+        seconds = []
+        monkeypatch.setattr("time.perf_counter", lambda: float(len(seconds)))
+        fake_run({iteration: lambda: seconds.append(1) for iteration in range(1, 11)})
         status, _, progress = freeform("design", scene_file, "-o", out, "--seconds", 3.5)
         assert status == 0
         assert read_session(out).result.iterations == 4

@@ -57,7 +57,9 @@ def endless(scene_file, scene_data):
 
 def test_the_time_limit_ends_long_work_within_an_iteration(freeform, scene_file, out, fake_run):
     fake_run({1: work_until_interrupted})
-    assert freeform("design", scene_file, "-o", out, "--seconds", 0.05)[0] == 0
+    status, _, stderr = freeform("design", scene_file, "-o", out, "--seconds", 0.05)
+    assert status == 0
+    assert "Not designed yet: give --seconds more time" in stderr
     result = read_session(out).result
     assert (result.iterations, result.ended) == (0, "stopped")
 

@@ -28,8 +28,8 @@ def _descended(wanted, *descents, left=200):
     def evaluated(x, nets):
         off = nets["exit"] - wanted
         value = off.square().sum() / wanted.square().sum()
-        (gradient,) = torch.autograd.grad(value, [x])
-        return Evaluation(value.item(), gradient, nets["exit"].detach().numpy().copy())
+        seen = nets["exit"].detach().numpy().copy()
+        return Evaluation(value.item(), lambda: torch.autograd.grad(value, [x])[0], seen)
 
     begin = {"exit": torch.zeros_like(wanted)}
 

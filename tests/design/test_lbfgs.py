@@ -12,8 +12,7 @@ def objective(function):
     def evaluate(x):
         x = x.detach().requires_grad_()
         value = function(x)
-        (gradient,) = torch.autograd.grad(value, x)
-        return Evaluation(value.item(), gradient, None)
+        return Evaluation(value.item(), lambda: torch.autograd.grad(value, x)[0], None)
 
     return evaluate
 
@@ -42,6 +41,23 @@ def test_the_scale_of_the_problem_does_not_matter(scale):
         minimise(objective(lambda x: scale * rosenbrock(x)), torch.zeros(4).double()), 60
     )
     assert list(found)[-1][1].value < 1e-3 * scale
+
+
+def test_points_without_a_step_from_them_have_no_gradient():
+    evaluate, evaluated, differentiated = objective(rosenbrock), [], []
+
+    def counted(x):
+        found = evaluate(x)
+        evaluated.append(x)
+
+        def differentiate():
+            differentiated.append(x)
+            return found.differentiate()
+
+        return Evaluation(found.value, differentiate, None)
+
+    accepted = list(islice(minimise(counted, torch.zeros(6).double()), 20))
+    assert len(differentiated) == len(accepted) - 1 < len(evaluated)
 
 
 def test_the_search_stops_at_the_minimum():

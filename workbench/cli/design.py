@@ -22,8 +22,10 @@ from workbench.interruption import interrupted_when
 from workbench.system_memory import keep_freed_memory
 
 
-def design(path: Path, output: Path, iterations: int | None, seconds: float, as_json: bool) -> None:
-    """Run a design and write it, however the run ends.
+def design(
+    path: Path, output: Path, iterations: int | None, deadline: float, as_json: bool
+) -> None:
+    """Run a design until a deadline of `time.perf_counter`, and write it however the run ends.
 
     Raises
     ------
@@ -47,17 +49,16 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
     keeper = Keeper(output, lambda result: replace(session, result=result))
     _tell_left_behind(keeper, path)
     with Interruption() as interruption:
-        end = time.perf_counter() + seconds
         try:
             with (
-                interrupted_when(lambda: interruption.asked > 0 or time.perf_counter() >= end),
-                closing(Progress(seconds)) as progress,
+                interrupted_when(lambda: interruption.asked > 0 or _is_over(deadline)),
+                closing(Progress(deadline)) as progress,
                 closing(iter(run)) as snapshots,
             ):
                 for snapshot in snapshots:
                     progress.show(snapshot)
                     keeper.keep(run.history)
-                    if interruption.asked or snapshot.seconds >= seconds:
+                    if interruption.asked or _is_over(deadline):
                         break
         finally:
             interruption.settle()
@@ -66,11 +67,17 @@ def design(path: Path, output: Path, iterations: int | None, seconds: float, as_
                 keeper.finish(result)
     if result is not None:
         _print(result, session.scene.receiver.place, as_json)
+        if _is_over(deadline) and not result.iterations:
+            print("Not designed yet: give --seconds more time", file=sys.stderr)
         _print_hint(session, result)
-        if not as_json and not interruption.asked:
+        if not as_json and not interruption.asked and not _is_over(deadline):
             _print_bound(session, result)
     if interruption.asked:
         raise EndedBySignal(interruption.asked, f"interrupted; {_held(result, output)}")
+
+
+def _is_over(deadline: float) -> bool:
+    return time.perf_counter() >= deadline
 
 
 def _print_hint(session: Session, result: Result) -> None:

@@ -57,12 +57,12 @@ class Progress:
 
     Parameters
     ----------
-    limit : float
-        Seconds after which the run is stopped; may be infinite.
+    deadline : float
+        Time of `time.perf_counter` at which the run is stopped; may be infinite.
     """
 
-    def __init__(self, limit: float) -> None:
-        self._limit = limit
+    def __init__(self, deadline: float) -> None:
+        self._deadline = deadline
         self._bar: tqdm | None = None
         self._line: Snapshot | None = None  # the last one that got a line
         self._notes: tuple[str, ...] = ()
@@ -108,7 +108,7 @@ class Progress:
         )
 
     def _state(self, snapshot: Snapshot) -> str:
-        left = self._limit - snapshot.seconds
+        left = self._deadline - time.perf_counter()
         if snapshot.iteration > 0:
             to_do = snapshot.iterations - snapshot.iteration
             left = min(left, snapshot.seconds / snapshot.iteration * to_do)

@@ -144,12 +144,16 @@ def _evaluated(
     if smoothness is not None:
         penalty = smoothness.penalty(heights)
         value = value + penalty
-    check_given_up()  # gradients take as long again
-    (gradient,) = torch.autograd.grad(value, [x])
-    check_gradient(gradient)
     if smoothness is not None:
         step = smoothness.judged(step, penalty)
-    return Evaluation(value.item(), gradient, step)
+
+    def differentiate() -> Tensor:
+        check_given_up()  # the gradient takes twice the time of the image
+        (gradient,) = torch.autograd.grad(value, [x])
+        check_gradient(gradient)
+        return gradient
+
+    return Evaluation(value.item(), differentiate, step)
 
 
 def _mirrored(

@@ -3,6 +3,8 @@
 import math
 from collections import deque
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Generic, NamedTuple, TypeVar
 
 import torch
@@ -11,12 +13,28 @@ from torch import Tensor
 Seen = TypeVar("Seen")
 
 
-class Evaluation(NamedTuple, Generic[Seen]):
-    """Value and gradient at a point, and whatever else the objective saw there."""
+@dataclass(frozen=True)
+class Evaluation(Generic[Seen]):
+    """Value and gradient at a point.
+
+    Attributes
+    ----------
+    value : float
+        Value of the objective.
+    differentiate : callable
+        Return the gradient; called once, and not at all where no step begins.
+    seen : object
+        Whatever else the objective saw.
+    """
 
     value: float
-    gradient: Tensor
+    differentiate: Callable[[], Tensor]
     seen: Seen
+
+    @cached_property
+    def gradient(self) -> Tensor:
+        """Gradient of the objective, shape (n,)."""
+        return self.differentiate()
 
 
 Objective = Callable[[Tensor], Evaluation[Seen]]
@@ -86,8 +104,8 @@ def minimise(
     """
     pairs: deque[_Pair] = deque(maxlen=remembered(len(x)))
     here = objective(x)
+    yield x, here
     while True:
-        yield x, here
         direction = _direction(pairs, here, eased)
         slope = torch.dot(here.gradient, direction).item()
         if not slope < 0:
@@ -105,11 +123,13 @@ def minimise(
                 return
             pairs.clear()  # the model of the curvature is stale: once more from the gradient
             continue
-        moved, turned = step * direction, there.gradient - here.gradient
+        moved, gradient = step * direction, here.gradient
+        x, here = x + moved, there
+        yield x, here  # before its gradient, which the last point does without
+        turned = here.gradient - gradient
         product = torch.dot(moved, turned).item()
         if product > 1e-10 * (moved.norm() * turned.norm()).item():
             pairs.append(_Pair(moved, turned, product))
-        x, here = x + moved, there
 
 
 def _direction(

@@ -2,6 +2,7 @@
 
 import argparse
 import math
+import time
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,8 @@ def _goes_on(path: Path) -> bool:
 
 
 def _run(options: argparse.Namespace) -> None:
+    begun = time.perf_counter()  # what is imported from here on takes seconds
     from workbench.cli.design import design
 
-    design(options.scene, options.output, options.iterations, options.seconds, options.json)
+    deadline = begun + options.seconds
+    design(options.scene, options.output, options.iterations, deadline, options.json)

@@ -12,6 +12,8 @@ from functools import cache
 
 import torch
 
+from workbench.interruption import check_interruption
+
 # Handing a part to another thread takes some 50 µs: fewer rays than this are not worth it.
 _WORTH_A_THREAD = 8192
 
@@ -41,18 +43,26 @@ def run(work: Callable[[int], None], parts: int) -> None:
     with more parts than threads, none waits long for another. The caller's thread is one of them.
     ``work`` should spend its time in a kernel compiled with ``nogil=True`` and may not call `run`
     again.
+
+    Raises
+    ------
+    Interrupted
+        If the work of the caller's thread is to end, between two parts.
     """
     left = iter(range(parts))  # its next number is taken by one thread alone: Python's lock is held
 
-    def take() -> None:
+    def take(check: Callable[[], None] = lambda: None) -> None:
         for part in left:
+            check()
             work(part)
 
     count = min(parts, torch.get_num_threads()) - 1
     others = [_pool(count).submit(take) for _ in range(count)]
     try:
-        take()
+        take(check_interruption)
     finally:
+        for _ in left:  # none after a failure
+            pass
         # Even after a failure here: the others still write to arrays of the caller.
         for other in others:
             if not other.cancel():  # it has begun
