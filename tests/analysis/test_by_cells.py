@@ -46,6 +46,8 @@ def test_both_say_the_same_of_each_kind_of_source(lens, target, source):
     assert low < exact.relative_l2_corrected < high
     assert exact.bound <= 2e-3
     assert exact.unscattered.interval[0] == 0
+    assert found.contradiction is None
+    assert found.beside_run(1.004 * exact.irradiance, scene.receiver) is None
     assert exact.difference_over_noise == pytest.approx(1, abs=0.1)
     assert exact.efficiency == pytest.approx(found.efficiency, abs=1e-3)
     assert exact.relative_l2_corrected == relative_l2(exact.irradiance, target)
@@ -89,7 +91,10 @@ def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch
 
     monkeypatch.setattr(by_cells, "imaging", moved)
     scene, heights = lens({"kind": "collimated"})
-    off = validate(scene, target, heights, 1_000_000, accuracy=2e-3).by_cells
+    found = validate(scene, target, heights, 1_000_000, accuracy=2e-3)
+    off = found.by_cells
+    assert "images by cells and by random rays" in found.contradiction
+    assert found.to_data()["contradiction"] == found.contradiction
     assert off.unscattered.interval[0] > 0.01
     assert off.difference_over_noise > 3
 

@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
+from workbench.analysis.tracing.trace import Trace
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.session import Session, write_session
@@ -35,6 +36,7 @@ class TestValidate:
         assert (status, stderr) == (0, "")
         figures = json.loads(stdout)
         assert sorted(figures) == [
+            "contradiction",
             "contrast",
             "correlation",
             "deterministic",
@@ -43,6 +45,7 @@ class TestValidate:
             "loss",
             "noise",
             "optimiser_difference",
+            "optimiser_remark",
             "psnr",
             "rays",
             "relative_l2",
@@ -128,6 +131,20 @@ class TestValidate:
         status, _, stderr = freeform("validate", lens, "--rays", 10_000)
         assert status == 0
         assert stderr.splitlines()[-1] == "check  100 %"
+
+    def test_two_traces_that_contradict_each_other(self, freeform, lens, monkeypatch):
+        """The figures are printed, and the check fails: random rays meet another glass."""
+
+        def in_denser_glass(scene, *others):
+            denser = scene.lens.altered(refractive_index=1.7)
+            return Trace(scene.altered(lens=denser), *others)
+
+        monkeypatch.setattr("workbench.analysis.validation.Trace", in_denser_glass)
+        status, stdout, stderr = freeform("validate", lens, "--rays", 100_000, "--json")
+        assert status == 1
+        said = json.loads(stdout)["contradiction"]
+        assert said.startswith("the check contradicts itself: 92.16 % of the light on the receiver")
+        assert stderr.splitlines()[-1] == f"freeform: {said}"
 
     def test_for_people(self, freeform, lens):
         status, stdout, _ = freeform("validate", lens, "--rays", 10_000)

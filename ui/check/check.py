@@ -32,7 +32,7 @@ class Check(QObject):
     summary_ready : Signal(str)
         The same as a sentence.
     failed : Signal(str)
-        Why there is none.
+        Why there is none, or why its figures are not reliable.
     """
 
     figures_changed = Signal(str)
@@ -97,11 +97,17 @@ class Check(QObject):
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
         found, difference = outcome
+        failed = found.contradiction
         self.figures_changed.emit(
-            tr("Checked error {verified}").format(verified=verified_error(found.verified))
+            tr("Check failed")
+            if failed
+            else tr("Checked error {verified}").format(verified=verified_error(found.verified))
         )
         self.under_way_changed.emit(False)
         self.checked.emit(lens, found, difference)
+        if failed:
+            self.failed.emit(tr(failed))
+            return
         low, high = found.verified.relative_l2_corrected_interval
         self.summary_ready.emit(
             tr(

@@ -34,6 +34,14 @@ _SAID = Qt.ItemDataRole.UserRole  # a text with the spaces that it was given
 _NOTHING = later("F8 traces what is on show anew, with rays that its design never saw.")
 _TIPS = later(
     {
+        "check failed": (
+            "Cells and random rays trace the same light by different means. Where they differ by "
+            "more than noise and error bounds explain, one of them is wrong."
+        ),
+        "optimiser and check": (
+            "The image and the efficiency of the design differ from the check by more than errors "
+            "explain: the optimiser traces fewer rays."
+        ),
         "verified error": (
             "Relative L2 error of image and target, by cells and without random "
             "rays: what the optic itself is off."
@@ -212,12 +220,14 @@ class CheckFigures(QWidget):
                 for image, own in zip(found.further, lens.further, strict=True)
             ),
         ]
+        lights = (lens.irradiance, *lens.further)
         rows: list[Fact] = []
         tips: list[str] = []
-        for number, (image, off, scene) in enumerate(
-            zip(found.images, differences, lens.session.scene.single, strict=True), start=1
+        for number, (image, off, own, scene) in enumerate(
+            zip(found.images, differences, lights, lens.session.scene.single, strict=True), start=1
         ):
-            for row, tip in _rows_of(image, off, scene):
+            remark = None if own is None else image.beside_run(own, scene.receiver)
+            for row, tip in _rows_of(image, off, remark, scene):
                 name = row.name
                 if found.further:
                     name = tr("image {number}: {name}").format(number=number, name=name)
@@ -265,7 +275,9 @@ class CheckFigures(QWidget):
         self.rays_chosen.emit(self.rays)
 
 
-def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tuple[Fact, str]]":
+def _rows_of(
+    found: "Validation", difference: float, remark: Said | None, scene: "Scene"
+) -> "list[tuple[Fact, str]]":
     """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.measured.light_unit import light_unit
@@ -276,7 +288,7 @@ def _rows_of(found: "Validation", difference: float, scene: "Scene") -> "list[tu
     parts = account_rows(found.account, scene, light_unit(scene))
     titles = [words[name] for name in found.account.parts_in(scene)]
     rows = [
-        *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference)),
+        *((row, tr(row.name), _TIPS[row.name]) for row in check_rows(found, difference, remark)),
         *((row, tr(row.name), _OF_REGION) for row in region_rows(found)),
         *((row, inside(tr(name)), tip) for row, (name, tip) in zip(parts, titles, strict=True)),
     ]

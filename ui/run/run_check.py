@@ -112,6 +112,11 @@ class RunCheck(QObject):
 
     def _take(self, lens: CheckedLens, outcome: "tuple[Validation, None]") -> None:
         found, _ = outcome
+        if found.contradiction:
+            self._text = tr("Check failed")
+            self._tell()
+            self.failed.emit(tr(found.contradiction))
+            return
         self._latest = verified = Verified(lens.iterations, lens.seconds, found.loss_corrected)
         history = self._control.history
         if lens is self._end and self._result is not None:

@@ -79,7 +79,9 @@ class Runs(QObject):
         }
 
     def note_check(self, lens: CheckedLens, found: "Validation") -> None:
-        """Keep what a check says of the lens of a kept run."""
+        """Keep what a check says of the lens of a kept run, unless the check failed."""
+        if found.contradiction:
+            return
         for run in self._document.session.runs:
             if _is_lens_of(run, lens):
                 self._document.verified.note(run.result, found)

@@ -5,6 +5,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from workbench.analysis.agreement import Agreement, RandomShare
 from workbench.analysis.cells.image import CellImage, imaging
 from workbench.analysis.independent import IndependentError, tracing_independently
 from workbench.analysis.metrics import paper_loss, relative_l2, root
@@ -45,6 +48,9 @@ class ByCells:
         The same difference without their scatter.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
+    agreement : Agreement, optional
+        How far the two traces are apart; None where some rays of a file are all that is known of
+        the light, for which cells only stand.
     independent : IndependentError, optional
         Where the error is from independent images of random rays, as these are more exact.
     """
@@ -60,6 +66,7 @@ class ByCells:
     noise: float
     unscattered: CorrectedDistance
     irradiance: Array
+    agreement: Agreement | None = None
     independent: IndependentError | None = None
 
     @classmethod
@@ -70,6 +77,7 @@ class ByCells:
         receiver: AnyReceiver,
         of_rays: Array,
         unscattered: CorrectedDistance,
+        share: RandomShare | None,
         independent: IndependentError | None = None,
     ) -> "ByCells":
         """Compare an image with the target and with one of random rays.
@@ -84,20 +92,28 @@ class ByCells:
             What the images are on.
         unscattered : CorrectedDistance
             Distance of these two without the scatter of the rays.
+        share : RandomShare, optional
+            Part of the light of the random rays on the receiver; None where cells only stand for
+            the rays of a file.
         independent : IndependentError, optional
             What has the error, in place of the image by cells.
         """
         irradiance = image.irradiance
-        by_cells, off = image.error(target)
-        error, interval = by_cells, (max(by_cells - off, 0.0), by_cells + off)
+        by_cells, apart = image.error(target)
+        error, interval = by_cells, (max(by_cells - apart, 0.0), by_cells + apart)
         if independent is not None:
-            error, interval, _ = independent.unscattered
+            error, interval, *_ = independent.unscattered
         difference = relative_l2(of_rays, irradiance)
+        efficiency = receiver.total(irradiance)
+        flux = irradiance * receiver.pixel_measure
+        # By Cauchy and Schwarz, the error of the sum of all pixels.
+        off = image.bound * float(np.linalg.norm(flux)) * math.sqrt(flux.size)
+        agreement = Agreement(efficiency, off, share, image.bound, unscattered) if share else None
         return cls(
             relative_l2_corrected=error,
             relative_l2_corrected_interval=interval,
             loss=paper_loss(irradiance, target) * (error / by_cells if by_cells else 1.0),
-            efficiency=receiver.total(irradiance),
+            efficiency=efficiency,
             bound=image.bound,
             wanted=image.wanted,
             cells=image.cells,
@@ -105,6 +121,7 @@ class ByCells:
             noise=root(difference**2 - unscattered.square),
             unscattered=unscattered,
             irradiance=irradiance,
+            agreement=agreement,
             independent=independent,
         )
 
@@ -112,6 +129,11 @@ class ByCells:
     def difference_over_noise(self) -> float | None:
         """How far random rays are from this image, in units of their noise: 1 if both are right."""
         return self.difference / self.noise if self.noise > 0 else None
+
+    @property
+    def contradiction(self) -> Said | None:
+        """That random rays contradict the cells; see `Agreement`."""
+        return self.agreement and self.agreement.contradiction
 
     @property
     def way(self) -> str:

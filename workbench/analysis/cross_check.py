@@ -156,8 +156,8 @@ def cross_check(
     (m_1, m_2), (o_1, o_2) = ([i / i.sum() for i in images] for images in light.values())
     size = _norm((o_1 + o_2) / 2)
     products = (m_1 - o_1) * (m_2 - o_2) / size**2
-    square, spread = float(products.sum()), _95 * _norm(products - products.mean())
-    corrected = CorrectedDistance.of_square(square, spread)
+    square, error = float(products.sum()), _norm(products - products.mean())
+    corrected = CorrectedDistance.of_square(square, error, _95)
     return CrossCheck(
         difference=_norm(m_1 + m_2 - o_1 - o_2) / (2 * size),
         noise=math.hypot(_norm(m_1 - m_2), _norm(o_1 - o_2)) / (2 * size),

@@ -31,11 +31,14 @@ class CorrectedDistance(NamedTuple):
         Where it lies: at least 95 % confidence, also where images are evener than independent ones.
     square : float
         Its square; scatter may make it negative.
+    standard_error : float
+        Of the square.
     """
 
     distance: float
     interval: tuple[float, float]
     square: float
+    standard_error: float
 
     @classmethod
     def of(cls, products: Sequence[float]) -> "CorrectedDistance":
@@ -43,8 +46,8 @@ class CorrectedDistance(NamedTuple):
         square = float(np.mean(products))
         # The scatter of the second image shows in the products. That of the first, which has more
         # rays, adds less to the variance than its part of the rays says.
-        spread = STUDENT_T * float(np.std(products, ddof=1)) * math.sqrt((1 + 1 / FEWER) / BATCHES)
-        return cls.of_square(square, spread)
+        rays = math.sqrt((1 + 1 / FEWER) / BATCHES)
+        return cls.of_square(square, float(np.std(products, ddof=1)) * rays)
 
     @classmethod
     def of_pairs(
@@ -65,7 +68,7 @@ class CorrectedDistance(NamedTuple):
         """
         count, wanted = len(images), reference / reference.sum()
         if not all(image.any() for image in images):
-            return cls(0.0, (0.0, math.inf), 0.0)
+            return cls(0.0, (0.0, math.inf), 0.0, math.inf)
         apart = np.array(
             [(image / image.sum(dtype=np.float64) - wanted).ravel() for image in images]
         )
@@ -74,17 +77,24 @@ class CorrectedDistance(NamedTuple):
         square = float(products.sum()) / (count * (count - 1))
         without = (products.sum() - 2 * products.sum(axis=1)) / ((count - 1) * (count - 2))
         variance = (count - 1) / count * float(np.square(without - square).sum())
-        spread = STUDENT_T * math.sqrt(variance)
-        return cls.of_square(square, spread)
+        return cls.of_square(square, math.sqrt(variance))
 
     @classmethod
-    def of_square(cls, square: float, spread: float) -> "CorrectedDistance":
-        """From an estimate of the square, and how far that may be off."""
+    def of_square(
+        cls, square: float, standard_error: float, t: float = STUDENT_T
+    ) -> "CorrectedDistance":
+        """From an estimate of the square, its standard error, and how many of these make 95 %."""
+        spread = t * standard_error
         # A square below 0 by more than its spread tells that images are evener together than ones
         # that are independent, as parts of a file whose rays are laid out evenly: by so much the
         # true one may be above 0 as well.
         most = square if square >= -spread else -square
-        return cls(root(square), (root(square - spread), root(most + spread)), square)
+        interval = root(square - spread), root(most + spread)
+        return cls(root(square), interval, square, standard_error)
+
+    def surely_above(self, limit: float, t: float) -> bool:
+        """Whether the distance is above a limit by more than ``t`` standard errors."""
+        return self.square - t * self.standard_error > limit**2
 
     @property
     def off(self) -> float:

@@ -11,13 +11,15 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from workbench.analysis.agreement import RandomShare
 from workbench.analysis.by_cells import ByCells, without_scatter
 from workbench.analysis.independent import IndependentError
-from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2
+from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
 from workbench.analysis.regions import light_of_regions
 from workbench.analysis.scatter import FEWER, STUDENT_T, CorrectedDistance
 from workbench.analysis.shading import shading_of
@@ -162,7 +164,7 @@ def _of_one(
         traced_from = _CELLS
     trace = Trace(scene, heights, rays, seed, pose)
     middle = traced_from + (1 - traced_from) * FEWER / (FEWER + 1)
-    account, irradiance, distances, batches = yield from within(
+    account, irradiance, spread, batches = yield from within(
         _traced(trace, target, scene.receiver.pixel_measure, threads),
         lambda part: traced_from + (middle - traced_from) * part,
     )
@@ -178,11 +180,18 @@ def _of_one(
         )
 
     error = relative_l2(irradiance, target)
-    noise = float(np.std(distances, ddof=1)) / math.sqrt(BATCHES)
+    noise = float(np.std(spread.distances, ddof=1)) / math.sqrt(BATCHES)
+    share = RandomShare.of(account.efficiency, spread.shares, trace.rays)
     corrected, by_cells = unscattered[0], None
     if image is not None:
         by_cells = ByCells.of(
-            image, target, scene.receiver, irradiance, unscattered[1], independent
+            image,
+            target,
+            scene.receiver,
+            irradiance,
+            unscattered[1],
+            None if trace.sampled else share,
+            independent,
         )
     return Validation(
         loss=paper_loss(irradiance, target),
@@ -196,23 +205,33 @@ def _of_one(
         rays=trace.rays,
         noise=noise,
         irradiance=irradiance,
+        image_noise=_scatter(error, corrected, irradiance, target),
+        share=share,
         by_cells=by_cells,
         shading=None if accuracy is None else shading_of(scene, heights, seed, pose),
     )
 
 
+class _Spread(NamedTuple):
+    """What batches of rays say each: their distance to the target, and the part on the receiver."""
+
+    distances: list[float]
+    shares: list[float]
+
+
 def _traced(
     trace: Trace, target: Array, pixel_measure: float | Array, threads: int | None
-) -> Steps[tuple[Account, Array, list[float], Images]]:
-    """Where the light of a trace goes, its image, and the distances of its batches' to the target.
+) -> Steps[tuple[Account, Array, _Spread, Images]]:
+    """Where the light of a trace goes, its image, and how its batches differ.
 
     Where the batches are independent, their images too.
     """
-    distances, images = [], []
+    spread, images = _Spread([], []), []
     total: Tally | None = None
     for batch in trace.batches(threads):
         if batch is not None:
-            distances.append(relative_l2(batch.flux.reshape(target.shape), target))
+            spread.distances.append(relative_l2(batch.flux.reshape(target.shape), target))
+            spread.shares.append(float(batch.flux.sum()) / batch.emitted)
             if trace.sampled:
                 images.append(batch.flux.reshape(target.shape).astype(np.float32))
         total = added(total, batch)
@@ -224,7 +243,7 @@ def _traced(
         dark = Said("no light of this lens reaches the screen, so there is no image to judge")
         raise RunFailed(dark)
     irradiance = total.flux.reshape(target.shape) / (total.emitted * pixel_measure)
-    return account, irradiance, distances, images
+    return account, irradiance, spread, images
 
 
 def _of_parts(
@@ -256,6 +275,12 @@ def _by_other_rays(
         del batch
         yield trace.part
     return [CorrectedDistance.of(products) for products in found]
+
+
+def _scatter(error: float, corrected: CorrectedDistance, image: Array, target: Array) -> float:
+    """Norm of the scatter of an image over that of the image, from its error with and without."""
+    size = float(np.linalg.norm(target) / target.sum() * image.sum() / np.linalg.norm(image))
+    return root(error**2 - corrected.square) * size
 
 
 def _account(tally: Tally) -> Account:

@@ -6,14 +6,20 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from workbench.analysis.agreement import RandomShare, run_apart
 from workbench.analysis.by_cells import ByCells
-from workbench.analysis.metrics import Quality
+from workbench.analysis.metrics import Quality, relative_l2, root
 from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading
 from workbench.arrays import Array
 from workbench.optics.account import Account
+from workbench.said import Said
+from workbench.scene import AnyReceiver
 
 Interval = tuple[float, float]
+
+# Errors of the check that a difference to the run may have.
+_MARGIN = 2.0
 
 
 @dataclass(frozen=True)
@@ -50,6 +56,10 @@ class Validation:
         batches would not do for the corrected error.
     irradiance : ndarray, shape (n_y, n_x)
         Flux per area on the screen, row 0 at +y.
+    image_noise : float
+        What the rays scatter of this image, over its norm.
+    share : RandomShare
+        The efficiency with its noise.
     by_cells : ByCells, optional
         What cells say, where that was asked for and the source has not too many points.
     shading : Shading, optional
@@ -73,6 +83,8 @@ class Validation:
     rays: int
     noise: float
     irradiance: Array
+    image_noise: float
+    share: RandomShare
     by_cells: ByCells | None = None
     shading: Shading | None = None
     regions: tuple[RegionLight, ...] = ()
@@ -91,6 +103,37 @@ class Validation:
         That of several images is the root of the weighted mean of their squares, as for a design.
         """
         return CombinedError.of(self.images) if self.further else self.by_cells or self
+
+    @property
+    def contradiction(self) -> Said | None:
+        """That the two traces of the check contradict each other at one of the images.
+
+        A check with a contradiction has failed: none of its figures is reliable.
+        """
+        found = (image.by_cells and image.by_cells.contradiction for image in self.images)
+        return next(filter(None, found), None)
+
+    def beside_run(self, run: Array, receiver: AnyReceiver) -> Said | None:
+        """That the image of a run differs from this check by more than errors explain.
+
+        Parameters
+        ----------
+        run : ndarray, shape (n_y, n_x)
+            Flux per area, or per solid angle, of the image of the run.
+        receiver : AnyReceiver
+            What the images are on.
+        """
+        share, noise = self.share, self.image_noise
+        cells = self.by_cells
+        if cells and cells.agreement and cells.bound < noise:
+            off = _MARGIN * cells.bound
+            apart = relative_l2(run, cells.irradiance)
+            by_check, share_off = cells.efficiency, cells.agreement.bound
+        else:
+            off = noise
+            apart = root(relative_l2(run, self.irradiance) ** 2 - noise**2)
+            by_check, share_off = share.value, _MARGIN * share.noise
+        return run_apart(apart, off, receiver.total(run), by_check, share_off)
 
     @property
     def loss_corrected(self) -> float:
@@ -114,6 +157,7 @@ class Validation:
             "ledger": self.account.to_data(),
             "rays": self.rays,
             "noise": self.noise,
+            "contradiction": self.contradiction,
             "deterministic": self.by_cells and self.by_cells.to_data(),
             "shading": self.shading and self.shading.to_data(),
             **(regions if self.regions else {}),

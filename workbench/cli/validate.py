@@ -18,9 +18,10 @@ from workbench.arrays import Array
 from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
 from workbench.design.session import verified_error
+from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
-from workbench.scene import Scene
+from workbench.scene import AnyReceiver, Scene
 
 
 def validate(
@@ -41,7 +42,8 @@ def validate(
         elsewhere where there are several images, the plot cannot be written, or Mitsuba is asked
         for and not installed.
     RunFailed
-        If no light reaches the screen.
+        If no light reaches the screen, or, after the figures, if the two traces of the check
+        contradict each other.
     """
     session, result = read_designed(path)
     if screen_z is not None:
@@ -64,7 +66,7 @@ def validate(
     bound = Bound(scene, session.target)
     others = [light.irradiance for light in result.state.further]
     if as_json:
-        figures = _figures(found, own, others)
+        figures = _figures(found, [own, *others], scene)
         if bound.certified:
             figures["relative_l2_bound"] = bound.relative_l2
         if compared:
@@ -85,18 +87,20 @@ def validate(
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)
+    if found.contradiction:
+        raise RunFailed(found.contradiction)
 
 
-def _figures(found: Validation, own: Array | None, others: Sequence[Array]) -> dict[str, Any]:
+def _figures(found: Validation, lights: Sequence[Array | None], scene: Scene) -> dict[str, Any]:
     """What was found, and how far the optimiser's own images are from that."""
     figures = found.to_data()
-    figures["optimiser_difference"] = None if own is None else relative_l2(found.irradiance, own)
-    if found.by_cells and own is not None:
-        apart = relative_l2(found.by_cells.irradiance, own)
-        figures["deterministic"]["optimiser_difference"] = apart
-    further = figures.get("further_images", ())
-    for each, image, its_own in zip(further, found.further, others, strict=True):
-        each["optimiser_difference"] = relative_l2(image.irradiance, its_own)
+    each = figures, *figures.get("further_images", ())
+    for data, image, own, place in zip(each, found.images, lights, scene.receivers, strict=True):
+        data["optimiser_difference"] = None if own is None else relative_l2(image.irradiance, own)
+        data["optimiser_remark"] = None if own is None else image.beside_run(own, place)
+        if image.by_cells and own is not None:
+            apart = relative_l2(image.by_cells.irradiance, own)
+            data["deterministic"]["optimiser_difference"] = apart
     return figures
 
 
@@ -105,14 +109,16 @@ def _print_images(found: Validation, lights: Sequence[Array | None], scene: Scen
     for number, (image, light, receiver) in enumerate(images, start=1):
         if found.further:
             print(f"{chr(10) * (number > 1)}Image {number}")
-        print_image(image, light, receiver.place)
+        print_image(image, light, receiver)
 
 
-def print_image(found: Validation, own: Array | None, place: str) -> None:
+def print_image(found: Validation, own: Array | None, receiver: AnyReceiver) -> None:
     """Print what the check says of an image, and how far the optimiser's ``own`` is from it."""
     if found.by_cells:
-        _print_cells(found.by_cells, own, place)
+        _print_cells(found.by_cells, own, receiver.place)
     _print(found, None if own is None else relative_l2(found.irradiance, own))
+    if own is not None and (remark := found.beside_run(own, receiver)):
+        print(f"Note: {remark}")
 
 
 def _print_cells(found: ByCells, own: Array | None, place: str) -> None:

@@ -23,10 +23,23 @@ from workbench.scene import Scene
 _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked at"}
 
 
-def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
-    """What the independent check says; ``difference`` is that to the optimiser's own image."""
-    quality = found.quality
+def check_rows(
+    found: Validation, difference: float, remark: Said | None = None
+) -> tuple[Fact, ...]:
+    """What the independent check says.
+
+    Parameters
+    ----------
+    found : Validation
+        The check.
+    difference : float
+        Relative L2 difference to the optimiser's own image.
+    remark : Said, optional
+        That the optimiser's own image is not reliable; see `Validation.beside_run`.
+    """
+    quality, failed = found.quality, found.by_cells and found.by_cells.contradiction
     return (
+        *((Fact("check failed", failed),) if failed else ()),
         *_cell_rows(found.by_cells),
         Fact("relative L2 error", percent(found.relative_l2)),
         Fact("95 % of other rays", _interval(found.relative_l2_interval)),
@@ -41,6 +54,7 @@ def check_rows(found: Validation, difference: float) -> tuple[Fact, ...]:
         Fact("efficiency", percent(found.efficiency)),
         *_shading_rows(found.shading),
         Fact("off the optimiser's image", percent(difference)),
+        *((Fact("optimiser and check", remark),) if remark else ()),
         Fact("rays", f"{found.rays:,}"),
     )
 

@@ -131,12 +131,13 @@ def gather(
 def _of_image(session: Session, found: Validation, which: str) -> Iterator[Section]:
     """What the check says of one image, of which the session knows alone."""
     scene, light = session.scene, found.irradiance
-    difference = relative_l2(light, result_of(session).state.irradiance)
+    own = result_of(session).state.irradiance
+    difference, remark = relative_l2(light, own), found.beside_run(own, scene.receiver)
     faces = [scene.optic.face_in_words(face) for face in reversed(freeform_nets(scene.optic))]
     yield Section(
         f"Independent check{which}",
         (
-            *check_rows(found, difference),
+            *check_rows(found, difference, remark),
             *region_rows(found),
             *bound_rows(Bound(scene, session.target)),
         ),

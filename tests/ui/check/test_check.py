@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from tests.accounts import account_of
 from tests.ui.hands import move_screen
 from ui.check.checking import verified_error
+from workbench.analysis.agreement import RandomShare
 from workbench.analysis.metrics import Quality
 from workbench.analysis.validation import validating
 from workbench.analysis.validation_figures import Validation
@@ -220,6 +221,8 @@ def gate(session, monkeypatch):
         rays=16,
         noise=0.001,
         irradiance=np.ones_like(session.target),
+        image_noise=0.01,
+        share=RandomShare(0.9, 0.001, 16),
     )
 
     def steps(scene, target, heights, rays, threads, accuracy):
@@ -236,3 +239,13 @@ def gate(session, monkeypatch):
     monkeypatch.setattr("workbench.analysis.validation.validating", steps)
     yield SimpleNamespace(release=allowed.release, begun=begun, left=left)
     allowed.release(100)
+
+
+def test_a_check_that_contradicts_itself_has_failed(window, few_rays, monkeypatch, qtbot):
+    contradiction = "the check contradicts itself: 113 % of the light"
+    monkeypatch.setattr(Validation, "contradiction", contradiction)
+    window.commands["check"].trigger()
+    qtbot.waitUntil(lambda: figures(window) == "Check failed", timeout=60_000)
+    log = window.log.toPlainText()
+    assert contradiction in log
+    assert "Check with" not in log
