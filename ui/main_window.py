@@ -204,11 +204,11 @@ class MainWindow(QMainWindow):
             THEME.show(self._settings, self.commands)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape that nothing else has taken cancels a check."""
-        if event.key() == Qt.Key.Key_Escape and self.loaded is not None:
-            self.loaded.check.cancel()
-        else:
+        """Escape that nothing else has taken takes refused entries back, or cancels a check."""
+        if event.key() != Qt.Key.Key_Escape:
             super().keyPressEvent(event)
+        elif not self.forms.take_all_back() and self.loaded is not None:
+            self.loaded.check.cancel()
 
     @property
     def closing(self) -> bool:
@@ -290,7 +290,7 @@ class MainWindow(QMainWindow):
                 "new_window": self.new_window_asked.emit,
                 "close": self.close,
                 "quit": self.quit_asked.emit,
-                "undo": self.document.undo_stack.undo,
+                "undo": self._undo,
                 "redo": self.document.undo_stack.redo,
                 "second_face": self.forms.switch_entrance,
                 "picture_aspect": self.forms.take_aspect,
@@ -314,8 +314,14 @@ class MainWindow(QMainWindow):
         self.files.opened.connect(lambda: self._view_state.restore(self.document.session.view))
         self.files.opened.connect(self._image.look)
         self.document.undo_stack.indexChanged.connect(self._show_state)
+        self.forms.refusals_changed.connect(self._show_state)
         self.files.recent_changed.connect(self._show_recent)
         self.files.saved.connect(self._tell_saved)
+
+    def _undo(self) -> None:
+        """Take back an entry that was refused, or the last step where there is none."""
+        if not self.forms.take_back():
+            self.document.undo_stack.undo()
 
     def _show_gallery(self) -> None:
         gallery = Gallery(EXAMPLES, self)

@@ -49,6 +49,8 @@ class Situation:
         Whether the undo stack has a step in that direction.
     can_revert : bool
         Whether the design has a file and differs from it.
+    has_refused : bool
+        Whether a field has an entry that was refused, which undo takes back first.
     """
 
     optic: "Optic"
@@ -58,6 +60,7 @@ class Situation:
     can_undo: bool
     can_redo: bool
     can_revert: bool
+    has_refused: bool
 
     @property
     def two_faces(self) -> bool:
@@ -105,7 +108,7 @@ class Situation:
             "delete_run": idle,
             "check": self.resting,
             "revert": self.editable and self.can_revert,
-            "undo": self.editable and self.can_undo,
+            "undo": self.has_refused or (self.editable and self.can_undo),
             "redo": self.editable and self.can_redo,
         }
 
@@ -122,6 +125,7 @@ class Situation:
                 _TAKES_LENS, tr("Takes {lens}").format(lens=taken) if taken else no_lens
             ),
             "continue": no_lens,
+            **({"undo": ""} if self.has_refused else {}),
             "second_face": ""
             if self.optic.most_faces > 1
             else tr("A {optic} has one freeform face", optic=called),

@@ -21,7 +21,7 @@ class RefusedFields(QObject):
         count = len(self._forms.refusals)
         first = self._forms.refusals[0]
         others = tr(" ({count} more refused)").format(count=count - 1) if count > 1 else ""
-        self._text = tr("{first}{others}. Correct it, or press Esc in the field, first.").format(
+        self._text = tr("{first}{others}. Correct it, or press Esc, first.").format(
             first=first, others=others
         )
         self._messages.warn(self._text)

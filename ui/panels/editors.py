@@ -29,19 +29,24 @@ class TextEditor(QLineEdit):
         self.setText(text)
         self.setCursorPosition(cursor)
 
+    @property
+    def unentered(self) -> bool:
+        """Whether there is text that was typed since the last was entered or shown."""
+        return self.text() != self._settled
+
     def commit(self) -> None:
         """Emit the text if it is new since it was last emitted or shown."""
-        if self.text() != self._settled:
+        if self.unentered:
             self._settled = self.text()
             self.committed.emit(self._settled)
 
     def event(self, event: QEvent) -> bool:
-        """Leave undo to the window where there is no typing to undo."""
+        """Leave undo to the window where all text is entered: it takes back what was refused."""
         if (
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
             and (
-                (event.matches(QKeySequence.StandardKey.Undo) and not self.isUndoAvailable())
+                (event.matches(QKeySequence.StandardKey.Undo) and not self.unentered)
                 or (event.matches(QKeySequence.StandardKey.Redo) and not self.isRedoAvailable())
             )
         ):

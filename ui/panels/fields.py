@@ -96,6 +96,11 @@ class Row(QWidget):
         for editor in self.findChildren(TextEditor):
             editor.commit()
 
+    @property
+    def unentered(self) -> bool:
+        """Whether text is typed but not yet entered."""
+        return any(editor.unentered for editor in self.findChildren(TextEditor))
+
     def forget(self) -> None:
         """Drop what is typed: a scene without this field is shown."""
         for editor in self.findChildren(TextEditor):

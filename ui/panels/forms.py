@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
@@ -85,6 +85,11 @@ class Forms(QScrollArea):
         self._source.file_asked.connect(self.light_asked)
         self._target.image_again.connect(self._read_image_again)
         document.session_changed.connect(self._show_change)
+        # A field takes Esc for its own text; this is for what was refused in any of them.
+        self._escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), self)
+        self._escape.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self._escape.activated.connect(self.take_all_back)
+        self._escape.setEnabled(False)
         self._show()
 
     def _make_panels(self) -> list[Panel]:
@@ -146,6 +151,14 @@ class Forms(QScrollArea):
         return bool(self._pending)
 
     @property
+    def refused_entry(self) -> str:
+        """What the undo menu calls the latest entry that was refused; empty where none was."""
+        if not self._pending:
+            return ""
+        waiting = list(self._pending.values())[-1]
+        return tr("refused {edit}").format(edit=waiting.edit.text)
+
+    @property
     def postponed_edits(self) -> int:
         """How many edits wait for the end of the run."""
         return len(self._later)
@@ -159,6 +172,30 @@ class Forms(QScrollArea):
         """Enter what is typed and not yet entered."""
         for row in self._rows():
             row.commit()
+
+    def take_back(self) -> bool:
+        """Take back the last text or choice that is not part of the design; whether there was one.
+
+        Text that is not entered yet comes first, then the latest entry that was refused.
+        """
+        row = next((row for row in self._rows() if row.unentered), None)
+        paths = [p for p in self._pending if row.concerns(p)] if row else list(self._pending)[-1:]
+        if row is None and not paths:
+            return False
+        row = row or _row_of(paths[0], self._rows())
+        for path in paths:
+            del self._pending[path]
+        self._show()
+        if row is not None:
+            self.ensureWidgetVisible(row)
+        return True
+
+    def take_all_back(self) -> bool:
+        """Take back all that is typed or chosen and not part of the design; whether any was."""
+        any_back = False
+        while self.take_back():
+            any_back = True
+        return any_back
 
     def choose_image(self, path: Path) -> None:
         """Make an image file the target."""
@@ -345,6 +382,7 @@ class Forms(QScrollArea):
                     panel.unfold(True)
         if tuple(refusals) != self._refusals:
             self._refusals = tuple(refusals)
+            self._escape.setEnabled(bool(refusals))
             self.refusals_changed.emit()
 
     def _show_hint(self) -> None:

@@ -78,11 +78,13 @@ class WindowState:
             can_undo=stack.canUndo(),
             can_redo=stack.canRedo(),
             can_revert=document.path is not None and document.dirty,
+            has_refused=self._early.forms.refused,
         )
 
     def _undo_texts(self) -> dict[str, str]:
         stack = self._document.undo_stack
-        undo, redo = (text.replace("&", "&&") for text in (stack.undoText(), stack.redoText()))
+        steps = self._early.forms.refused_entry or stack.undoText(), stack.redoText()
+        undo, redo = (text.replace("&", "&&") for text in steps)
         return {
             "undo": tr("&Undo {undo}").format(undo=undo) if undo else tr("&Undo"),
             "redo": tr("&Redo {redo}").format(redo=redo) if redo else tr("&Redo"),

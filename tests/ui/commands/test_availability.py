@@ -17,9 +17,11 @@ def situation(
     can_undo=True,
     can_redo=True,
     can_revert=True,
+    has_refused=False,
     optic=LENS,
 ):
-    return Situation(optic, state, has_lens, lens, can_undo, can_redo, can_revert)
+    can = can_undo, can_redo, can_revert
+    return Situation(optic, state, has_lens, lens, *can, has_refused)
 
 
 def allowed(**what):
@@ -70,6 +72,13 @@ def test_export_and_report_take_any_lens_and_say_which():
         assert situation().reasons()[command] == "Takes a lens"
         assert "best lens so far" in situation(state="running").reasons()[command]
         assert "no lens yet" in situation(has_lens=False, lens="").reasons()[command]
+
+
+def test_undo_takes_a_refused_entry_back_also_during_a_run():
+    assert "undo" not in allowed(can_undo=False)
+    assert "undo" in allowed(can_undo=False, has_refused=True)
+    assert "undo" in allowed(state="running", has_refused=True)
+    assert situation(state="running", has_refused=True).reasons()["undo"] == ""
 
 
 def test_revert_needs_unsaved_changes():
