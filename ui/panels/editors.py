@@ -10,7 +10,14 @@ from workbench.scene import Measure
 
 
 class TextEditor(QLineEdit):
-    """One value as text; committed by Enter or by leaving it, taken back by Escape."""
+    """One value as text; committed by Enter or by leaving it, taken back by Escape.
+
+    Attributes
+    ----------
+    of_design : bool
+        Whether undo of entered text is that of the design, which the window does; in other fields
+        it takes back what was refused, as Escape does.
+    """
 
     committed = Signal(str)
     reverted = Signal()
@@ -18,6 +25,7 @@ class TextEditor(QLineEdit):
     def __init__(self) -> None:
         super().__init__()
         self._settled = ""
+        self.of_design = False
         # Files dropped here are for the window, which knows what to do with them.
         self.setAcceptDrops(False)
         self.editingFinished.connect(self.commit)
@@ -46,7 +54,7 @@ class TextEditor(QLineEdit):
             event.type() == QEvent.Type.ShortcutOverride
             and isinstance(event, QKeyEvent)
             and (
-                (event.matches(QKeySequence.StandardKey.Undo) and not self.unentered)
+                (self.of_design and self._undoes_entry(event))
                 or (event.matches(QKeySequence.StandardKey.Redo) and not self.isRedoAvailable())
             )
         ):
@@ -55,11 +63,14 @@ class TextEditor(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape takes the typed text back."""
-        if event.key() == Qt.Key.Key_Escape:
+        """Escape takes the typed text back, and so does undo once the text is entered."""
+        if event.key() == Qt.Key.Key_Escape or self._undoes_entry(event):
             self.reverted.emit()
         else:
             super().keyPressEvent(event)
+
+    def _undoes_entry(self, event: QKeyEvent) -> bool:
+        return event.matches(QKeySequence.StandardKey.Undo) and not self.unentered
 
 
 class NumberEditor(TextEditor):

@@ -75,6 +75,11 @@ class Row(QWidget):
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
+    def leave_undo(self) -> None:
+        """Leave undo of entered text to the window: this is a row of the design."""
+        for editor in self.findChildren(TextEditor):
+            editor.of_design = True
+
     def only_if(self, condition: Condition) -> None:
         """Have the row only with scenes of which this holds."""
         self._conditions.append(condition)

@@ -95,6 +95,7 @@ class Panel(QWidget):
             row.name = tr("{panel} {field}").format(panel=name, field=inside(row.label.text()))
             row.label.setMinimumWidth(self._label_width)
             self._form.addRow(row.label, row)
+            row.leave_undo()
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
             self._rows.append(row)

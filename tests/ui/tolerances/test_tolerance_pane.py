@@ -19,6 +19,7 @@ from ui.widgets.message_bar import MessageBar
 from workbench.analysis.tolerances import Distribution, perturbed
 from workbench.errors import RunFailed
 
+CTRL = Qt.KeyboardModifier.ControlModifier
 RAYS = 5000
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -73,7 +74,8 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     assert pane.form.save.isEnabled()
 
 
-def test_impossible_tolerance_is_refused_beside_its_field(pane, qtbot):
+@pytest.mark.parametrize("back", [(Qt.Key.Key_Escape,), (Qt.Key.Key_Z, CTRL)])
+def test_impossible_tolerance_is_refused_beside_its_field_and_taken_back(pane, qtbot, back):
     for path, text, word in (
         ("tilt", "50", "less than 45"),
         ("decentre", "-1", "from 0"),
@@ -85,8 +87,8 @@ def test_impossible_tolerance_is_refused_beside_its_field(pane, qtbot):
         assert word in row.refusal, path
         pane.toggle()
         assert not pane._background.busy
-        qtbot.keyClick(row.editors[path], Qt.Key.Key_Escape)
-        assert not row.refusal
+        qtbot.keyClick(row.editors[path], *back)
+        assert not row.refusal and row.editors[path].text() != text
 
 
 def test_without_a_tolerance_nothing_is_traced(pane, qtbot):
