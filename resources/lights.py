@@ -19,8 +19,9 @@ def _scene(
     screen: dict[str, Any],
     image: str,
     material: str = "PMMA",
+    viewer: str | None = "front",
 ) -> dict[str, Any]:
-    """Scene in millimetres with a flat lens of a plastic."""
+    """Scene in millimetres with a flat lens of a plastic, whose light is viewed on a wall."""
     return {
         "version": 2,
         "unit": "mm",
@@ -33,7 +34,7 @@ def _scene(
         },
         "source": source,
         "screen": screen,
-        "target": {"image": f"../targets/{image}.png"},
+        "target": {"image": f"../targets/{image}.png", "viewed_from": viewer},
     }
 
 
@@ -67,6 +68,7 @@ SCENES = {
         {"kind": "collimated", "profile": {"kind": "gaussian", "radius": 3}},
         {"z": 200, "half_width": [10, 10], "pixels": [256, 256]},
         "tophat-256",
+        viewer=None,
     ),
     "measured-led": _scene(
         [15, 15],

@@ -21,7 +21,7 @@ def _scene(source: dict[str, Any], receiver: dict[str, Any], image: str) -> dict
         },
         "source": source,
         **receiver,
-        "target": {"image": f"../targets/{image}.png"},
+        "target": {"image": f"../targets/{image}.png", "viewed_from": "front"},
     }
 
 
@@ -33,7 +33,7 @@ def _mirror(source: dict[str, Any], screen: dict[str, Any], image: str) -> dict[
         "mirror": {"half_width": [15, 15], "control_points": "auto", "reflectance": 0.9},
         "source": source,
         "screen": screen | {"pixels": [256, 256]},
-        "target": {"image": f"../targets/{image}.png"},
+        "target": {"image": f"../targets/{image}.png", "viewed_from": "front"},
     }
 
 

@@ -2,6 +2,7 @@
 
 import math
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
 from workbench.jobs.beam_shaper import BeamShaper
 from workbench.jobs.experiment import Experiment
+from workbench.jobs.far_field import StreetLight
 from workbench.jobs.fields import MATERIALS
 from workbench.jobs.led import LedRectangle
 from workbench.jobs.mirror import MirrorJob
@@ -21,6 +23,7 @@ from workbench.jobs.wall_washer import WallWasher
 from workbench.materials import CATALOGUE
 from workbench.scene import AutoNet
 from workbench.scene.kinds import summary_of, title_of
+from workbench.targets import load_target
 
 every_job = pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
 
@@ -148,3 +151,23 @@ def test_each_experiment_of_the_paper_runs_by_either_method(name, method):
 def test_only_the_method_of_the_paper_keeps_its_coarse_net():
     by = {method: Experiment(method=method).scene().optic for method in ("auto", "paper")}
     assert (by["auto"].control_points, by["paper"].control_points) == (AutoNet(), (64, 64))
+
+
+@pytest.mark.parametrize(
+    "kind", [SunPlate, Torch, LedRectangle, WallWasher, StreetLight, MirrorJob]
+)
+def test_pictures_on_opaque_walls_read_right_from_the_side_of_the_light(kind):
+    scene = kind().scene()
+    assert scene.target.viewed_from == "front"
+    letter = {"builtin": "text", "text": "F"}
+    wanted = kind().with_answers({"target": {**letter, "viewed_from": "front"}}).scene()
+    behind = kind().with_answers({"target": {**letter, "viewed_from": "back"}}).scene()
+    light, mirrored = (load_target(each, Path()) for each in (wanted, behind))
+    np.testing.assert_allclose(light, mirrored[:, ::-1], atol=1e-12)
+    stem = light.sum(axis=0)  # of the F, which is all bright from top to bottom
+    lens = kind is not MirrorJob  # whose light goes on to +z: its viewer sees +x at the left
+    assert (stem.argmax() > light.shape[1] / 2) == lens
+
+
+def test_a_beam_has_no_viewer():
+    assert BeamShaper().scene().target.viewed_from is None

@@ -16,6 +16,7 @@ from workbench.design.run import run
 from workbench.files.session import open_design
 from workbench.measured.rays.read import read_rays
 from workbench.scene import Scene
+from workbench.scene.viewing import as_viewed, viewed_from
 from workbench.targets import load_target
 
 ICONS = ["start", "continue", "pause", "stop", "open", "save", "new", "undo", "redo", "fit-view"]
@@ -142,7 +143,14 @@ def test_examples_find_their_targets(example):
         pixels = np.asarray(image, float)
     (rows, columns), whole = target.shape, pixels.shape[0] // target.shape[0]
     drawn = pixels.reshape(rows, whole, columns, whole).mean((1, 3))
-    np.testing.assert_allclose(255 * target, drawn, atol=1e-9)
+    np.testing.assert_allclose(255 * as_viewed(scene, target), drawn, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "name", ["sun-plate", "phone-torch", "led-rectangle", "wall-washer", "street-light"]
+)
+def test_pictures_on_walls_and_streets_read_right_from_the_side_of_the_light(name):
+    assert viewed_from(Scene.from_json(_named(name).file.read_bytes())) == "front"
 
 
 def test_examples_say_what_to_look_for():

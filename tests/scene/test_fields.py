@@ -61,7 +61,7 @@ def test_a_field_states_its_limits():
 def test_fields_of_a_kind_come_before_those_of_all_kinds():
     (target,) = (field for field in Scene.fields() if field.name == "target")
     names = [field.name for field in target.parts[1].fields()]
-    assert names == ["builtin", "radius", "padding", "blur", "invert"]
+    assert names == ["builtin", "radius", "padding", "blur", "invert", "viewed_from"]
 
 
 def test_a_new_field_is_converted_and_described():

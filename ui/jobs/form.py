@@ -19,7 +19,7 @@ from workbench.scene import Finish, ImageTarget
 from workbench.scene.kinds import summary_of, title_of
 
 # What is done to pictures can be chosen later, in the window.
-_LATER = {*Finish.model_fields, "tone", "turn", "crop"}
+_LATER = {*Finish.model_fields, "tone", "turn", "crop"} - {"viewed_from"}
 
 
 class JobForm(QScrollArea):
@@ -90,8 +90,9 @@ class JobForm(QScrollArea):
             row.commit()
 
     def choose_image(self, path: Path) -> None:
-        """Take a picture file, and an image as wide and high as it is."""
-        target = of_image(path, Finish())
+        """Take a picture file, and an image as wide and high as it is, for the same viewer."""
+        before = getattr(self.job, "target", Finish())
+        target = of_image(path, Finish(viewed_from=before.viewed_from))
         changes: dict[str, object] = {"target": target}
         size = getattr(self.job, "image_size", None)
         if size is not None:

@@ -13,11 +13,13 @@ from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import begun, tr
+from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.jobs import Job
     from workbench.jobs.prospect import Figure, Prospect
+    from workbench.scene import Scene
 
 
 _HIGH = 160  # logical pixels of a picture: two of them are compared
@@ -84,10 +86,12 @@ class Outlook(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._aspect = 1.0
+        self._scene: Scene | None = None  # of the target on show
         self._labels: list[QLabel] = []
         self._wanted, self._at_best = Thumbnail(_HIGH), Thumbnail(_HIGH)
         self._at_best.setAccessibleName(tr("Picture at best"))
         self._at_best.setToolTip(tr("Blurred by the size of the light, as any lens has to"))
+        self._side = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
         self._state = Wrapped()
         self._figures = QGridLayout()
         self._figures.setHorizontalSpacing(12)
@@ -101,13 +105,15 @@ class Outlook(QWidget):
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addLayout(pictures)
+        whole.addWidget(self._side)
         whole.addWidget(self._state)
         whole.addLayout(self._figures)
 
     @property
     def text(self) -> str:
         """All that is said."""
-        return "\n".join([self._state.text(), *(label.text() for label in self._labels)])
+        labels = self._side, self._state, *self._labels
+        return "\n".join(label.text() for label in labels)
 
     def wait(self) -> None:
         """Say that figures are being found; what is shown is of the job before."""
@@ -120,17 +126,19 @@ class Outlook(QWidget):
         self._state.say(f"\N{WARNING SIGN} {why}")
 
     def show_target(self, session: "Session") -> None:
-        """Show the picture that is wanted."""
-        half_u, half_v = session.scene.receiver.half_extent
+        """Show the picture that is wanted, and say from where it reads so."""
+        scene = self._scene = session.scene
+        half_u, half_v = scene.receiver.half_extent
         self._aspect = half_u / half_v
-        self._wanted.show_target(session.target, self._aspect)
+        self._wanted.show_target(as_viewed(scene, session.target), self._aspect)
+        self._side.setText(begun(tr(side_in_words(scene, viewed_from(scene)))))
 
     def show_prospect(self, found: "Prospect") -> None:
         """Show figures, and the picture at best."""
         self._clear()
-        if found.picture is not None:
+        if found.picture is not None and self._scene is not None:
             self._state.say("")
-            self._at_best.show_target(found.picture, self._aspect)
+            self._at_best.show_target(as_viewed(self._scene, found.picture), self._aspect)
         for row, figure in enumerate(found.figures):
             self._add(row, figure)
 

@@ -12,7 +12,7 @@ from ui.panels.fields import Changes, CheckRow, ChoiceRow, Condition, NumberRow,
 from ui.panels.optional import OptionalRow
 from ui.words import inside, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
-from workbench.scene.fields import Fallback, ForMethod
+from workbench.scene.fields import Fallback, ForMethod, LeftOut
 from workbench.scene.kinds import summary_of, title_of
 
 Make = Callable[[FieldDescription, str], list[Row]]
@@ -110,6 +110,8 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
     label, tip = tr(field.title), f"{tr(field.tip)} {_limits(field)}".rstrip()
     if field.choices:
         choices = [(value, tr(title)) for value, title in field.choices]
+        if left_out := field.mark(LeftOut):
+            otherwise = tr(left_out.title)
         return ChoiceRow(path, label, tip, choices, otherwise if field.optional else "")
     if field.type is bool:
         return CheckRow(path, label, tip)

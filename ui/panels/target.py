@@ -18,6 +18,7 @@ from workbench.arrays import Array
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish
+from workbench.scene.viewing import as_viewed
 from workbench.targets.tone import SRGB
 
 _ENDINGS = "*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga *.npy"
@@ -61,7 +62,7 @@ class TargetPanel(PartPanel):
         """Show the target's settings and the image itself."""
         super().show_session(session, present, pending)
         r_u, r_v = session.scene.receiver.half_extent
-        self._thumbnail.show_target(session.target, r_u / r_v)
+        self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
 
     def choose_image(self, path: Path) -> None:
         """Ask for an image file as the target; the one that it is already is read again."""
@@ -101,7 +102,7 @@ class Thumbnail(QWidget):
         super().__init__()
         self._picture, self._aspect = QImage(), 1.0
         self.setFixedHeight(height)
-        self.setToolTip(tr("The light that is wanted on the screen"))
+        self.setToolTip(tr("The light that is wanted on the screen, as its viewer sees it"))
         self.setAccessibleName(tr("Target image"))
 
     def show_target(self, target: Array, aspect: float) -> None:

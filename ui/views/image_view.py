@@ -162,14 +162,16 @@ class ImageView(PlotView):
         self._read()
 
     def _read(self) -> None:
-        """Tell position and value under the pointer."""
-        if self._pointed is None or self._shown is None or self._values is None:
+        """Tell position and value under the pointer; without one, how the image is drawn."""
+        if self._shown is None or self._values is None:
             self._readout.clear()
             return
-        (x, y), extent = self._pointed, self._content.extent(self._shown)
-        pixel = pixel_at(extent.bounds, self._values.shape, x, y)
+        extent, pixel = self._content.extent(self._shown), None
+        if self._pointed is not None:
+            x, y = self._pointed
+            pixel = pixel_at(extent.bounds, self._values.shape, x, y)
         if pixel is None:
-            self._readout.clear()
+            self._readout.say(*self._at_rest(self._shown))
         else:
             value = written(self._values[pixel], self._content.unit(self._shown))
             if np.isnan(self._values[pixel]):
@@ -178,9 +180,11 @@ class ImageView(PlotView):
                 value=value, x=extent.in_words(0, x), y=extent.in_words(1, y)
             )
             short = f"{value} ({extent.number(0, x)}, {extent.number(1, y)})"  # in a narrow view
-            room, wide = self._readout.width(), self._readout.fontMetrics().horizontalAdvance
-            fitting = (text for text in (whole, short) if wide(text) <= room)
-            self._readout.setText(next(fitting, value))
+            self._readout.say(whole, short, value)
+
+    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+        """What is said of the image while no place is pointed at, the longest text first."""
+        return ("",)
 
     def _turn_wheel(self, event: Any) -> None:
         if event.inaxes is self._axes and self._shown is not None:
@@ -262,6 +266,11 @@ class _Readout(QLabel):
     """
 
     resized = Signal()
+
+    def say(self, *texts: str) -> None:
+        """Show the first text that fits, or the last one."""
+        room, wide = self.width(), self.fontMetrics().horizontalAdvance
+        self.setText(next((text for text in texts if wide(text) <= room), texts[-1]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Tell of it."""

@@ -16,9 +16,10 @@ from ui.views.image_view import ImageContent, ImageView
 from ui.views.region_marks import RegionMarks
 from ui.views.region_tool import RegionTool
 from ui.widgets import theme
-from ui.words import tr
+from ui.words import begun, tr
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import Extent
+from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -100,6 +101,14 @@ class ScreenImageView(ImageView):
             self._link.pinned.emit(((left + right) / 2, (bottom + top) / 2))
         else:
             super().keyPressEvent(event)
+
+    def _at_rest(self, session: "Session") -> tuple[str, ...]:
+        """From which side the image is drawn, and whether its viewer sees it inverted."""
+        scene = session.scene
+        side = begun(tr(side_in_words(scene, pixel_side(scene))))
+        if viewed_from(scene) == pixel_side(scene):
+            return side, ""
+        return tr("{side}: mirror-inverted").format(side=side), side, ""
 
     def _add_tool(self, icon: str, name: str, tip: str) -> QToolButton:
         """A button below the image that is on or off."""

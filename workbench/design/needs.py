@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
 import torch
 
 from workbench.arrays import Array, Mask
@@ -15,12 +16,15 @@ from workbench.optics.sources import emitter_of
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.scene.stages import refused_in_stage
+from workbench.scene.viewing import pixel_side
 
 # Places of the optic along each axis at which its source has to shine somewhere.
 _LOOKED_AT = 65
 # Degrees from across the receiver beyond which light grazes it. A photograph on a wall that is met
 # at 55 to 78 degrees is 1.5 to 1.9 % off, one at 86 degrees 4.4 %.
 _GRAZES = 80.0
+# Part of its light by which a picture may differ from its mirror image for being drawn in pixels.
+_SYMMETRIC = 0.02
 
 
 def check_stages(
@@ -71,6 +75,23 @@ def grazed(scene: Scene) -> Said | None:
                 receiver=part.receiver.called,
                 slant=slant,
                 optic=part.optic.called,
+            )
+    return None
+
+
+def reversed_on_lit_side(scene: Scene, target: Array) -> Said | None:
+    """Which picture reads the wrong way round from where its light comes; None where none does.
+
+    A scene that says from where its pictures are viewed needs no remark, and neither do those that
+    are their own mirror images.
+    """
+    for part, light, _ in scene.images(target):
+        unsaid = part.target.viewed_from is None and pixel_side(part) == "back"
+        if unsaid and np.abs(light - light[:, ::-1]).sum() > _SYMMETRIC * light.sum():
+            return Said(
+                "the picture is mirror-inverted for viewers on the side of the light, and reads "
+                'right from behind the {receiver}; target.viewed_from "front" turns it around',
+                receiver=part.receiver.called,
             )
     return None
 

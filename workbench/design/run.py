@@ -16,7 +16,7 @@ from workbench.arrays import Array, Mask
 from workbench.design.endings import DONE, LOCKED
 from workbench.design.lens_state import LensState
 from workbench.design.methods import method_of
-from workbench.design.needs import check_stages, grazed
+from workbench.design.needs import check_stages, grazed, reversed_on_lit_side
 from workbench.design.net import definite
 from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
@@ -89,6 +89,7 @@ def run(
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(scenes) - 1
     check_stages(scenes, first, start, locked)
+    said = _scene_notes(scene, target)
     iteration = 0
     seconds = 0.0  # time spent here, not where the snapshots go: a pause is not run time
     for stage, stage_scene in enumerate(scenes[first:], first):
@@ -96,7 +97,7 @@ def run(
         most = 1 if done else stage_scene.run.iterations + (stage == first)
         room = Room(stage_scene, target, start, locked)
         method = method_of(stage_scene)
-        steps, notes = method.steps(room), (*_scene_notes(scene), *method.notes(stage_scene))
+        steps, notes = method.steps(room), (*said, *method.notes(stage_scene))
         lowest = math.inf
         best_heights: ControlHeights | None = None
         for _ in range(most):
@@ -172,12 +173,13 @@ def _stopped(
     return RunFailed(Said("stopped at iteration {iteration}: {why}", iteration=iteration, why=why))
 
 
-def _scene_notes(scene: Scene) -> tuple[str, ...]:
-    """The net of the finished lens, where the program has chosen it, and what will be worse."""
+def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
+    """The net of the finished lens, where the program has chosen it, and what may surprise."""
     n_u, n_v = scene.optic.net_shape
     net = Said("control points: {n_u} × {n_v}, chosen for this task", n_u=n_u, n_v=n_v)
     chosen = isinstance(scene.optic.control_points, AutoNet)
-    return tuple(filter(None, (net if chosen else None, grazed(scene))))
+    surprises = grazed(scene), reversed_on_lit_side(scene, target)
+    return tuple(filter(None, (net if chosen else None, *surprises)))
 
 
 def _carried(heights: ControlHeights, optic: Optic, other: Optic) -> ControlHeights:

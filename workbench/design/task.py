@@ -8,6 +8,7 @@ from workbench.design.light_files import with_light
 from workbench.design.picture import picture_of
 from workbench.design.session import Session
 from workbench.scene import Scene
+from workbench.scene.viewing import drawing
 
 
 def begin(scene: Scene, folder: Path) -> Session:
@@ -46,7 +47,7 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
     """
     before = session.scene.in_unit(scene.unit)
     scene = with_targets(with_light(scene.with_contents_of(before), folder), folder)
-    if _drawing(scene) == _drawing(before):
+    if drawing(scene) == drawing(before):
         return session.with_scene(scene, session.target)
     if session.picture is None or scene.image != session.scene.image:
         task = begin(scene, folder)
@@ -68,8 +69,3 @@ def with_file(session: Session, folder: Path) -> Session:
     scene = with_targets(without_targets(session.scene.with_net(None)), folder)
     task = begin(scene, folder)
     return replace(session.with_scene(scene, task.target), picture=task.picture)
-
-
-def _drawing(scene: Scene) -> tuple[object, ...]:
-    """All that the target's image depends on."""
-    return scene.target, scene.receiver.half_extent, scene.receiver.pixels

@@ -20,7 +20,7 @@ class StreetLight(LensJob):
     model_config = ConfigDict(title="Far field of a lamp")
     asked_by: ClassVar[dict[str, str]] = {"source.file": "file"}
 
-    target: Picture = RectangleTarget(width=0.85, height=0.85)
+    target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
     file: Annotated[
         str,
         FILE,

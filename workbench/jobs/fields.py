@@ -69,5 +69,6 @@ SUN = 0.533
 
 
 def shipped(name: str) -> ImageTarget:
-    """A picture that ships with the program, whose numbers are light."""
-    return ImageTarget(image=str(resources.path("targets", f"{name}-256.png")))
+    """A picture that ships with the program, whose numbers are light, for viewers of a wall."""
+    image = str(resources.path("targets", f"{name}-256.png"))
+    return ImageTarget(image=image, viewed_from="front")

@@ -26,7 +26,7 @@ class LedRectangle(LensJob):
 
     model_config = ConfigDict(title="LED close by")
 
-    target: Picture = RectangleTarget(width=0.85, height=0.85)
+    target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
     lamp_size: Annotated[
         Pair,
         LENGTH,

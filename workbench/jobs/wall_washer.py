@@ -21,7 +21,7 @@ class WallWasher(LensJob):
         "screen": "wall_distance",
     }
 
-    target: Picture = RectangleTarget(width=0.9, height=0.9)
+    target: Picture = RectangleTarget(width=0.9, height=0.9, viewed_from="front")
     wall_size: Annotated[
         Pair,
         LENGTH,

@@ -36,6 +36,7 @@ from workbench.report.figures import (
 )
 from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
+from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
 
 _PLACES = 257  # of maps, along the longer side of the lens
 # Inches that a row of two panels takes beside these, how wide a panel is, and its tallest row.
@@ -134,6 +135,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     own = result_of(session).state.irradiance
     difference, remark = relative_l2(light, own), found.beside_run(own, scene.receiver)
     faces = [scene.optic.face_in_words(face) for face in reversed(freeform_nets(scene.optic))]
+    drawn, read = (side_in_words(scene, side(scene)) for side in (pixel_side, viewed_from))
     yield Section(
         f"Independent check{which}",
         (
@@ -165,7 +167,8 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
             ),
         ),
         note=f"{scene.receiver.density.capitalize()} and target are compared at the same flux: "
-        "red is too much light, blue too little.",
+        f"red is too much light, blue too little. Images are {drawn}; the target reads right when "
+        f"{read}.",
     )
 
 

@@ -79,6 +79,10 @@ class FarField(AnyReceiver):
                     ),
                 )
 
+    def reads_on_lit_side(self, optic: "Optic") -> bool:
+        """Where light goes to −z; the lit side is that of the optic, as of a distant wall."""
+        return optic.onwards < 0
+
     @property
     def half_extent(self) -> tuple[float, float]:
         """Its half angles."""

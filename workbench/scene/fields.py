@@ -93,6 +93,13 @@ class Choices:
 
 
 @dataclass(frozen=True)
+class LeftOut:
+    """Mark of a field that may be left out: what a person reads for that."""
+
+    title: str
+
+
+@dataclass(frozen=True)
 class ForMethod:
     """Mark of a field that counts with one method of the run only."""
 

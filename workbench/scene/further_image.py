@@ -1,5 +1,6 @@
 """Another image that the same light shall make elsewhere."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, NamedTuple, Self
 
@@ -16,6 +17,7 @@ from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.screen import Screen
 from workbench.scene.target import Target
+from workbench.scene.viewing import drawing
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -120,21 +122,34 @@ class FurtherImage(Part):
         copy._drawn = drawn
         return copy
 
-    def like(self, others: tuple["FurtherImage", ...]) -> Self:
-        """The same with its target as others have it: drawn, or at least its file's content."""
-        if self._drawn.light is not None:
-            return self
-        for other in others:
-            if other.drawn.light is not None and self._drawing == other._drawing:
-                return self.drawn_as(other.drawn)
-        file = self.target.file
-        pictures = (each.drawn.picture for each in others if file and each.target.file == file)
-        return self.drawn_as(DrawnTarget(picture=next(pictures, None)))
 
-    @property
-    def _drawing(self) -> tuple[object, ...]:
-        """All that the target's image depends on."""
-        return self.target, self.receiver.half_extent, self.receiver.pixels
+def images_like(scene: "Scene", other: "Scene") -> tuple[FurtherImage, ...]:
+    """Further images of a scene with their targets as another scene has them.
+
+    Drawn, or at least with the content of their files.
+    """
+    known = {drawing(alone): image for alone, image in _drawn(other)}
+    found = []
+    for alone, image in zip(scene.single[1:], scene.further_images, strict=True):
+        if image.drawn.light is None:
+            same = known.get(drawing(alone))
+            file = image.target.file
+            pictures = (
+                each.drawn.picture
+                for each in other.further_images
+                if file and each.target.file == file
+            )
+            drawn = same.drawn if same else DrawnTarget(picture=next(pictures, None))
+            image = image.drawn_as(drawn)
+        found.append(image)
+    return tuple(found)
+
+
+def _drawn(scene: "Scene") -> Iterator[tuple["Scene", FurtherImage]]:
+    """Further images whose target is drawn, with the scene of each."""
+    for alone, image in zip(scene.single[1:], scene.further_images, strict=True):
+        if image.drawn.light is not None:
+            yield alone, image
 
 
 def check_images(scene: "Scene") -> None:

@@ -51,6 +51,13 @@ class AnyReceiver(Part):
     if TYPE_CHECKING:  # each kind has this field, at its place in the file
         pixels: Pixels
 
+    @abstractmethod
+    def reads_on_lit_side(self, optic: "Optic") -> bool:
+        """Whether a viewer on the side from which light of an optic comes sees u to the right.
+
+        With v upwards. A viewer behind the receiver then sees u to the left.
+        """
+
     @property
     @abstractmethod
     def half_extent(self) -> tuple[float, float]:

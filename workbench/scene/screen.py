@@ -82,6 +82,10 @@ class Screen(AnyReceiver):
         z = float(f"{optic.leaving_z + optic.onwards * away:.6g}")
         return {"z": z, "half_width": half, "pixels": receiver.pixels}
 
+    def reads_on_lit_side(self, optic: "Optic") -> bool:
+        """Where the optic is on the side to which the vector across the screen points."""
+        return bool(self.sides[2] @ (np.array([0.0, 0.0, optic.leaving_z]) - self.position) > 0)
+
     @property
     def half_extent(self) -> tuple[float, float]:
         """Its half-width."""

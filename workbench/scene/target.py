@@ -7,13 +7,25 @@ from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
 from workbench.said import Said
-from workbench.scene.fields import FILE, PLACE, SINCE_2, Choices, Measure, Version, about
+from workbench.scene.fields import (
+    FILE,
+    PLACE,
+    SINCE_2,
+    Choices,
+    LeftOut,
+    Measure,
+    Version,
+    about,
+)
 from workbench.scene.kinds import Kinds, title_of
 from workbench.scene.part import Part
 
+Side = Literal["front", "back"]
+"""Of a receiver: the one from which the light comes, or the one behind it."""
+
 
 class Finish(Part):
-    """What is done to every target: black border, blur, inversion."""
+    """What is done to every target: black border, blur, inversion, and who sees it."""
 
     padding: Annotated[
         float,
@@ -38,6 +50,20 @@ class Finish(Part):
         ),
     ] = 0.0
     invert: Annotated[bool, about("Invert", "Swap bright and dark.")] = False
+    viewed_from: Annotated[
+        Side | None,
+        SINCE_2,
+        Choices((("front", "The side of the light"), ("back", "Behind the receiver"))),
+        LeftOut("Column 0 at −x"),
+        about(
+            "Viewed from",
+            "The side of the receiver from which the picture reads the right way round. An opaque "
+            "wall, a table, or a far field on a distant wall is viewed from the side of the "
+            "light, a rear projection from behind the receiver. If it is left out, column 0 of "
+            "the picture lies at −x: it then reads right from behind with a lens, from the side "
+            "of the light with a mirror.",
+        ),
+    ] = None
 
     @property
     def file(self) -> str | None:

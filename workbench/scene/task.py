@@ -21,7 +21,13 @@ from workbench.scene import limits
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import SINCE_2, Version, about
 from workbench.scene.filter import Filter, GaussianFilter
-from workbench.scene.further_image import FurtherImage, WantedImage, check_images, wanted_images
+from workbench.scene.further_image import (
+    FurtherImage,
+    WantedImage,
+    check_images,
+    images_like,
+    wanted_images,
+)
 from workbench.scene.kinds import only
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
@@ -266,8 +272,7 @@ class Scene(Part):
         scene = self.carrying(other.light_files)
         if not self.further_images:
             return scene
-        images = tuple(image.like(other.further_images) for image in self.further_images)
-        return scene.model_copy(update={"further_images": images})
+        return scene.model_copy(update={"further_images": images_like(scene, other)})
 
     def source_of(self, stage: int) -> Source:
         """The source of a stage, by its number; behind all stages that of the scene itself."""

@@ -9,6 +9,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import ImageTarget, Scene
+from workbench.scene.viewing import as_viewed
 from workbench.targets.coverage import coverage
 from workbench.targets.image import decode_image, read_image
 from workbench.targets.raster import put
@@ -27,7 +28,8 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     made to fill that, with its aspect kept, averaged over the screen's pixels by area, and blurred;
     light that the blur carries off the screen is lost. Inversion turns bright to dark within the
     picture, what is transparent included, and leaves the border around it black. Only ratios count:
-    the brightest value of the picture is taken as 1.
+    the brightest value of the picture is taken as 1. All of that is as the viewer shall see it; in
+    the end it is laid onto the screen as `as_viewed` says.
 
     Parameters
     ----------
@@ -63,7 +65,7 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     if not light.any():
         small = Said("is too small to light any pixel of the screen; enlarge the shape")
         raise Refused("target", small)
-    return _blurred(light, target.blur) if target.blur else light
+    return as_viewed(scene, _blurred(light, target.blur) if target.blur else light)
 
 
 def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:

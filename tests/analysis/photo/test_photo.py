@@ -153,3 +153,15 @@ def test_a_far_field_is_seen_by_its_density(make_scene):
     write_png(photo, 0.0, file)
     with Image.open(file) as picture:
         assert picture.size == (24, 24)
+
+
+@pytest.mark.parametrize("viewer", ["front", "back", None])
+def test_the_camera_looks_from_the_side_of_the_viewer(make_scene, viewer):
+    target = {"builtin": "tophat"} | ({"viewed_from": viewer} if viewer else {})
+    scene = make_scene(WIDE | {"target": target})
+    photo = photograph(scene, white(scene), prism(scene))
+    # The prism sends light to +x, which is at the left of who looks along +z, y upwards.
+    columns = np.flatnonzero(photo.picture()[..., 0].any(axis=0))
+    assert (columns.mean() < 24) == (viewer == "front")
+    side = "the side of the light" if viewer == "front" else "behind the screen"
+    assert photo.summary.startswith(f"viewed from {side}; ")

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PIL import Image
 from PySide6.QtCore import Qt
@@ -183,3 +184,24 @@ def test_only_one_start_page_opens(window, page):
 def test_a_window_closes_with_its_page(window, page):
     window.discard_and_close()
     assert window.start_page.page is None
+
+
+def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(page, qtbot):
+    choose(page, Torch)
+    qtbot.waitUntil(lambda: "Viewed from the side of the light" in page._outlook.text)
+    qtbot.waitUntil(lambda: page._session is not None)
+    session = page._session
+    picture = page._outlook._wanted._picture
+    column, row = np.argwhere(session.target.T > 0.5)[0]  # the leftmost pixel on the receiver
+    mirrored = picture.width() - 1 - int(column)
+    assert picture.pixelColor(mirrored, int(row)).value() > 180
+    row_of(page, "target.viewed_from").chooser.activated.emit(2)
+    qtbot.waitUntil(lambda: "Viewed from behind the screen" in page._outlook.text)
+    assert page.form.job.target.viewed_from == "back"
+
+
+def test_another_picture_is_for_the_same_viewer(page, tmp_path):
+    choose(page, SunPlate)
+    Image.new("L", (20, 10), 255).save(tmp_path / "wide.png")
+    page.form.choose_image(tmp_path / "wide.png")
+    assert page.form.job.target.viewed_from == "front"

@@ -117,7 +117,7 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     for view, value in zip(views, wanted, strict=True):
         assert view._readout.text().startswith(f"{value:.4g} / cm² at x = 0.4")
     qtbot.mouseMove(views[1]._canvas, QPoint(2, 2))
-    assert [view._readout.text() for view in views] == ["", "", ""]
+    assert {view._readout.text() for view in views} == {"Viewed from behind the screen"}
 
 
 def test_values_are_those_under_a_pointer_at_rest_after_keys_have_moved_the_images(views, qtbot):
@@ -139,7 +139,7 @@ def test_values_are_those_under_a_pointer_at_rest_after_keys_have_moved_the_imag
     qtbot.mouseMove(view._canvas, QPoint(2, 2))
     qtbot.keyClick(view._canvas, Qt.Key.Key_Plus)
     qtbot.waitUntil(lambda: limits(view) != (-1, 1, -1, 1))
-    assert [view._readout.text() for view in views] == ["", "", ""]
+    assert {view._readout.text() for view in views} == {"Viewed from behind the screen"}
 
 
 def test_the_middle_of_an_image_is_at_0_whatever_the_pixel_of_the_pointer(views):
@@ -322,3 +322,19 @@ def test_a_narrow_image_has_the_unit_of_its_light_above(frame, show, qtbot):
     for width, above in ((300, "flux / cm²"), (700, ""), (300, "flux / cm²")):
         view.resize(width, 300)
         qtbot.waitUntil(lambda above=above: title() == above)
+
+
+def test_an_image_at_rest_says_from_which_side_it_is_drawn(frame, make_session, show, qtbot):
+    target = {"builtin": "tophat", "viewed_from": "front"}
+    session = make_session({"target": target})
+    view = IrradianceView()
+    view.show_frame(dataclasses.replace(frame, session=session))
+    show(view, 420, 380)
+    qtbot.waitUntil(lambda: view._values is not None)
+    view._point(None)
+    view._readout.resize(400, view._readout.height())
+    assert view._readout.text() == "Viewed from behind the screen: mirror-inverted"
+    view._readout.resize(230, view._readout.height())
+    assert view._readout.text() == "Viewed from behind the screen"
+    view._readout.resize(40, view._readout.height())
+    assert view._readout.text() == ""

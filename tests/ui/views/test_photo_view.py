@@ -51,7 +51,9 @@ def seen(view):
 
 def test_the_photo_is_that_of_the_engine_and_exposure_changes_it_at_once(view, qtbot):
     qtbot.waitUntil(lambda: view.photo is not None)
-    assert said(view) == "Daylight (D65), no dispersion known, with cells."
+    assert said(view) == (
+        "Viewed from behind the screen; daylight (D65), no dispersion known, with cells."
+    )
     frame = view._frame
     alone = photograph(frame.session.scene, frame.session.target, frame.state.heights)
     assert view.photo.rgb == pytest.approx(alone.rgb, rel=1e-9)

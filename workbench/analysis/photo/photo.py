@@ -30,6 +30,7 @@ from workbench.materials import CATALOGUE, Material
 from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene
+from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
 # Cells are fine enough when half as many along each axis change the image by this part of it: eyes
@@ -49,8 +50,8 @@ class Photo:
     Attributes
     ----------
     rgb : ndarray, shape (n_y, n_x, 3)
-        Linear sRGB, row 0 at +y, in flux per area of a source of flux 1: that of white light if it
-        is the same at all wavelengths.
+        Linear sRGB as the viewer of the target sees it, row 0 at +y, in flux per area of a source
+        of flux 1: that of white light if it is the same at all wavelengths.
     white : float
         What is white without a change of exposure: the irradiance of the target's brightest pixel,
         if the target had the light of the image.
@@ -64,6 +65,8 @@ class Photo:
         How far images of neighbouring wavelengths are apart, pixels; 99 of 100 rays are nearer.
     by_cells : bool
         Whether by cells, else by random rays.
+    side : Said
+        From where the camera looks.
     """
 
     rgb: Array
@@ -73,6 +76,7 @@ class Photo:
     wavelengths_um: tuple[float, ...]
     step: float
     by_cells: bool
+    side: Said
 
     def picture(self, stops: float = 0.0) -> npt.NDArray[np.uint8]:
         """Values of a picture file (sRGB), shape (n_y, n_x, 3).
@@ -90,11 +94,14 @@ class Photo:
         way = Said("with cells") if self.by_cells else Said("with random rays")
         light = self.light.title
         if len(self.wavelengths_um) == 1:
-            return Said("{light}, no dispersion known, {way}", light=light, way=way)
+            return Said(
+                "{side}; {light}, no dispersion known, {way}", side=self.side, light=light, way=way
+            )
         first, *_, last = self.wavelengths_um
         return Said(
-            "{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, "
-            "{way}",
+            "{side}; {light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels "
+            "apart, {way}",
+            side=self.side,
             light=light,
             count=len(self.wavelengths_um),
             first=first,
@@ -169,7 +176,8 @@ def photographing(
     white = receiver.total(luminance(rgb)) / receiver.total(wanted)
     width, height = np.divide(receiver.half_extent, receiver.pixels).tolist()
     made_by = tuple(wavelengths.tolist()), step, tracer.by_cells
-    return Photo(rgb, white, width / height, light, *made_by)
+    side = side_in_words(scene, viewed_from(scene))
+    return Photo(as_viewed(scene, rgb), white, width / height, light, *made_by, side)
 
 
 def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
