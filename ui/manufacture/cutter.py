@@ -227,8 +227,9 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
     plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
     if plan is None:
         return None
-    deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(plan.cut_off, unit, 2))
-    whole = plan.cut_off < _NEGLIGIBLE * plan.left
+    cut_off, left, _ = plan.remains
+    deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(cut_off, unit, 2))
+    whole = cut_off < _NEGLIGIBLE * left
     lines = [
         tr(
             "Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, "
@@ -236,7 +237,7 @@ def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
         ).format(
             radius=written(plan.raster.radius, unit),
             size=plan.raster.tip.size,
-            left=written(plan.left, unit, 2),
+            left=written(left, unit, 2),
             deep=tr("Nothing is cut too deep") if whole else deep,
         )
     ]

@@ -1,33 +1,41 @@
 """A raster of a ball cutter over a face that cuts nothing off it, and what it leaves.
 
 The tip of a ball of radius R above (x₀, y₀) may go down to the largest z + √(R² − r²) − R of all
-places of the face at a distance r, across the axis, from there: the offset surface.
+points of the face at a distance r, across the axis, from there: the offset surface. That is a
+sweep of balls, too, seen from below: balls of this radius around all points of the face, turned
+over. So `BallSweep` finds both the tips and what the cutter leaves.
 """
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
-from scipy.interpolate import BSpline, NdBSpline
 from scipy.sparse import csr_array
 
-from workbench.arrays import Array, Index
+from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.geometry.ball_kernels import Pieces, touching
+from workbench.geometry.ball_sweep import BallSweep
+from workbench.geometry.basis import local_basis, sparse_basis
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
+from workbench.geometry.tool_radius import GridFace, blocked_radius
 from workbench.said import Said
-from workbench.watch import Steps, of_equal, within
+from workbench.watch import Steps
 
-_NEWTON = 4  # steps to where the ball touches, from the lattice
-_COARSE = 7  # places along each axis below a ball, where these steps begin
-_PLACES = 257  # along each axis, where the face's shape is looked at
-_SAMPLES = 4_000  # places where the cut is looked at
+_IN_SPAN = 4  # lattice steps in each knot span, from whose points touching balls are found
+_PARTS = 256  # along each axis, at least, at whose ends the face's shape is evaluated
+_SAMPLES = 100_000  # points where the cut is compared with the face
+_RIM = 4_000  # further ones on its rim
 _AT_ONCE = 20_000
-_LINES = 64  # of a raster across, whose contacts are found together
 _HIGHER = 1.1  # ridges, until there are few enough
-_FITTING = 0.8  # of the tightest hollow's radius: a cutter that is chosen
+# A cutter that is chosen, over the tightest hollow's radius: the number of moves goes with
+# 1 / (R (1 − κ R)), see `CutFace._counts`, which is least here.
+_FITTING = 0.5
+_TIGHTEST = 0.1  # least 1 − κ R that lines are planned for
 _LARGEST = 0.5  # of the half-width
 
 
@@ -40,9 +48,9 @@ class Raster:
     x, y : ndarray, shapes (m_x,) and (m_y,)
         In equal steps, scene units.
     tip : ndarray, shape (m_x, m_y)
-        Where the lowest point of the ball is, z.
+        Lowest point of the ball there, z.
     radius : float
-        That of the ball.
+        Radius of the ball.
     """
 
     x: Array
@@ -55,67 +63,12 @@ class Raster:
         return self.cut(x, y)[0]
 
     def cut(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """What the ball leaves at places, as it goes straight from each place of the raster on.
-
-        Parameters
-        ----------
-        x, y : ndarray, shape (m,)
-            Places, scene units.
-
-        Returns
-        -------
-        height : ndarray, shape (m,)
-        normal : ndarray, shape (m, 3)
-            Unit normals to +z.
-        """
-        height, normal = np.empty(len(x)), np.empty((len(x), 3))
-        for begin in range(0, len(x), _AT_ONCE):
-            some = slice(begin, begin + _AT_ONCE)
-            height[some], normal[some] = self._lowest(x[some], y[some])
-        return height, normal
-
-    def _lowest(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """The lowest of the sides of the ball in all cuts that come near, each in three moves."""
-        step = self.y[1] - self.y[0]
-        wide = min(math.ceil(self.radius / step), len(self.y) - 1)
-        middle = np.rint((y - self.y[0]) / step).astype(int)
-        rows = (middle[:, None] + np.arange(-wide, wide + 1)).clip(0, len(self.y) - 1)
-        aside = self.y[rows] - y[:, None]
-        half_chord = np.sqrt((self.radius**2 - aside**2).clip(0))
-        move = self._move(np.broadcast_to(x[:, None], rows.shape))
-        for _ in range(2):  # to where the ball touches: slopes of neighbours are alike
-            slope = self._slopes[move, rows]
-            move = self._move(x[:, None] - half_chord * slope / np.sqrt(1 + slope**2))
-        best, normal = np.full(len(x), np.inf), np.zeros((len(x), 3))
-        for each in (move - 1, move, move + 1):
-            each = each.clip(0, len(self.x) - 2)
-            slope = self._slopes[each, rows]
-            there = x[:, None] - half_chord * slope / np.sqrt(1 + slope**2)
-            there = there.clip(self.x[each], self.x[each + 1])
-            along = there - x[:, None]
-            under = half_chord**2 - along**2
-            above = self.tip[each, rows] + slope * (there - self.x[each]) + self.radius
-            side = np.where(under > 0, above - np.sqrt(under.clip(0)), np.inf)
-            row = side.argmin(axis=1)[:, None]
-            found = np.take_along_axis(side, row, axis=1)[:, 0]
-            towards = [
-                np.take_along_axis(part, row, axis=1)[:, 0] / self.radius
-                for part in (along, aside, np.sqrt(under.clip(0)))
-            ]
-            lower = found < best
-            best = np.where(lower, found, best)
-            normal[lower] = np.stack(towards, axis=1)[lower]
-        return best, normal
+        """Height and unit normal, to +z, of what the ball leaves; see `BallSweep.lowest`."""
+        return self._sweep.lowest(x, y)
 
     @cached_property
-    def _slopes(self) -> Array:
-        """Those of the moves along x, shape (m_x - 1, m_y)."""
-        return np.asarray(np.diff(self.tip, axis=0) / (self.x[1] - self.x[0]))
-
-    def _move(self, x: Array) -> Index:
-        """Numbers of the moves that pass places."""
-        number = np.floor((x - self.x[0]) / (self.x[1] - self.x[0]))
-        return np.asarray(number.clip(0, len(self.x) - 2), dtype=np.intp)
+    def _sweep(self) -> BallSweep:
+        return BallSweep(self.x, self.y, self.tip + self.radius, self.radius)
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,26 +90,40 @@ class CutFace:
     outline: Outline
 
     @cached_property
-    def _spline(self) -> NdBSpline:
-        knots = tuple(
-            (2 * k - 1) * r for k, r in zip(self.net.knots, self.net.half_width, strict=True)
-        )
-        return NdBSpline(knots, self.heights, self.net.degree)
+    def _pieces(self) -> Pieces:
+        r_x, r_y = map(float, self.net.half_width)
+        along_x, along_y = map(_polynomials, self.net.knots, self.net.degree)
+        control = np.ascontiguousarray(self.heights, np.float64)
+        return Pieces(control, along_x, along_y, r_x, r_y)
 
     @cached_property
-    def _shape(self) -> tuple[float, float, float]:
-        """Largest slope, curvature of hollows, and of humps."""
-        t = np.linspace(0, 1, _PLACES)
-        shape = local_shape(self.net, self.heights, t, t)
-        hollow, hump = max(shape.largest.max(), 0.0), max(-shape.smallest.min(), 0.0)
-        return float(shape.slope.max()), float(hollow), float(hump)
+    def _shape(self) -> tuple[float, float]:
+        """Largest slope, and largest curvature of hollows."""
+        shape = local_shape(self.net, self.heights, *self._places)
+        return float(shape.slope.max()), max(float(shape.largest.max()), 0.0)
 
-    @property
+    @cached_property
+    def _places(self) -> tuple[Array, Array]:
+        """Parameters along both axes, knots among them."""
+        spans = (n - p for n, p in zip(self.net.shape, self.net.degree, strict=True))
+        along_x, along_y = (np.linspace(0, 1, n * math.ceil(_PARTS / n) + 1) for n in spans)
+        return along_x, along_y
+
+    @cached_property
     def fitting_radius(self) -> float:
-        """Radius of a cutter that may be taken if nobody says which, scene units."""
+        """Radius of a cutter that may be taken if nobody says which, scene units.
+
+        Such a ball is smaller than the tightest hollow, and no other part of the face is in its
+        way.
+        """
         largest = _LARGEST * min(self.net.half_width)
         hollow = self._shape[1]
-        return min(_FITTING / hollow, largest) if hollow > 0 else largest
+        if hollow * largest <= _FITTING:
+            return largest
+        x, y = ((2 * t - 1) * r for t, r in zip(self._places, self.net.half_width, strict=True))
+        face = GridFace(x, y, *self.net.grid(*self._places).evaluate(self.heights))
+        blocked = blocked_radius(face, 1 / hollow)
+        return min(_FITTING * (1 / hollow if blocked is None else blocked[0]), largest)
 
     def rastering(self, radius: float, scallop: float, most: int) -> Steps[Raster]:
         """Find cuts so close that ridges between them are at most so high, in steps of a moment.
@@ -206,112 +173,106 @@ class CutFace:
         return radius / 2
 
     def _counts(self, radius: float, scallop: float) -> tuple[list[float], list[int]]:
-        """How far a raster reaches along x and y, and how many places it has."""
-        slope, _, hump = self._shape
-        # A ridge on a hump is that of a smaller ball on a plane.
-        equivalent_radius = 1 / (1 / radius + hump)
+        """How far a raster reaches along x and y, and how many places it has.
+
+        Where centres of balls of radius R are s apart along the offset surface of a hollow of
+        curvature κ, the balls touch it s / (1 − κ R) apart, with ridges of s² / (8 R (1 − κ R))
+        between them. On a hump κ is negative and ridges are lower.
+        """
+        slope, hollow = self._shape
+        equivalent_radius = radius * max(1 - hollow * radius, _TIGHTEST)
         height = min(scallop, equivalent_radius)
         apart = 2 * math.sqrt(2 * equivalent_radius * height - height**2) / math.sqrt(1 + slope**2)
-        # At the rim the ball touches with its side.
-        beyond = radius * slope / math.sqrt(1 + slope**2)
+        # At the rim the ball touches with its side. Where it goes on to the next line it does not.
+        beyond = radius * slope / math.sqrt(1 + slope**2) + apart / 2
         ends = [r + beyond for r in self.net.half_width]
         return ends, [
             math.ceil(2 * r / s) + 1 for r, s in zip(ends, (apart / 2, apart), strict=True)
         ]
 
     def _tips(self, x: Array, y: Array, radius: float) -> Steps[Array]:
-        """How far down a ball may go over a grid: Newton's method finds where it touches."""
-        lowest, at = yield from within(self._start(x, y, radius), partial(of_equal, 2, 0))
-        middle = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
-        for begin in range(0, len(x), _LINES):
-            some = slice(begin, begin + _LINES)
-            held = self._touching(at[some].reshape(-1, 2), middle[some].reshape(-1, 2), radius)
-            lowest[some] = np.maximum(lowest[some], held.reshape(lowest[some].shape))
-            yield (1 + min(begin + _LINES, len(x)) / len(x)) / 2
-        return lowest
+        """How far down a ball may go over a grid: it touches near a point of a lattice."""
+        turned = self._turned_over(x, y, radius)
+        stray = max(turned.x[1] - turned.x[0], turned.y[1] - turned.y[0])
+        tips = np.empty((len(x), len(y)))
+        lines = math.ceil(_AT_ONCE / len(y))
+        for begin in range(0, len(x), lines):
+            some = slice(begin, begin + lines)
+            places = np.meshgrid(x[some], y, indexing="ij")
+            x_ball, y_ball = (each.ravel() for each in places)
+            _, normal = turned.lowest(x_ball, y_ball)
+            at_x, at_y = x_ball + radius * normal[:, 0], y_ball + radius * normal[:, 1]
+            tip = np.empty(len(x_ball))
+            touching(self._pieces, radius, stray, x_ball, y_ball, at_x, at_y, tip)
+            tips[some] = tip.reshape(-1, len(y))
+            yield min(begin + lines, len(x)) / len(x)
+        return tips
 
-    def _touching(self, at: Array, middle: Array, radius: float) -> Array:
-        """How far down balls may go that touch close to places."""
-        for _ in range(_NEWTON):
-            _, p, q, r, s, t = self._beyond(at)
-            stretch = np.sqrt(1 + p * p + q * q)
-            off_x, off_y = (at - middle - (radius / stretch)[:, None] * np.stack([p, q], axis=1)).T
-            # Derivatives of these: those of the normal (-p, -q) / stretch are in them.
-            scale = radius / stretch**3
-            xx = 1 - scale * ((1 + q * q) * r - p * q * s)
-            xy = -scale * ((1 + q * q) * s - p * q * t)
-            yx = -scale * ((1 + p * p) * s - p * q * r)
-            yy = 1 - scale * ((1 + p * p) * t - p * q * s)
-            whole = xx * yy - xy * yx
-            step = np.stack([yy * off_x - xy * off_y, xx * off_y - yx * off_x], axis=1)
-            step = np.divide(
-                step, whole[:, None], out=np.zeros_like(step), where=whole[:, None] > 0
-            )
-            at = (at - step).clip(middle - radius, middle + radius)
-        return self._held(at, middle, radius)
-
-    def _held(self, at: Array, middle: Array, radius: float) -> Array:
-        """How high the tip is where a place of the face holds the ball up."""
-        under = radius**2 - ((at - middle) ** 2).sum(axis=1)
-        height = self._beyond(at)[0] + np.sqrt(under.clip(0)) - radius
-        return np.where(under >= 0, height, -np.inf)
-
-    def _start(self, x: Array, y: Array, radius: float) -> Steps[tuple[Array, Array]]:
-        """How high places of a coarse lattice hold balls up, and those that do most (…, 2).
-
-        All balls see the same lattice, so that heights are products of matrices with few entries.
-        """
-        slope = self._shape[0]
-        wide = radius * slope / math.sqrt(1 + slope**2)
-        lattice = np.unique(np.append(np.linspace(-wide, wide, _COARSE), 0.0))
-        best = np.full((len(x), len(y)), -np.inf)
-        at = np.zeros((len(x), len(y), 2))
-        upwards = [self._basis(1, y + dy).T for dy in lattice]
-        for done, dx in enumerate(lattice):
-            across = self._basis(0, x + dx) @ self.heights
-            for dy, up in zip(lattice, upwards, strict=True):
-                held = across @ up + (math.sqrt(max(radius**2 - dx**2 - dy**2, 0.0)) - radius)
-                better = held > best
-                best = np.where(better, held, best)
-                at[better] = np.stack(np.meshgrid(x + dx, y + dy, indexing="ij"), axis=-1)[better]
-                yield (done + 1) / len(lattice)
-        return best, at
+    def _turned_over(self, x: Array, y: Array, radius: float) -> BallSweep:
+        """Balls around points of the face, which goes on straight at its rim, turned over."""
+        lattice = []
+        reach = radius * self._shape[0] / math.sqrt(1 + self._shape[0] ** 2)
+        for axis, end in enumerate((x[-1], y[-1])):
+            r, spans = self.net.half_width[axis], self.net.shape[axis] - self.net.degree[axis]
+            # As fine as the cuts are along x.
+            steps = spans * max(_IN_SPAN, math.ceil(r / (spans * (x[1] - x[0]))))
+            beyond = math.ceil((end + reach - r) / (2 * r / steps)) + 1
+            lattice.append(np.arange(-beyond, steps + beyond + 1) * (2 * r / steps) - r)
+        across, up = (self._basis(axis, places) for axis, places in enumerate(lattice))
+        centre = -((across @ self.heights) @ up.T)
+        return BallSweep(lattice[0], lattice[1], centre, radius)
 
     def _basis(self, axis: int, places: Array) -> csr_array:
         """Values of the basis along an axis; straight lines go on at the rim."""
-        end, knots, degree = self.net.half_width[axis], self._spline.t[axis], self.net.degree[axis]
-        inner = places.clip(-end, end)
-        value = BSpline.design_matrix(inner, knots, degree)
-        slopes = BSpline(knots, np.eye(self.net.shape[axis]), degree)(np.array([-end, end]), nu=1)
+        r, knots, degree = self.net.half_width[axis], self.net.knots[axis], self.net.degree[axis]
+        inner = places.clip(-r, r)
+        value = sparse_basis(knots, degree, (inner / r + 1) / 2)
+        slopes = sparse_basis(knots, degree, np.array([0.0, 1.0]), derivative=1) / (2 * r)
         beyond = np.stack([(places - inner).clip(max=0), (places - inner).clip(min=0)], axis=1)
-        return csr_array(value) + csr_array(beyond) @ csr_array(slopes)
+        return value + csr_array(beyond) @ slopes
 
-    def _beyond(self, at: Array) -> tuple[Array, ...]:
-        """Height and derivatives z_x, z_y, z_xx, z_xy, z_yy; straight lines go on at the rim."""
-        ends = np.array(self.net.half_width)
-        inner = at.clip(-ends, ends)
-        z, p, q, r, s, t = (
-            self._spline(inner, nu=nu) for nu in ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-        )
-        dx, dy = (at - inner).T
-        in_x, in_y = (at == inner).T
-        return (
-            z + p * dx + q * dy,
-            p + in_x * s * dy,
-            q + in_y * s * dx,
-            in_x * r,
-            (in_x | in_y) * s,
-            in_y * t,
-        )
+    def left(self, raster: Raster, seed: int = 1) -> Steps["Remains"]:
+        """Compare what a raster leaves with the face, in steps of a moment.
 
-    def left(self, raster: Raster, seed: int = 1) -> tuple[float, float]:
-        """The deepest cut into the face, and the most that is left on it, along its normal.
-
-        Looked at where fresh random places of the face are, not where the cutter has touched.
+        Fresh random points of the face are compared, not those where the cutter touches, and
+        points of its rim.
         """
         a, b = np.random.default_rng(seed).random((2, _SAMPLES))
-        x, y = self.outline.evenly(a, b)
-        at = np.stack([x, y], axis=1)
-        p, q = (self._spline(at, nu=nu) for nu in ((1, 0), (0, 1)))
-        above = (raster.cut_at(x, y) - self._spline(at)) / np.sqrt(1 + p * p + q * q)
-        return float((-above).max()), float(above.max())
+        x, y = np.concatenate([self.outline.evenly(a, b), self.outline.boundary(_RIM).T], axis=1)
+        above = np.empty(len(x))
+        for begin in range(0, len(x), _AT_ONCE):
+            some = slice(begin, begin + _AT_ONCE)
+            z, p, q = self.net.at(x[some], y[some], self.heights)
+            above[some] = (raster.cut_at(x[some], y[some]) - z) / np.sqrt(1 + p * p + q * q)
+            yield min(begin + _AT_ONCE, len(x)) / len(x)
+        most = above.argmax()
+        return Remains(float(-above.min()), float(above[most]), (float(x[most]), float(y[most])))
+
+
+class Remains(NamedTuple):
+    """What a cutter leaves of a face, along its normal, scene units.
+
+    Attributes
+    ----------
+    cut_off : float
+        The deepest cut into the face; negative where nothing is cut.
+    left : float
+        The most that is left on it.
+    place : tuple[float, float]
+        Where that is, x and y.
+    """
+
+    cut_off: float
+    left: float
+    place: tuple[float, float]
+
+
+def _polynomials(knots: Array, degree: int) -> Array:
+    """Basis functions on each span; see `Pieces`."""
+    begins = knots[degree : -degree - 1]
+    width = 1 / len(begins)
+    taylor = [
+        local_basis(knots, degree, begins, derivative=k)[1] * (width**k / math.factorial(k))
+        for k in range(degree + 1)
+    ]
+    return np.ascontiguousarray(np.stack(taylor, axis=2))

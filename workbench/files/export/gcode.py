@@ -6,26 +6,29 @@ written: the ball is swept over the rounded numbers, and what is left is compare
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
-from workbench.geometry.tool_path import CutFace, Raster
+from workbench.geometry.tool_path import CutFace, Raster, Remains
 from workbench.powers import written
 from workbench.said import Said
-from workbench.watch import Steps, finished
+from workbench.watch import Steps, finished, within
 
 _FINE = 1e-4  # height of ridges over the larger half-width
 _DIGITS = 5  # behind the point; GRBL reads seven in all
 _MOST = 1_000_000  # moves of a program
+_LEAST_RIDGES = 1e-4  # mm, unless they are asked for: programs round to 1e-5 mm
+_TRIES, _SMALLER = 5, 0.7  # radii of a cutter that nobody has asked for
 # Times the height of ridges that may be left, and be cut off: a cutter that fits does better.
 _LEFT, _OFF = 2.0, 0.25
 
 
 class CutPlan(NamedTuple):
-    """Cuts of a face, as a program has them.
+    """Cuts of a face, as a program has them, and what they leave.
 
     Attributes
     ----------
@@ -33,17 +36,22 @@ class CutPlan(NamedTuple):
         The cuts, scene units.
     scallop : float
         Height of ridges that was planned.
-    cut_off, left : float
-        The deepest cut into the face, and the most that is left on it.
+    remains : Remains
+        What the simulated cut leaves; the place is that of the face as it lies below the cutter.
     top : float
         Highest control height of the face as it lies below the cutter.
     """
 
     raster: Raster
     scallop: float
-    cut_off: float
-    left: float
+    remains: Remains
     top: float
+
+    @property
+    def fits(self) -> bool:
+        """Whether the cutter leaves ridges alone."""
+        cut_off, left, _ = self.remains
+        return cut_off <= _OFF * self.scallop and left <= _LEFT * self.scallop
 
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
@@ -56,15 +64,17 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     """
     plan = finished(planning(design))
     raster, radius, scallop = plan.raster, plan.raster.radius, plan.scallop
-    cut_off, left = plan.cut_off, plan.left
-    if cut_off > _OFF * scallop or left > _LEFT * scallop:
+    cut_off, left, (x, y) = plan.remains
+    if not plan.fits:
         raise Refused(
             "tool_radius",
             Said(
-                "a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; "
-                "a smaller one, or run.min_tool_radius",
+                "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
+                "cuts off {cut}; a smaller one, or run.min_tool_radius",
                 radius=written(radius, design.unit),
                 left=written(left, design.unit, 2),
+                x=written(x, design.unit),
+                y=written(y, design.unit),
                 cut=written(max(cut_off, 0), design.unit, 2),
             ),
         )
@@ -84,22 +94,41 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
 def planning(design: Design) -> Steps[CutPlan]:
     """Find the cuts of a design's face and simulate them, in steps of a moment.
 
+    A cutter that nobody has asked for is smaller the next time if it does not fit.
+
     Raises
     ------
     Refused
         If there are too many cuts.
     """
-    cutting = design.cutting
-    up = -design.outward if cutting.negative else design.outward
+    up = -design.outward if design.cutting.negative else design.outward
     heights = design.heights if up > 0 else -design.heights[::-1]
     face = CutFace(design.net, heights, design.outline)
-    radius = cutting.tool_radius or design.scene.run.min_tool_radius or face.fitting_radius
-    scallop = cutting.scallop or face.finest(
-        radius, min(_FINE * max(design.net.half_width), radius / 2), _MOST
-    )
-    raster = yield from face.rastering(radius, scallop, _MOST)
-    raster = _rounded(raster, 1e3 * design.metres)
-    return CutPlan(raster, scallop, *face.left(raster), top=float(heights.max()))
+    asked = design.cutting.tool_radius or design.scene.run.min_tool_radius
+    radius, begin, plan = asked or face.fitting_radius, 0.0, None
+    for _ in range(1 if asked else _TRIES):
+        plan = yield from within(_planning(design, face, radius), partial(_from, begin))
+        if plan.fits:
+            break
+        radius, begin = _SMALLER * radius, _from(begin, 0.5)
+    assert plan is not None
+    return plan
+
+
+def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
+    """Find the cuts by one cutter."""
+    mm = 1e3 * design.metres
+    fine = max(_FINE * max(design.net.half_width), _LEAST_RIDGES / mm)
+    scallop = design.cutting.scallop or face.finest(radius, min(fine, radius / 2), _MOST)
+    raster = yield from within(face.rastering(radius, scallop, _MOST), lambda done: 0.8 * done)
+    raster = _rounded(raster, mm)
+    remains = yield from within(face.left(raster), lambda done: 0.8 + 0.2 * done)
+    return CutPlan(raster, scallop, remains, top=float(face.heights.max()))
+
+
+def _from(begin: float, done: float) -> float:
+    """The part of the whole that is done, of what is done of the rest."""
+    return begin + (1 - begin) * done
 
 
 def _rounded(raster: Raster, millimetres: float) -> Raster:
