@@ -34,6 +34,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
+from workbench.files.export.mesh_unit import MILLIMETRES
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session
@@ -156,7 +157,12 @@ def check(session: Session, rays: int = 4_000_000, seed: int = 1) -> Validation:
     return validate(session.scene, session.target, lens, rays, seed, accuracy=ACCURACY)
 
 
-def export(session: Session, *files: File, chord_error: float | None = None) -> list[Written]:
+def export(
+    session: Session,
+    *files: File,
+    chord_error: float | None = None,
+    mesh_unit: str = MILLIMETRES,
+) -> list[Written]:
     """Write the lens of a session and its light.
 
     Parameters
@@ -168,6 +174,9 @@ def export(session: Session, *files: File, chord_error: float | None = None) -> 
     chord_error : float, optional
         How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
         the lens by default.
+    mesh_unit : str
+        Unit of lengths in STL, OBJ, PLY and 3MF files: "mm", "cm", "m", "inch", or "scene" for
+        that of the scene. Most programs take them for millimetres.
 
     Returns
     -------
@@ -177,8 +186,8 @@ def export(session: Session, *files: File, chord_error: float | None = None) -> 
     Raises
     ------
     Refused
-        If the session has no lens, it is no body, an ending tells no format, or a file cannot be
-        written.
+        If the session has no lens, it is no body, the unit is unknown, an ending tells no format,
+        or a file cannot be written.
 
     Examples
     --------
@@ -190,7 +199,8 @@ def export(session: Session, *files: File, chord_error: float | None = None) -> 
     >>> written.deviation.kind, written.deviation.size < 1e-3
     ('chord error', True)
     """
-    return list(write_files(session, [Path(file) for file in files], chord_error))
+    paths = [Path(file) for file in files]
+    return list(write_files(session, paths, chord_error, mesh_unit=mesh_unit))
 
 
 def save(session: Session, path: File) -> None:

@@ -34,10 +34,21 @@ def test_a_line_per_file_states_its_deviation(freeform, lens, tmp_path):
     assert (status, stderr) == (0, "")
     first, second = stdout.splitlines()
     assert first == f"{step}: STEP solid, rounding 0 cm"
-    start, end = f"{mesh}: STL mesh, chord error ", " · 10⁻⁶ cm, lengths in cm"
+    start, end = f"{mesh}: STL mesh, chord error ", " · 10⁻⁶ cm, lengths in mm"
     assert second.startswith(start) and second.endswith(end)
     assert 0 < 1e-6 * float(second.removeprefix(start).removesuffix(end)) <= 0.001
     assert trimesh.load_mesh(mesh).is_watertight
+
+
+@pytest.mark.parametrize("given, width", [((), 20), (("--mesh-unit", "scene"), 2)])
+def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
+    freeform, lens, tmp_path, given, width
+):
+    path = tmp_path / "a.obj"
+    status, stdout, _ = freeform("export", lens, path, "--chord-error", "0.01", *given)
+    assert status == 0
+    assert stdout.strip().endswith("lengths in cm" if given else "lengths in mm")
+    assert trimesh.load_mesh(path).extents[0] == pytest.approx(width)
 
 
 def test_a_smaller_chord_error_takes_more_triangles(freeform, lens, tmp_path):
@@ -56,6 +67,7 @@ def test_a_smaller_chord_error_takes_more_triangles(freeform, lens, tmp_path):
         (["lens.freeform"], "lens.freeform: is the session itself; another file is needed"),
         (["a.stl", "--chord-error", "0"], "'0'; a number greater than 0 is needed"),
         (["a.stl", "--chord-error", "inf"], "'inf'; a finite number is needed"),
+        (["a.stl", "--mesh-unit", "feet"], "'feet'"),
         (["a.stl", "--chord-error", "1e-12"], "--chord-error: 1e-12 cm is finer than the numbers"),
         ([], "the following arguments are required: FILE"),
     ],

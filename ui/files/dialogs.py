@@ -17,11 +17,17 @@ class FileDialogs(QObject):
     A dialog begins in the folder that was used last for its kind of file since the design was
     opened or saved elsewhere; else in the design's own; for a design without one, in the folder
     that was used last for this kind of file by whatever window.
+
+    Attributes
+    ----------
+    chosen : str
+        Filter that was chosen in the last dialog for a file to write.
     """
 
     def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:
         super().__init__(window)
         self._document, self._settings, self._window = document, settings, window
+        self.chosen = ""
         self._used: dict[str, Path] = {}
         self._own = document.folder
         document.path_changed.connect(self._follow)
@@ -64,7 +70,9 @@ class FileDialogs(QObject):
         dialog.filterSelected.connect(suggest)
         suggest(dialog.selectedNameFilter())
         dialog.selectFile(name)
-        return self._note(kind, Path(dialog.selectedFiles()[0])) if dialog.exec() else None
+        accepted = dialog.exec()
+        self.chosen = dialog.selectedNameFilter()
+        return self._note(kind, Path(dialog.selectedFiles()[0])) if accepted else None
 
     def _begin(self, kind: str) -> Path:
         return next((folder for folder in self._folders(kind) if folder.is_dir()), Path.home())

@@ -16,6 +16,7 @@ from ui.widgets.message_bar import MessageBar
 from ui.words import tr
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.formats import GCODE, Format, formats_for
+from workbench.files.export.mesh_unit import MILLIMETRES, SCENE_UNIT, mesh_unit_of
 
 if TYPE_CHECKING:
     from workbench.files.export.write import Written
@@ -53,9 +54,11 @@ class Exporter(QObject):
 
     def choose_and_export(self) -> None:
         """Ask for a file and write it; the ending of its name tells the format."""
+        self._dialogs.chosen = ""
         path = self.ask_for_name()
         if path is not None:
-            self.export(path)
+            in_scene_unit = self._dialogs.chosen in self._filters(SCENE_UNIT)
+            self.export(path, mesh_unit=SCENE_UNIT if in_scene_unit else MILLIMETRES)
 
     def choose_and_cut(self) -> None:
         """Ask how the face is cut, then for the file, and write it."""
@@ -71,7 +74,9 @@ class Exporter(QObject):
             if path is not None:
                 self.export(path, cutting)
 
-    def export(self, path: Path, cutting: Cutting | None = None) -> None:
+    def export(
+        self, path: Path, cutting: Cutting | None = None, mesh_unit: str = MILLIMETRES
+    ) -> None:
         """Write a file; how a face is cut is asked for, where that counts and is not known."""
         if self._background.busy:
             self._messages.note(tr("One file is still being written; export the next after it."))
@@ -85,14 +90,24 @@ class Exporter(QObject):
             if cutting is None:
                 return
         self._messages.note(tr("{name} is being written…").format(name=path.name), lasts=True)
-        self._background.begin(partial(_write, session, path, cutting or PLAIN), self._lens.text)
+        work = partial(_write, session, path, cutting or PLAIN, mesh_unit)
+        self._background.begin(work, self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
-        offered = formats_for(self._document.session.heights or ())
-        endings = {_filter(each): each.endings[0] for each in offered}
+        endings = self._filters(MILLIMETRES) | self._filters(SCENE_UNIT)
         title, name = tr("Export {lens}").format(lens=self._lens.text), self._document.name
         return self._dialogs.to_save("export", title, name, endings)
+
+    def _filters(self, mesh_unit: str) -> dict[str, str]:
+        """Filters of the formats whose lengths are in that unit, or have none; their endings."""
+        session = self._document.session
+        unit = mesh_unit_of(mesh_unit, session.scene.unit)
+        return {
+            _filter(each, unit if each.takes_unit else ""): each.endings[0]
+            for each in formats_for(session.heights or ())
+            if mesh_unit == MILLIMETRES or (each.takes_unit and unit != MILLIMETRES)
+        }
 
     def close(self) -> None:
         """Let the file under way be written. Safe to call twice."""
@@ -102,14 +117,18 @@ class Exporter(QObject):
         self._messages.done(f"{written.sentence}; {lens}")
 
 
-def _write(session: "Session", path: Path, cutting: Cutting, task: Task) -> "Written":
+def _write(
+    session: "Session", path: Path, cutting: Cutting, mesh_unit: str, task: Task
+) -> "Written":
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
-    (written,) = export(session, [path], cutting=cutting)
+    (written,) = export(session, [path], cutting=cutting, mesh_unit=mesh_unit)
     return written
 
 
-def _filter(found: Format) -> str:
+def _filter(found: Format, unit: str = "") -> str:
     patterns = " ".join(f"*{ending}" for ending in found.endings)
-    return f"{found.name[0].upper()}{found.name[1:]} ({patterns})"
+    name = f"{found.name[0].upper()}{found.name[1:]}"
+    named = tr("{format} in {unit}").format(format=name, unit=unit) if unit else name
+    return f"{named} ({patterns})"

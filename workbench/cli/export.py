@@ -8,7 +8,9 @@ from workbench.files.export.cutting import Cutting
 from workbench.files.export.write import export as write_all
 
 
-def export(path: Path, files: Sequence[Path], chord_error: float | None, cutting: Cutting) -> None:
+def export(
+    path: Path, files: Sequence[Path], chord_error: float | None, cutting: Cutting, mesh_unit: str
+) -> None:
     """Write the lens of a session and its light in the formats that the endings tell.
 
     Raises
@@ -20,5 +22,5 @@ def export(path: Path, files: Sequence[Path], chord_error: float | None, cutting
         If another program's library that is needed fails.
     """
     session, _ = read_designed(path)
-    for written in write_all(session, files, chord_error, cutting):
+    for written in write_all(session, files, chord_error, cutting, mesh_unit):
         print(written.sentence, flush=True)

@@ -1,6 +1,8 @@
 import json
 import struct
+from dataclasses import replace
 
+import lib3mf
 import numpy as np
 import pytest
 import trimesh
@@ -9,19 +11,48 @@ from workbench.files.export.gltf import write_glb
 from workbench.files.export.obj import write_obj
 from workbench.files.export.ply import write_ply
 from workbench.files.export.stl import write_stl
+from workbench.files.export.threemf import write_3mf
 
-WRITERS = {".stl": write_stl, ".obj": write_obj, ".ply": write_ply, ".glb": write_glb}
+WRITERS = {
+    ".stl": write_stl,
+    ".obj": write_obj,
+    ".ply": write_ply,
+    ".3mf": write_3mf,
+    ".glb": write_glb,
+}
 CHORD_ERROR = 1e-3
 
 
 def load(path):
-    return trimesh.load_mesh(path)
+    return load_3mf(path)[0] if path.suffix == ".3mf" else trimesh.load_mesh(path)
+
+
+def load_3mf(path):
+    """The mesh and its unit as the reader of the 3MF Consortium finds them; it is strict."""
+    wrapper = lib3mf.get_wrapper()
+    model = wrapper.CreateModel()
+    reader = model.QueryReader("3mf")
+    reader.SetStrictModeActive(True)
+    reader.ReadFromFile(str(path))
+    assert reader.GetWarningCount() == 0
+    (found,) = iterated(model.GetMeshObjects(), "GetCurrentMeshObject")
+    assert found.IsManifoldAndOriented()
+    (item,) = iterated(model.GetBuildItems(), "GetCurrent")
+    assert item.GetObjectResource().GetResourceID() == found.GetResourceID()
+    vertices = [list(each.Coordinates) for each in found.GetVertices()]
+    triangles = [list(each.Indices) for each in found.GetTriangleIndices()]
+    return trimesh.Trimesh(vertices, triangles, process=False), model.GetUnit()
+
+
+def iterated(found, current):
+    while found.MoveNext():
+        yield getattr(found, current)()
 
 
 @pytest.mark.parametrize("ending", WRITERS)
 class TestEveryFormat:
     def test_a_closed_body(self, make_design, write, volume, ending):
-        design = make_design({"unit": "m"}, chord_error=CHORD_ERROR)
+        design = replace(make_design({"unit": "m"}, chord_error=CHORD_ERROR), mesh_unit="m")
         path, deviation = write(WRITERS[ending], design, f"lens{ending}")
         assert deviation.kind == "chord error"
         assert deviation.unit == "m"
@@ -46,11 +77,34 @@ class TestEveryFormat:
         assert first.read_bytes() == second.read_bytes()
 
 
-@pytest.mark.parametrize("ending", [".stl", ".obj", ".ply"])
-def test_numbers_are_in_the_unit_that_the_header_states(make_design, write, ending):
-    path, _ = write(WRITERS[ending], make_design({"unit": "inch"}, chord_error=0.01), f"a{ending}")
-    assert b"freeform lens, unit inch" in path.read_bytes()[:200]
-    assert load(path).extents[0] == pytest.approx(2.0, rel=1e-6)
+@pytest.mark.parametrize(
+    "scene_unit, mesh_unit, width",
+    [
+        ("inch", "mm", 50.8),
+        ("cm", "mm", 20),
+        ("m", "mm", 2000),
+        ("inch", "inch", 2),
+        ("mm", "cm", 0.2),
+    ],
+)
+@pytest.mark.parametrize("ending", [".stl", ".obj", ".ply", ".3mf"])
+def test_lengths_are_in_the_unit_that_file_and_message_state(
+    make_design, write, ending, scene_unit, mesh_unit, width
+):
+    design = replace(make_design({"unit": scene_unit}, chord_error=0.01), mesh_unit=mesh_unit)
+    path, deviation = write(WRITERS[ending], design, f"a{ending}")
+    assert load(path).extents[:2] == pytest.approx([width, 0.7 * width], rel=1e-6)
+    assert deviation.note == f"lengths in {mesh_unit}"
+    assert 0 < deviation.size <= 0.01 and deviation.unit == scene_unit
+    if ending == ".3mf":
+        unit = {"mm": "MilliMeter", "cm": "CentiMeter", "inch": "Inch"}[mesh_unit]
+        assert load_3mf(path)[1] == getattr(lib3mf.ModelUnit, unit)
+    else:
+        assert f"freeform lens, unit {mesh_unit}".encode() in path.read_bytes()[:200]
+
+
+def test_lengths_are_in_millimetres_unless_another_unit_is_asked_for(make_design):
+    assert make_design({"unit": "inch"}).in_mesh_unit == 25.4
 
 
 @pytest.mark.parametrize("unit, metres", [("mm", 1e-3), ("cm", 1e-2), ("m", 1), ("inch", 0.0254)])

@@ -5,6 +5,7 @@ import threading
 from types import SimpleNamespace
 
 import pytest
+import trimesh
 from PySide6.QtCore import QTimer
 
 from tests.ui.hands import accept_as
@@ -46,7 +47,7 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, path, cutting, task):
+    def write(session, path, cutting, mesh_unit, task):
         assert release.wait(30)
         return SimpleNamespace(sentence="written")
 
@@ -87,4 +88,17 @@ def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qt
     window.document.save(tmp_path / "mine.freeform")
     formats = accept_as("*.height.npy")
     assert window.exporter.ask_for_name() == tmp_path / "mine.height.npy"
-    assert len(formats) == len(formats_for(["exit"]))
+    in_two_units = [each for each in formats_for(["exit"]) if each.takes_unit]
+    assert len(formats) == len(formats_for(["exit"])) + len(in_two_units)
+
+
+@pytest.mark.parametrize("unit, size", [("mm", 20), ("cm", 2)])
+def test_the_dialog_offers_meshes_in_millimetres_and_in_the_unit_of_the_scene(
+    window, tmp_path, qtbot, unit, size
+):
+    window.document.save(tmp_path / "mine.freeform")
+    accept_as(f"in {unit} (*.obj)")
+    window.commands["export"].trigger()
+    qtbot.waitUntil(lambda: not window.exporter._background.busy, timeout=60_000)
+    assert trimesh.load_mesh(tmp_path / "mine.obj").extents[0] == pytest.approx(size)
+    assert f"lengths in {unit}" in window.messages.text

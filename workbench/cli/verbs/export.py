@@ -8,6 +8,7 @@ from workbench.cli.verbs.kinds import length
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_session
 from workbench.files.export.formats import ENDINGS
+from workbench.files.export.mesh_unit import MESH_UNITS, MILLIMETRES
 
 DOES = "write a lens for manufacture and for other programs"
 
@@ -21,7 +22,7 @@ def add(commands: Any) -> None:
         f"Write the lens of a session and its light; endings tell the formats.\n\n{endings}",
         [
             "export flame.freeform flame.step flame.irradiance.tiff",
-            "export flame.freeform flame.stl --chord-error 1e-5",
+            "export flame.freeform flame.stl flame.3mf --chord-error 1e-5",
             "export flame.freeform flame.nc --tool-radius 0.05 --scallop 1e-4",
         ],
         _run,
@@ -34,6 +35,14 @@ def add(commands: Any) -> None:
         type=length,
         help="how far meshes may be from the exit face, in the scene's unit; "
         "default 1e-4 of the larger half-width",
+    )
+    parser.add_argument(
+        "--mesh-unit",
+        metavar="UNIT",
+        choices=MESH_UNITS,
+        default=MILLIMETRES,
+        help="unit of lengths in .stl, .obj, .ply and .3mf: mm, cm, m, inch, or scene for the "
+        "scene's; default mm, which other programs take them for",
     )
     for name, metavar, does in (
         ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
@@ -62,4 +71,4 @@ def _run(options: argparse.Namespace) -> None:
         options.feed,
         options.negative,
     )
-    export(options.session, options.files, options.chord_error, cutting)
+    export(options.session, options.files, options.chord_error, cutting, options.mesh_unit)

@@ -11,6 +11,7 @@ from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
 from workbench.files.export.cutting import PLAIN, Cutting
+from workbench.files.export.mesh_unit import MILLIMETRES
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
@@ -43,6 +44,8 @@ class Design:
         that every task shapes.
     cutting : Cutting
         How it is cut, where that is asked for.
+    mesh_unit : str
+        Unit of lengths in meshes; glTF has metres.
     """
 
     scene: Scene
@@ -50,6 +53,7 @@ class Design:
     chord_error: float | None = None
     face: str | None = None
     cutting: Cutting = PLAIN
+    mesh_unit: str = MILLIMETRES
 
     @property
     def unit(self) -> str:
@@ -60,6 +64,11 @@ class Design:
     def metres(self) -> float:
         """Length of the scene's unit."""
         return METRES[self.unit]
+
+    @property
+    def in_mesh_unit(self) -> float:
+        """The scene's unit in the unit of meshes."""
+        return float(units.ratio(self.unit, self.mesh_unit))
 
     @property
     def heights(self) -> Array:

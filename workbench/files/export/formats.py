@@ -31,6 +31,8 @@ class Format(NamedTuple):
         The function of that module that makes what is written.
     face : str, optional
         The face that a file holds, where it is not the one that each task shapes.
+    takes_unit : bool
+        Whether its lengths are in the unit of meshes that is asked for.
     """
 
     endings: tuple[str, ...]
@@ -39,6 +41,7 @@ class Format(NamedTuple):
     writer: str
     content: str | None = None
     face: str | None = None
+    takes_unit: bool = False
 
     @property
     def of_entrance(self) -> "Format":
@@ -73,9 +76,10 @@ OF_ONE_FACE = (
 FORMATS = (
     Format((".step", ".stp"), "STEP solid", "step", "write_step"),
     Format((".iges", ".igs"), "IGES solid", "iges", "write_iges"),
-    Format((".stl",), "STL mesh", "stl", "write_stl"),
-    Format((".obj",), "OBJ mesh", "obj", "write_obj"),
-    Format((".ply",), "PLY mesh", "ply", "write_ply"),
+    Format((".stl",), "STL mesh", "stl", "write_stl", takes_unit=True),
+    Format((".obj",), "OBJ mesh", "obj", "write_obj", takes_unit=True),
+    Format((".ply",), "PLY mesh", "ply", "write_ply", takes_unit=True),
+    Format((".3mf",), "3MF mesh", "threemf", "write_3mf", takes_unit=True),
     Format((".glb",), "glTF mesh", "gltf", "write_glb"),
     *OF_ONE_FACE,
     Format((".irradiance.png",), "irradiance, 16 bit", "maps", "write_png", "irradiance"),

@@ -15,10 +15,8 @@ def write_obj(design: Design, file: BinaryIO) -> Deviation:
         If the chord error takes too many triangles.
     """
     face = Tessellation.of(design)
-    body = face.body()
-    file.write(f"# freeform lens, unit {design.unit}\n".encode())
+    body = face.body(design.in_mesh_unit)
+    file.write(f"# freeform lens, unit {design.mesh_unit}\n".encode())
     file.writelines(f"v {x!r} {y!r} {z!r}\n".encode() for x, y, z in body.vertices.tolist())
     file.writelines(f"f {a} {b} {c}\n".encode() for a, b, c in (body.triangles + 1).tolist())
-    return Deviation(
-        "chord error", face.chord_error(design), design.unit, f"lengths in {design.unit}"
-    )
+    return face.deviation(design)

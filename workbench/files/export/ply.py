@@ -30,9 +30,9 @@ def write_ply(design: Design, file: BinaryIO) -> Deviation:
         If the chord error takes too many triangles.
     """
     face = Tessellation.of(design)
-    body = face.body()
+    body = face.body(design.in_mesh_unit)
     header = _HEADER.format(
-        unit=design.unit, vertices=len(body.vertices), faces=len(body.triangles)
+        unit=design.mesh_unit, vertices=len(body.vertices), faces=len(body.triangles)
     )
     faces = np.zeros(len(body.triangles), dtype=_FACE)
     faces["count"] = 3
@@ -40,6 +40,4 @@ def write_ply(design: Design, file: BinaryIO) -> Deviation:
     file.write(header.encode())
     file.write(body.vertices.astype("<f8").tobytes())
     file.write(faces.tobytes())
-    return Deviation(
-        "chord error", face.chord_error(design), design.unit, f"lengths in {design.unit}"
-    )
+    return face.deviation(design)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.files.export.design import Design
+from workbench.files.export.design import Design, Deviation
 from workbench.geometry.basis import local_basis
 from workbench.geometry.bounds import derivative_range
 from workbench.said import Said
@@ -28,7 +28,7 @@ class TriangleBody(NamedTuple):
     Attributes
     ----------
     vertices : ndarray, shape (n, 3)
-        Scene units.
+        Scene units, or others.
     triangles : ndarray of int, shape (m, 3)
         Vertices of each, counterclockwise as seen from outside.
     """
@@ -135,12 +135,18 @@ class Tessellation(NamedTuple):
                 return found
             count = math.ceil(count * max(1.05 * math.sqrt(off), 1.1))
 
-    def rounded(self) -> "Tessellation":
-        """The same in single precision, as some formats keep it."""
-        return Tessellation(*(c.astype(np.float32).astype(np.float64) for c in self))
+    def rounded(self, scale: float = 1.0) -> "Tessellation":
+        """The same as single precision keeps it after multiplying by a scale."""
+        return Tessellation(*((scale * c).astype(np.float32) / np.float64(scale) for c in self))
 
-    def body(self) -> TriangleBody:
-        """The closed body: freeform face, walls, and the other side."""
+    def deviation(self, design: Design) -> Deviation:
+        """Chord error of a file in the unit of meshes, measured."""
+        return Deviation(
+            "chord error", self.chord_error(design), design.unit, f"lengths in {design.mesh_unit}"
+        )
+
+    def body(self, scale: float = 1.0) -> TriangleBody:
+        """The closed body: freeform face, walls, and the other side; its size times a scale."""
         m_x, m_y = self.z.shape
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
         # Counterclockwise, seen from above.
@@ -161,7 +167,7 @@ class Tessellation(NamedTuple):
         found = np.concatenate([_cells(index), *map(np.column_stack, walls), closing])
         if self.other.flat[0] > self.z.flat[0]:  # seen from outside, the face is turned over
             found = found[:, ::-1]
-        return TriangleBody(np.concatenate([top, bottom]), found)
+        return TriangleBody(scale * np.concatenate([top, bottom]), found)
 
     def _places(self, z: Array) -> Array:
         """The vertices of a face, shape (m_x * m_y, 3)."""

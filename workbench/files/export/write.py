@@ -10,6 +10,7 @@ from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
+from workbench.files.export.mesh_unit import MILLIMETRES, mesh_unit_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.powers import written
@@ -46,6 +47,7 @@ def export(
     paths: Sequence[Path],
     chord_error: float | None = None,
     cutting: Cutting = PLAIN,
+    mesh_unit: str = MILLIMETRES,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other.
 
@@ -60,6 +62,8 @@ def export(
         the lens by default.
     cutting : Cutting
         How faces are cut, for G-code.
+    mesh_unit : str
+        Unit of lengths in STL, OBJ, PLY and 3MF files, or "scene" for that of the scene.
 
     Yields
     ------
@@ -69,13 +73,14 @@ def export(
     Raises
     ------
     Refused
-        If the session has no lens or one that is no body, an ending tells no format or a file
-        cannot be written, all of it before anything is written; later, if a format cannot hold
-        what is asked.
+        If the session has no lens or one that is no body, the unit is unknown, an ending tells no
+        format or a file cannot be written, all of it before anything is written; later, if a format
+        cannot hold what is asked.
     """
     result = result_of(session)
     check_body(session.scene, result.state.heights)
-    design = Design(session.scene, result, chord_error, cutting=cutting)
+    unit = mesh_unit_of(mesh_unit, session.scene.unit)
+    design = Design(session.scene, result, chord_error, cutting=cutting, mesh_unit=unit)
     formats = [format_of(path) for path in paths]
     faces = result.state.heights.keys()
     for path, found in zip(paths, formats, strict=True):
