@@ -187,7 +187,10 @@ def test_a_predicted_photo(freeform, lens, tmp_path, monkeypatch):
     monkeypatch.setattr("workbench.cli.pictures.PICTURES", {})
     status, stdout, stderr = freeform("pictures", lens, tmp_path, "--photo", "--exposure", "-1")
     assert (status, stderr) == (0, "")
-    assert stdout == "photo: daylight (D65), no dispersion known, with cells\n"
+    assert (
+        stdout
+        == "photo: viewed from behind the screen; daylight (D65), no dispersion known, with cells\n"
+    )
     with Image.open(tmp_path / "photo.png") as photo:
         assert (photo.size, photo.mode) == ((32, 32), "RGB")
         # The plate spreads the light of a disc, 0.6 wide, over all of the screen: half of 28 %.

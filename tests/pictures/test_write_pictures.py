@@ -1,6 +1,8 @@
 import io
 from pathlib import Path
 
+import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 
 from workbench.design.run import run
@@ -10,13 +12,24 @@ from workbench.pictures import PICTURES
 from workbench.targets import load_target
 
 
-def test_each_picture_shows_something(make_scene):
+@pytest.fixture
+def session(make_scene):
     scene = make_scene({"run.iterations": 2})
     target = load_target(scene, Path.cwd())
     history = History()
     for snapshot in run(scene, target):
         history.add(snapshot)
-    session = Session(scene, target, history.result())
+    return Session(scene, target, history.result())
+
+
+def test_the_picture_of_images_says_from_which_side_they_are_drawn(session, monkeypatch):
+    written = []
+    monkeypatch.setattr(Figure, "savefig", lambda figure, *_, **__: written.append(figure))
+    PICTURES["irradiance.png"](session, io.BytesIO())
+    assert written[0].get_supxlabel() == "Viewed from behind the screen"
+
+
+def test_each_picture_shows_something(session):
     assert list(PICTURES) == ["irradiance.png", "lens.png", "loss.png"]
     for write in PICTURES.values():
         png = io.BytesIO()

@@ -140,6 +140,13 @@ def test_targets_are_drawn_anew_for_other_viewers_and_for_light_that_goes_back(t
     np.testing.assert_array_equal(mirror.target, wall.target[:, ::-1])
 
 
+def test_a_target_without_a_viewer_stays_as_it_is_for_light_that_goes_back(tmp_path):
+    lens = begin(scene_of("lens", tmp_path), tmp_path)
+    task = scene_of("mirror", tmp_path)
+    (tmp_path / "f.npy").unlink()
+    assert with_task(lens, task, tmp_path).target is lens.target
+
+
 def test_further_images_are_drawn_anew_for_light_that_goes_back(tmp_path):
     def several(place):
         data = scene_of(place, tmp_path, viewed_from="front").to_data()

@@ -19,7 +19,7 @@ from ui.widgets import theme
 from ui.words import begun, tr
 from workbench.measured.light_unit import light_unit
 from workbench.pictures.maps import Extent
-from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
+from workbench.scene.viewing import inverted, pixel_side, side_in_words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -106,7 +106,7 @@ class ScreenImageView(ImageView):
         """From which side the image is drawn, and whether its viewer sees it inverted."""
         scene = session.scene
         side = begun(tr(side_in_words(scene, pixel_side(scene))))
-        if viewed_from(scene) == pixel_side(scene):
+        if not inverted(scene):
             return side, ""
         return tr("{side}: mirror-inverted").format(side=side), side, ""
 

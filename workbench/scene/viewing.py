@@ -41,6 +41,11 @@ def viewed_from(scene: "Scene") -> Side:
     return scene.target.viewed_from or pixel_side(scene)
 
 
+def inverted(scene: "Scene") -> bool:
+    """Whether the target's viewer sees column 0 of the receiver's pixels at the right."""
+    return viewed_from(scene) != pixel_side(scene)
+
+
 def as_viewed(scene: "Scene", image: Array) -> Array:
     """An image on a receiver as its viewer sees it; and the reverse, which is the same.
 
@@ -55,8 +60,7 @@ def as_viewed(scene: "Scene", image: Array) -> Array:
     -------
     ndarray, shape (n_y, n_x, ...)
     """
-    same = viewed_from(scene) == pixel_side(scene)
-    return image if same else np.ascontiguousarray(image[:, ::-1])
+    return np.ascontiguousarray(image[:, ::-1]) if inverted(scene) else image
 
 
 def side_in_words(scene: "Scene", side: Side) -> Said:
@@ -69,4 +73,4 @@ def side_in_words(scene: "Scene", side: Side) -> Said:
 def drawing(scene: "Scene") -> tuple[object, ...]:
     """All that the array of the target depends on."""
     receiver = scene.receiver
-    return scene.target, receiver.half_extent, receiver.pixels, pixel_side(scene)
+    return scene.target, receiver.half_extent, receiver.pixels, inverted(scene)
