@@ -38,9 +38,9 @@ def test_without_a_range_the_stock_alone_limits_the_lens(limits_of):
     assert (limits.undesigned == 0.5).all()
 
 
-def test_without_any_limit_the_lens_stays_in_the_nearer_half_before_the_screen(limits_of):
+def test_without_any_limit_the_lens_keeps_clear_of_the_screen(limits_of):
     limits = limits_of({"lens.height_range": None})
-    assert (limits.upper == (0.5 + 5.0) / 2).all()
+    assert limits.upper == pytest.approx(5.0 - 0.05 * (5.0 - 0.5))
 
 
 def test_the_undesigned_lens_is_within_the_stock(limits_of):

@@ -130,6 +130,10 @@ def test_locked_heights_at_an_end_are_no_shortfall(make_scene):
             "The lens needs to be 9.3 mm thick; the stock allows 8 mm",
         ),
         (
+            Shortfall("screen", None, (2.0, 8.0), 0.4),
+            "40 % of the control heights are at the largest thickness; 8 mm is the automatic limit",
+        ),
+        (
             Shortfall("screen", (2.0, 9.3), (2.0, 8.0), 0.4),
             "The lens needs to be 9.3 mm thick; the screen leaves room for 8 mm",
         ),
@@ -148,10 +152,70 @@ def test_a_shortfall_is_one_plain_sentence(make_scene, shortfall, sentence):
 
 
 def test_a_shortfall_says_what_the_optic_is_called(make_scene):
-    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
+    mirror = {"half_width": [1, 1], "control_points": [8, 8], "height_range": [-0.3, 0.3]}
     scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
     short = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
     assert short.sentence(scene) == "The mirror needs ±2.2 cm; ±0.3 cm is allowed"
+
+
+MIRROR = {"mirror": {"half_width": [1, 1], "control_points": [16, 16]}, "lens": None}
+FAR = {"screen": None, "far_field": {"half_angle": [8, 8], "pixels": [16, 16]}}
+
+
+@pytest.mark.parametrize(
+    ("cause", "changes", "field"),
+    [
+        ("height_range", {"lens.height_range": None}, "lens.height_range"),
+        ("height_range", MIRROR | {"screen.z": -5.0}, "mirror.height_range"),
+        ("screen", FAR, "lens.max_thickness"),
+        ("entrance_range", {"lens.entrance": {"shape": "freeform"}}, "lens.entrance.height_range"),
+    ],
+)
+@pytest.mark.parametrize("needed", [None, (0.1, 1.2)])
+def test_a_limit_that_the_program_has_chosen_is_called_automatic(
+    make_scene, cause, changes, field, needed
+):
+    scene = make_scene(changes | {"version": 2})
+    said = Shortfall(cause, needed, (0.1, 1.0), 0.9).in_full(scene)
+    assert "automatic" in said and f"set {field} to" in said
+    assert "stock" not in said and "allowed" not in said
+
+
+ASIDE = {
+    "lens.height_range": None,
+    "lens.control_points": [24, 24],
+    "source": {"kind": "point", "position": [4, 0, -5]},
+}
+
+
+def test_an_automatic_thickness_is_as_large_as_the_first_lens_needs(make_scene):
+    target = np.zeros((32, 32))
+    target[8:24, 8:24] = 1.0
+    room = Room(make_scene(ASIDE), target)
+    half_way = (0.5 + 5.0) / 2
+    assert room.limits["exit"].upper == pytest.approx(half_way)
+    extent = np.ptp(room.first["exit"])
+    assert extent > half_way - 0.05  # the nearer half before the screen is too thin
+    assert room.limits["exit"].hold(room.limits["exit"].nearest(room.first["exit"]))
+    assert room.limits["exit"].lacks(room.first["exit"]) <= 0
+    assert half_way < room.limits["exit"].upper.max() < 4.5
+    assert room.shortfall({"exit": room.first["exit"]}) is None
+    stock = Room(make_scene(ASIDE | {"lens.max_thickness": half_way}), target)
+    assert stock.first is not None and stock.shortfall(stock.begin).cause == "max_thickness"
+
+
+def test_a_screen_that_is_too_near_is_the_limit_where_nothing_is_given(make_scene):
+    target = np.ones((32, 32))
+    scene = make_scene(ASIDE | {"screen.z": 1.5})
+    *_, last = run(scene.altered(run=scene.run.altered(iterations=2)), target)
+    short = last.state.shortfall
+    assert short.cause == "screen" and short.allowed[1] == pytest.approx(1.5 - 0.05 * (1.5 - 0.5))
+    assert "stock" not in short.in_full(scene) and "move the screen away" in short.in_full(scene)
+
+
+def test_a_run_goes_on_from_a_lens_beyond_half_of_the_way_to_the_screen(make_scene):
+    heights = np.full((24, 24), 3.9)
+    assert Room(make_scene(FREE), np.ones((32, 32)), {"exit": heights}).begin["exit"].max() == 3.9
 
 
 def test_a_shortfall_is_converted_with_its_lens():
@@ -168,11 +232,11 @@ def test_an_entrance_face_that_fills_its_range_is_reported(make_scene, corner):
     short = room.shortfall({"exit": np.full((24, 24), 0.5), "entrance": half})
     assert (short.cause, short.allowed) == ("entrance_range", (-0.1, 0.1))
     assert short.share == pytest.approx(0.9)
-    assert short.sentence(make_scene()) == (
+    assert short.sentence(make_scene(ENTRANCE)) == (
         "The entrance face fills 90 % of its range of ±0.1 cm, and would bend more of the light "
         "in a wider one"
     )
-    assert short.cure == "widen the entrance range"
+    assert short.cure_in(make_scene(ENTRANCE)) == "widen the entrance range"
 
 
 def test_an_entrance_face_with_room_or_locked_or_of_automatic_range_is_no_shortfall(

@@ -139,11 +139,16 @@ def test_advice_on_lost_light_is_said_in_the_language_of_the_window(make_scene, 
 def test_limits_that_are_too_narrow_are_said_in_the_language_of_the_window(
     make_scene, speaking, cause, needed
 ):
-    short, scene = Shortfall(cause, needed, (-0.2, 0.3), 0.4), make_scene()
+    entrance = {"shape": "freeform", "height_range": [-0.1, 0.1]}
+    short, scene = (
+        Shortfall(cause, needed, (-0.2, 0.3), 0.4),
+        make_scene({"lens.entrance": entrance}),
+    )
     said = short.in_full(scene)
     speaking("de")
     assert not re.search(r"\b(the|of|to|is|are|range|lens)\b", tr(said), re.IGNORECASE)
-    assert str(short.cure) in said and tr(short.cure) in tr(said)
+    cure = short.cure_in(scene)
+    assert str(cure) in said and tr(cure) in tr(said)
 
 
 def test_a_narrow_height_range_has_its_numbers_in_other_languages(make_scene, speaking):

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from ui.run.control import RunControl
     from ui.shown.frame import Frame
 
+_MORE = 0.05  # of a needed range, at each end
+
 
 class ShortfallNotice(QObject):
     """Listens to the runs of a window and to what is open in it.
@@ -95,6 +97,8 @@ class ShortfallNotice(QObject):
         path = f"{scene.optic.called}.height_range"
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
             return Edit(path, tr("automatic height range"), {path: None})
+        if shortfall.cause == "height_range" and shortfall.needed is not None:
+            return Edit(path, tr("wider height range"), {path: _wide(*shortfall.needed)})
         if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
             path = "lens.entrance.height_range"
             return Edit(path, tr("wider entrance range"), {path: list(wider)})
@@ -102,7 +106,7 @@ class ShortfallNotice(QObject):
 
     def _sentence(self, shortfall: Shortfall) -> str:
         scene = self._document.session.scene
-        if shortfall.cause == "height_range":  # the cure is offered as a button
+        if shortfall.cause == "height_range" and self._wider(shortfall):  # the cure is a button
             return f"{tr(shortfall.sentence(scene))}."
         return f"{tr(shortfall.in_full(scene))}."
 
@@ -119,7 +123,12 @@ class ShortfallNotice(QObject):
         self._document.edit(edited_scene(scene, [edit]), edit.text, "")
         scene = self._document.session.scene
         said = tr("The height range follows from the task now")
-        if shortfall.cause == "entrance_range":
+        if shortfall.cause == "height_range" and scene.optic.height_range is not None:
+            low, high = scene.optic.height_range
+            said = tr("The height range is {low:.3g} to {high:.3g} {unit} now").format(
+                low=low, high=high, unit=scene.unit
+            )
+        elif shortfall.cause == "entrance_range":
             low, high = scene.optic.entrance_offsets
             said = tr("The entrance range is {low:.3g} to {high:.3g} {unit} now").format(
                 low=low, high=high, unit=scene.unit
@@ -137,3 +146,9 @@ class ShortfallNotice(QObject):
     def _say(self, text: str, *offers: Offer) -> None:
         self._text = text
         self._messages.warn(text, *offers)
+
+
+def _wide(low: float, high: float) -> list[float]:
+    """A range that is a little wider than one that is needed."""
+    more = _MORE * (high - low)
+    return [low - more, high + more]

@@ -17,6 +17,8 @@ _APART = 0.25
 _SHIFTS = 65
 # The undesigned lens keeps this part of each interval away from its ends.
 _INSIDE = 0.0005
+# Part of the distance to the receiver that an automatic thickness takes at most.
+_CLOSEST = 0.95
 # Rounding, as a part of the largest height.
 _ROUNDING = 1e-12
 
@@ -147,9 +149,9 @@ def undesigned(optic: Optic) -> ControlHeights:
     return FaceArrays({face: each.undesigned for face, each in limits.items()})
 
 
-def bounded(scene: Scene) -> Optic:
-    """The optic of a scene with all that limits its heights; see `Optic.bounded`."""
+def bounded(scene: Scene, part: float = _CLOSEST) -> Optic:
+    """Return the optic of a scene with all that limits its heights; see `Optic.bounded`."""
     optic = scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
     nearest = min(ends, key=lambda z: optic.onwards * z)
-    return optic.bounded(scene.source.nearest_z, nearest, bool(scene.further_images))
+    return optic.bounded(scene.source.nearest_z, nearest, bool(scene.further_images), part)

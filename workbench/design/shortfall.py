@@ -3,7 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from workbench.design.limits import bounded
 from workbench.errors import Refused
+from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -19,6 +21,13 @@ _CURES: dict[Cause, Said] = {
     "min_thickness": Said("a higher base or a smaller minimal thickness gives it room"),
     "screen": Said("move the screen away from the lens"),
     "entrance_range": Said("widen the entrance range"),
+}
+# Fields that replace a limit that the program has chosen, by the names of optics.
+_FIELDS: dict[tuple[Cause, str], Said] = {
+    ("height_range", "lens"): Said("set lens.height_range to a wider range"),
+    ("height_range", "mirror"): Said("set mirror.height_range to a wider range"),
+    ("screen", "lens"): Said("set lens.max_thickness to a larger thickness"),
+    ("entrance_range", "lens"): Said("set lens.entrance.height_range to a wider range"),
 }
 
 
@@ -49,12 +58,20 @@ class Shortfall:
     def sentence(self, scene: Scene) -> Said:
         """What is needed and what is allowed by a scene."""
         if self.cause == "entrance_range":
+            values = {
+                "part": 100 * self.share,
+                "range": _offsets(self.allowed),
+                "unit": scene.unit,
+            }
+            if self.automatic_in(scene):
+                return Said(
+                    "The entrance face fills {part:.0f} % of its automatic range of {range} {unit}",
+                    **values,
+                )
             return Said(
                 "The entrance face fills {part:.0f} % of its range of {range} {unit}, and would "
                 "bend more of the light in a wider one",
-                part=100 * self.share,
-                range=_offsets(self.allowed),
-                unit=scene.unit,
+                **values,
             )
         if self.cause == "min_thickness":
             return Said(
@@ -68,7 +85,12 @@ class Shortfall:
 
     def _in_range(self, scene: Scene) -> Said:
         unit = scene.unit
-        allowed = Said("{range} {unit} is allowed", range=_offsets(self.allowed), unit=unit)
+        offsets = _offsets(self.allowed)
+        allowed = (
+            Said("{range} {unit} is the automatic limit", range=offsets, unit=unit)
+            if self.automatic_in(scene)
+            else Said("{range} {unit} is allowed", range=offsets, unit=unit)
+        )
         if self.needed is None:
             return Said(
                 "{part:.0f} % of the control heights are at an end of their range; {allowed}",
@@ -85,11 +107,16 @@ class Shortfall:
 
     def _in_stock(self, scene: Scene) -> Said:
         unit, thickest = scene.unit, self.allowed[1]
-        allowed = (
-            Said("the screen leaves room for {thickest:.3g} {unit}", thickest=thickest, unit=unit)
-            if self.cause == "screen"
-            else Said("the stock allows {thickest:.3g} {unit}", thickest=thickest, unit=unit)
-        )
+        if self.automatic_in(scene):
+            allowed = Said(
+                "{thickest:.3g} {unit} is the automatic limit", thickest=thickest, unit=unit
+            )
+        elif self.cause == "screen":
+            allowed = Said(
+                "the screen leaves room for {thickest:.3g} {unit}", thickest=thickest, unit=unit
+            )
+        else:
+            allowed = Said("the stock allows {thickest:.3g} {unit}", thickest=thickest, unit=unit)
         if self.needed is None:
             return Said(
                 "{part:.0f} % of the control heights are at the largest thickness; {allowed}",
@@ -106,16 +133,25 @@ class Shortfall:
 
     def in_full(self, scene: Scene) -> Said:
         """The sentence, and what helps."""
-        return Said("{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure)
+        return Said("{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure_in(scene))
 
     def scaled(self, factor: float) -> "Shortfall":
         """The same in another unit of length, of which ``factor`` make the one before."""
         needed = None if self.needed is None else _times(self.needed, factor)
         return replace(self, needed=needed, allowed=_times(self.allowed, factor))
 
-    @property
-    def cure(self) -> Said:
-        """What helps."""
+    def automatic_in(self, scene: Scene) -> bool:
+        """Whether the program has chosen the limit, and a field of the scene can replace it."""
+        if self.cause == "height_range":
+            return scene.optic.height_range is None
+        if self.cause == "entrance_range":
+            return scene.optic.entrance.height_range is None
+        return self.cause == "screen" and (self.needed is None or not scene.receiver.at_distance)
+
+    def cure_in(self, scene: Scene) -> Said:
+        """What helps in a scene."""
+        if self.automatic_in(scene):
+            return _FIELDS[self.cause, scene.optic.called]
         return _CURES[self.cause]
 
 
@@ -125,11 +161,11 @@ def wider_entrance(scene: Scene) -> Interval | None:
     Returns
     -------
     tuple of float, or None
-        Offsets from its place, twice as far apart or a little less; None where the range is
-        automatic, or source and exit face leave no room.
+        Offsets from its place, twice as far apart or a little less; None where the entrance face
+        is flat, or source and exit face leave no room.
     """
-    given = scene.optic.entrance.height_range
-    if given is None:
+    given = bounded(scene).entrance_offsets
+    if "entrance" not in freeform_nets(scene.optic):
         return None
     middle, half = (given[1] + given[0]) / 2, (given[1] - given[0]) / 2
     for times in _WIDER:

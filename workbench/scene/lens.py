@@ -38,8 +38,8 @@ _RISE = 0.25
 # | 6 mm | 8.8 % | 68 % |
 # | 15 mm, a quarter of the half-width | 13.7 % | 49 % |
 _NEAR_RISE = 0.5
-# Room behind a lens before a receiver that is infinitely far, in half-widths of the lens.
-_ROOM = 8.0
+# A receiver that is infinitely far counts as so many half-widths of the lens away.
+_FAR = 8.0
 
 
 def _thinnest(data: dict[str, Any]) -> float:
@@ -347,12 +347,13 @@ class Lens(Optic):
         """The stock, or the screen."""
         return "screen" if self.max_thickness is None else "max_thickness"
 
-    def bounded(self, source_z: float, receiver_z: float, several: bool = False) -> Self:
-        """The exit face stays in the nearer half of the way to the receiver, if nothing else says.
+    def bounded(
+        self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
+    ) -> Self:
+        """Return the lens with all limits of its heights; see `Optic.bounded`.
 
-        Where the receiver is infinitely far, it stays below some widths of the lens. An automatic
-        entrance face rises by no more than a part of the way from the source, and for one image by
-        no more than a part of the lens's half-width.
+        An automatic entrance face rises by no more than a part of the way from the source, and for
+        one image by no more than a part of the lens's half-width.
         """
         rise = min(self._room_at_entrance, _NEAR_RISE * (self.entrance_z - source_z))
         if not several:
@@ -362,8 +363,8 @@ class Lens(Optic):
         if self.height_range is not None or self.max_thickness is not None:
             return lens
         if math.isinf(receiver_z):
-            receiver_z = lens.highest + _ROOM * max(self.half_width)
-        thickness = (lens.highest + receiver_z) / 2 - self.front_z
+            receiver_z = lens.highest + _FAR * max(self.half_width)
+        thickness = (1 - part) * lens.highest + part * receiver_z - self.front_z
         return lens.model_copy(update={"max_thickness": thickness})
 
     def ranged(self, low: float, high: float) -> Self:

@@ -200,7 +200,9 @@ class Mirror(Optic):
         """The most that the range may automatically be."""
         return "height_range"
 
-    def bounded(self, source_z: float, receiver_z: float, several: bool = False) -> Self:
+    def bounded(
+        self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
+    ) -> Self:
         """Itself: the range of its heights is finite anyway."""
         return self
 

@@ -128,7 +128,9 @@ class Optic(Part):
         """What keeps its face below, if no height range does."""
 
     @abstractmethod
-    def bounded(self, source_z: float, receiver_z: float, several: bool = False) -> Self:
+    def bounded(
+        self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
+    ) -> Self:
         """The optic with all that limits its heights.
 
         Parameters
@@ -137,6 +139,9 @@ class Optic(Part):
             Where its source and its receiver are nearest to it; infinite if they are.
         several : bool
             Whether it makes several images.
+        part : float
+            Of the distance to the receiver, that the optic may rise where neither a height range
+            nor a maximal thickness is given.
         """
 
     def ranged(self, low: float, high: float) -> Self:

@@ -150,10 +150,21 @@ def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
     desk.fall_short(Shortfall("entrance_range", None, (-0.01, 0.01), 0.9))
     design(desk, qtbot)
     assert desk.messages.text == (
-        "The entrance face fills 90 % of its range of ±0.01 cm, and would bend more of the light "
-        "in a wider one: widen the entrance range."
+        "The entrance face fills 90 % of its automatic range of ±0.01 cm: set "
+        "lens.entrance.height_range to a wider range."
     )
     assert offers(desk) == []
+
+
+def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, qtbot):
+    free = desk.document.session.scene.lens.altered(height_range=None)
+    desk.document.edit(desk.document.session.scene.with_optic(free), "range", "")
+    desk.fall_short(NARROW)
+    design(desk, qtbot)
+    assert "±0.3 cm is the automatic limit" in desk.messages.text
+    press(desk, qtbot)
+    low, high = desk.document.session.scene.lens.height_range
+    assert low < -2.2 and high > 2.2
 
 
 def test_a_narrow_entrance_range_can_be_widened_keeping_the_lens(desk, as_run, make_scene, qtbot):
