@@ -168,6 +168,18 @@ class TestDone:
         assert read_session(out).result.iterations == 4
         assert "00:03 left" in progress.splitlines()[0]
 
+    def test_remarks_about_the_picture_are_printed(
+        self, freeform, tmp_path, scene_file, scene_data, out
+    ):
+        from PIL import Image
+
+        Image.new("L", (9000, 8), 200).save(tmp_path / "wide.png")
+        scene_data["target"] = {"image": "wide.png"}
+        scene_file.write_text(json.dumps(scene_data))
+        status, stdout, stderr = freeform("design", scene_file, "-o", out, "--iterations", 0)
+        assert status == 0 and "wide.png" not in stdout
+        assert "wide.png' has 9000 × 8 pixels and is reduced to 4500 × 4" in stderr
+
     def test_an_image_of_any_depth_with_alpha_is_taken(self, freeform, tmp_path, out, scene_data):
         from PIL import Image
 

@@ -1,12 +1,21 @@
 """Targets drawn from SVG files."""
 
+import gzip
+from base64 import b64encode
+from io import BytesIO
+
 import numpy as np
 import pytest
 from PIL import Image
 
 from workbench.errors import Refused
 from workbench.targets import load_target
-from workbench.targets.image import read_image
+from workbench.targets.image import read_picture
+
+
+def read_image(path, *options, **tone):
+    return read_picture(path, *options, **tone).light
+
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" {}>{}</svg>'
 DISC = '<circle cx="5" cy="5" r="4" {}/>'
@@ -74,13 +83,67 @@ def test_all_of_the_drawing_is_seen_in_its_own_aspect(save, outline, shape):
     assert read.mean() > 0.998
 
 
-def test_files_that_it_links_to_are_not_drawn(save, tmp_path):
-    Image.fromarray(np.full((4, 4), 255, dtype=np.uint8)).save(tmp_path / "white.png")
-    links = "".join(
-        f'<image href="{name}" width="10" height="10"/>'
-        for name in ("white.png", tmp_path / "white.png")
-    )
-    assert not read_image(save(links + '<circle r="1" opacity="0"/>'), 32).any()
+@pytest.mark.parametrize(
+    "link", ["white.png", "../a b.jpg", "https://example.org/a.png", "b.svg#c"]
+)
+@pytest.mark.parametrize("element", ["image", "use"])
+def test_a_picture_in_another_file_is_named_and_refused(save, element, link):
+    path = save(DISC.format("") + f'<{element} href="{link}" width="10" height="10"/>')
+    with pytest.raises(Refused, match="embed") as caught:
+        read_image(path, 32)
+    assert link in caught.value.reason and str(path) in caught.value.reason
+
+
+def test_a_link_to_a_page_does_not_matter(save):
+    inside = f'<a href="https://example.org">{DISC.format("")}</a>'
+    assert read_image(save(inside), 32)[16, 16] == 1
+
+
+def test_a_picture_within_the_drawing_is_drawn(save):
+    buffer = BytesIO()
+    Image.new("L", (4, 4), 255).save(buffer, "PNG")
+    data = b64encode(buffer.getvalue()).decode()
+    inside = f'<image href="data:image/png;base64,{data}" width="10" height="10"/>'
+    assert read_image(save(inside), 32).min() == 1
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-8-sig"])
+@pytest.mark.parametrize("declared", [True, False])
+def test_encodings_of_the_web_are_read(tmp_path, encoding, declared):
+    path = tmp_path / "a.svg"
+    begin = f'<?xml version="1.0" encoding="{encoding[:6].rstrip("-")}"?>' if declared else ""
+    text = begin + SVG.format('viewBox="0 0 10 10"', DISC.format(""))
+    path.write_bytes(text.encode(encoding))
+    assert read_image(path, 32)[16, 16] == 1
+
+
+@pytest.mark.parametrize("prefix", ["", "xlink:"])
+def test_a_drawing_of_a_page_needs_no_namespace(tmp_path, prefix):
+    path = tmp_path / "a.svg"
+    used = f'<circle id="c" cx="5" cy="5" r="4"/><use {prefix}href="#c"/>'
+    path.write_text(f'<svg viewBox="0 0 10 10">{used}</svg>')
+    assert read_image(path, 32)[16, 16] == 1
+
+
+def test_a_packed_drawing_is_read_up_to_a_size(save, tmp_path):
+    path = tmp_path / "a.svgz"
+    path.write_bytes(gzip.compress(save(DISC.format("")).read_bytes()))
+    assert read_image(path, 32)[16, 16] == 1
+    path.write_bytes(gzip.compress(b"<svg>" + bytes(20 << 20)))
+    with pytest.raises(Refused, match="more than 16 MB"):
+        read_image(path)
+    path.write_bytes(gzip.compress(b"words"))
+    with pytest.raises(Refused, match="not an image"):
+        read_image(path)
+    path.write_bytes(b"\x1f\x8bwords")
+    with pytest.raises(Refused, match="damaged"):
+        read_image(path)
+
+
+def test_a_letter_that_no_font_has_is_named(save):
+    path = save('<text y="9">A\u0378</text>')
+    with pytest.raises(Refused, match=r"U\+0378"):
+        read_image(path, 32)
 
 
 @pytest.mark.parametrize(

@@ -13,6 +13,7 @@ from workbench.scene import (
 )
 from workbench.targets.coverage import coverage
 from workbench.targets.shapes import ball, draw, flame, top_hat
+from workbench.targets.text import picture_of_text
 
 SHAPES = [
     TopHatTarget(),
@@ -192,3 +193,31 @@ def test_text_that_draws_nothing_is_refused():
     with pytest.raises(Refused, match="draws nothing") as caught:
         draw(TextTarget(text="  "), screen(), 1.0)
     assert caught.value.path == "target.text"
+
+
+def test_a_letter_that_no_font_has_is_named():
+    for letter in ("\u0378", "\x07"):
+        with pytest.raises(Refused, match=rf"U\+{ord(letter):04X}") as caught:
+            draw(TextTarget(text=f"A{letter}"), screen(), 1.0)
+        assert caught.value.path == "target.text"
+
+
+def test_a_tab_is_a_space_and_letters_may_be_composed():
+    def drawn(text):
+        return draw(TextTarget(text=text), screen((60, 60)), 1.0)
+
+    np.testing.assert_array_equal(drawn("A\tB"), drawn("A B"))
+    np.testing.assert_array_equal(drawn("e\u0301"), drawn("é"))
+
+
+def test_words_from_right_to_left_begin_at_the_right():
+    drawn = picture_of_text("שי")  # Yod ends in the middle of its line, Shin at its foot
+    foot, side = drawn[-drawn.shape[0] // 4 :], drawn.shape[1] // 8
+    assert foot[:, -2 * side :].any() and not foot[:, :side].any() and drawn[:, :side].any()
+
+
+def test_lines_of_words_drawn_by_the_system_stand_below_each_other():
+    one, two = (picture_of_text(text) for text in ("ש", "ש\nש"))
+    assert two.shape[1] == pytest.approx(one.shape[1], abs=2)
+    assert two.shape[0] > 2 * one.shape[0]
+    np.testing.assert_allclose(two[: one.shape[0] - 2, 2:-2].mean(), one.mean(), rtol=0.1)

@@ -25,6 +25,7 @@ class TargetImage(QObject):
         session = self._document.session
         if self._document.path is None:  # drawn from its file a moment ago
             self._tell_if_not_kept(session)
+            self._tell_remarks(session)
         self._tell_if_changed(session)
 
     def _tell_of_edit(self, before: Session, after: Session) -> None:
@@ -32,12 +33,18 @@ class TargetImage(QObject):
             return
         if after.scene.image != before.scene.image:
             self._tell_if_not_kept(after)
+        if after.picture_remarks != before.picture_remarks:
+            self._tell_remarks(after)
         self._tell_if_changed(after)
 
     def _tell_if_not_kept(self, session: Session) -> None:
         why = why_not_kept(session.scene, session.picture)
         if why:
             self._messages.note(why)
+
+    def _tell_remarks(self, session: Session) -> None:
+        if session.picture_remarks:
+            self._messages.note("; ".join(map(tr, session.picture_remarks)))
 
     def _tell_if_changed(self, session: Session) -> None:
         if changed_on_disk(session.scene, session.picture):

@@ -21,7 +21,10 @@ from workbench.scene import FieldDescription, Finish
 from workbench.scene.viewing import as_viewed
 from workbench.targets.tone import SRGB
 
-_ENDINGS = "*.png *.jpg *.jpeg *.svg *.bmp *.gif *.tif *.tiff *.webp *.pgm *.ppm *.jp2 *.tga *.npy"
+_ENDINGS = (
+    "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp "
+    "*.pgm *.ppm *.jp2 *.tga *.exr *.hdr *.npy"
+)
 
 _HEIGHT = 110  # logical pixels of a thumbnail
 

@@ -1,6 +1,7 @@
 """``freeform bound``."""
 
 import json
+import sys
 from pathlib import Path
 
 from workbench.extended.bound import Bound
@@ -18,6 +19,8 @@ def bound(path: Path, as_json: bool) -> None:
     """
     keep_freed_memory()  # a search makes the same arrays over and over
     session = open_design(path)
+    for remark in session.picture_remarks:
+        print(remark, file=sys.stderr)
     session.scene.check_one_image("the bound")
     found = Bound(session.scene, session.target)
     if as_json:

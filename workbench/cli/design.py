@@ -41,6 +41,8 @@ def design(
     if not is_session(path):
         for why in filter(None, map(why_not_kept, session.scene.single, session.pictures)):
             print(why, file=sys.stderr)
+    for remark in session.picture_remarks:
+        print(remark, file=sys.stderr)
     if not is_session(path) and (why := why_light_is_not_kept(session.scene)):
         print(why, file=sys.stderr)
     run = DesignRun(session, iterations)

@@ -24,7 +24,7 @@ def with_targets(scene: Scene, folder: Path) -> Scene:
     """
     if not scene.further_images:
         return scene
-    from workbench.targets import load_target  # late: scipy.ndimage takes long to import
+    from workbench.targets import draw_target  # late: scipy.ndimage takes long to import
 
     images = []
     for number, (alone, image) in enumerate(
@@ -33,8 +33,8 @@ def with_targets(scene: Scene, folder: Path) -> Scene:
         if image.drawn.light is None:
             picture = image.drawn.picture or picture_of(alone, folder)
             with refused_within(f"further_images[{number}]"):
-                light = load_target(alone, folder, picture)
-            image = image.drawn_as(DrawnTarget(light, picture))
+                drawn = draw_target(alone, folder, picture)
+            image = image.drawn_as(DrawnTarget(drawn.light, picture, drawn.remarks))
         images.append(image)
     return scene.model_copy(update={"further_images": tuple(images)})
 

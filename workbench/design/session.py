@@ -151,6 +151,8 @@ class Session:
     picture : bytes, optional
         Content of the target's image file as it was drawn, at most
         `workbench.design.picture.LARGEST_PICTURE` bytes; none for a built-in shape.
+    remarks : tuple of str
+        What a person should know of the image file when the target was drawn; no file keeps it.
 
     Examples
     --------
@@ -170,6 +172,7 @@ class Session:
     view: Mapping[str, Any] | None = None
     start: ControlHeights | None = None
     picture: bytes | None = None
+    remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.scene.optic.known_shape is None:
@@ -185,6 +188,12 @@ class Session:
     def pictures(self) -> tuple[bytes | None, ...]:
         """Content of the image file of each target that keeps it, the first one first."""
         return (self.picture, *(image.drawn.picture for image in self.scene.further_images))
+
+    @property
+    def picture_remarks(self) -> tuple[str, ...]:
+        """What a person should know of the image file of each target, the first one first."""
+        further = (image.drawn.remarks for image in self.scene.further_images)
+        return (*self.remarks, *(remark for remarks in further for remark in remarks))
 
     def of_image(self, number: int) -> "Session":
         """The session as if one of its images were the only one; 0 is the first.

@@ -26,11 +26,12 @@ def begin(scene: Scene, folder: Path) -> Session:
     Refused
         If the target cannot be drawn, or a file of light cannot be used.
     """
-    from workbench.targets import load_target  # late: scipy.ndimage takes long to import
+    from workbench.targets import draw_target  # late: scipy.ndimage takes long to import
 
     scene = with_targets(with_light(scene, folder), folder)
     picture = picture_of(scene, folder)
-    return Session(scene, load_target(scene, folder, picture), picture=picture)
+    drawn = draw_target(scene, folder, picture)
+    return Session(scene, drawn.light, picture=picture, remarks=drawn.remarks)
 
 
 def with_task(session: Session, scene: Scene, folder: Path) -> Session:
@@ -50,11 +51,11 @@ def with_task(session: Session, scene: Scene, folder: Path) -> Session:
     if drawing(scene) == drawing(before):
         return session.with_scene(scene, session.target)
     if session.picture is None or scene.image != session.scene.image:
-        task = begin(scene, folder)
-        return replace(session.with_scene(scene, task.target), picture=task.picture)
-    from workbench.targets import load_target  # late, as above
+        return _with_drawn(session, begin(scene, folder))
+    from workbench.targets import draw_target  # late, as above
 
-    return session.with_scene(scene, load_target(scene, folder, session.picture))
+    drawn = draw_target(scene, folder, session.picture)
+    return replace(session.with_scene(scene, drawn.light), remarks=drawn.remarks)
 
 
 def with_file(session: Session, folder: Path) -> Session:
@@ -67,5 +68,10 @@ def with_file(session: Session, folder: Path) -> Session:
     """
     # Another target may be worth another net.
     scene = with_targets(without_targets(session.scene.with_net(None)), folder)
-    task = begin(scene, folder)
-    return replace(session.with_scene(scene, task.target), picture=task.picture)
+    return _with_drawn(session, begin(scene, folder))
+
+
+def _with_drawn(session: Session, task: Session) -> Session:
+    """The session after an edit, with the target of a task that has just been drawn."""
+    edited = session.with_scene(task.scene, task.target)
+    return replace(edited, picture=task.picture, remarks=task.remarks)

@@ -35,10 +35,13 @@ class DrawnTarget:
         The wanted image in any scale, row 0 at +y.
     picture : bytes, optional
         Content of its image file.
+    remarks : tuple of str
+        What a person should know of that file.
     """
 
     light: Array | None = None
     picture: bytes | None = None
+    remarks: tuple[str, ...] = ()
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, DrawnTarget):

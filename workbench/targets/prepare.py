@@ -2,6 +2,7 @@
 
 from io import BytesIO
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -11,7 +12,8 @@ from workbench.said import Said
 from workbench.scene import ImageTarget, Scene
 from workbench.scene.viewing import as_viewed
 from workbench.targets.coverage import coverage
-from workbench.targets.image import decode_image, read_image
+from workbench.targets.image import decode_picture, read_picture
+from workbench.targets.picture import Picture
 from workbench.targets.raster import put
 from workbench.targets.shapes import draw
 from workbench.targets.tone import TONES, Tone
@@ -21,7 +23,28 @@ _FINENESS, _FINEST = 4, 4096
 _QUARTERS = {"none": 0, "left": 1, "around": 2, "right": 3}  # of a turn to the left
 
 
+class DrawnLight(NamedTuple):
+    """A target on the pixels of the screen.
+
+    Attributes
+    ----------
+    light : ndarray, shape (n_y, n_x)
+        Finite, >= 0 and not all zero; row 0 at +y, column 0 at −x.
+    remarks : tuple of Said
+        What a person should know of the picture: that it is reduced, or says itself how bright
+        its values are.
+    """
+
+    light: Array
+    remarks: tuple[Said, ...] = ()
+
+
 def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
+    """Draw the target image on the pixels of the screen; `draw_target` without its remarks."""
+    return draw_target(scene, folder, kept).light
+
+
+def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnLight:
     """Draw the target image on the pixels of the screen.
 
     The picture is cut and turned as the target says, fitted into the screen less the padding, or
@@ -42,8 +65,8 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
 
     Returns
     -------
-    ndarray, shape (n_y, n_x)
-        Finite, >= 0 and not all zero; row 0 at +y, column 0 at −x.
+    DrawnLight
+        The target, and remarks about its image file.
 
     Raises
     ------
@@ -54,9 +77,11 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     inside = 1 - 2 * target.padding
     half_x, half_y = (inside * half_width for half_width in receiver.half_extent)
     side = min(_FINENESS * max(receiver.pixels), _FINEST)
+    remarks: tuple[Said, ...] = ()
     if isinstance(target, ImageTarget):
         picture = _picture(target, folder / target.image, side, kept)
-        light = put(picture, receiver, (half_x, half_y), target.fit)
+        light = put(picture.light, receiver, (half_x, half_y), target.fit)
+        remarks = picture.remarks
     else:
         light = draw(target, receiver, inside)
         if target.invert:
@@ -65,7 +90,8 @@ def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
     if not light.any():
         small = Said("is too small to light any pixel of the screen; enlarge the shape")
         raise Refused("target", small)
-    return as_viewed(scene, _blurred(light, target.blur) if target.blur else light)
+    blurred = _blurred(light, target.blur) if target.blur else light
+    return DrawnLight(as_viewed(scene, blurred), remarks)
 
 
 def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
@@ -83,7 +109,7 @@ def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
     Refused
         If the file cannot be used.
     """
-    rows, columns = _picture(target, Path(target.image), _FINEST // _FINENESS, kept).shape
+    rows, columns = _picture(target, Path(target.image), _FINEST // _FINENESS, kept).light.shape
     return float(columns / rows)
 
 
@@ -93,15 +119,16 @@ def _blurred(light: Array, sigma: float) -> Array:
     return np.asarray(gaussian_filter(light, sigma, mode="constant"))
 
 
-def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Array:
-    """The light of an image file, as it lies on the screen; its brightest value is 1."""
+def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Picture:
+    """An image file as it lies on the screen; its brightest value is 1."""
     tone = TONES[target.tone]
     if kept is None:
-        picture = read_image(path, side, tone)
+        picture = read_picture(path, side, tone)
     else:
-        picture = decode_image(path, BytesIO(kept), side, tone)
-    picture = _bright_pixels(path, _cropped(picture, target.crop), target.invert, tone)
-    return np.rot90(picture, _QUARTERS[target.turn])
+        picture = decode_picture(path, BytesIO(kept), side, tone)
+    cropped = _cropped(picture.light, target.crop)
+    light = _bright_pixels(path, cropped, target.invert, picture.tone)
+    return picture._replace(light=np.rot90(light, _QUARTERS[target.turn]))
 
 
 def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:

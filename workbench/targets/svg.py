@@ -4,27 +4,40 @@ The renderer follows what is nested by calling itself: a file made for it, or a 
 the process that it runs in, or keep it busy for hours.
 """
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+from workbench.said import Said
+from workbench.targets.picture import UnusablePicture
+
 _PATIENCE_S = 60.0
 
 _PROGRAM = Path(__file__).with_name("svg_renderer.py")
+_UTF_16 = (b"\xff\xfe", b"\xfe\xff", b"<\0", b"\0<")  # with a mark of the byte order, or without
+_BEGINNINGS = (b"<?xml", b"<svg", b"<!")
+# What the renderer logs where no font has a letter.
+_NO_FONT = re.compile(r"U\+([0-9A-F]{2,6}) character")
+_LINK = re.compile(r"link to a picture: (.*)")
 
 
 def is_svg(beginning: bytes) -> bool:
     """Whether a file that begins like this is to be drawn as SVG."""
-    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith((b"<?xml", b"<svg", b"<!"))
+    if beginning.startswith(_UTF_16):
+        beginning = (
+            beginning.replace(b"\xff\xfe", b"").replace(b"\xfe\xff", b"").replace(b"\0", b"")
+        )
+    return beginning.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(_BEGINNINGS)
 
 
 def draw_svg(content: bytes, side: int) -> bytes:
-    """Draw an SVG as large as fits into a square; pictures that it links to are left out.
+    """Draw an SVG as large as fits into a square.
 
     Parameters
     ----------
     content : bytes
-        The file, in UTF-8.
+        The file.
     side : int
         Pixels of the square's side.
 
@@ -35,8 +48,8 @@ def draw_svg(content: bytes, side: int) -> bytes:
 
     Raises
     ------
-    ValueError
-        With what is wrong, if it cannot be drawn.
+    UnusablePicture
+        If it cannot be drawn, links to another picture, or has a letter that no font has.
     """
     command = [sys.executable, "-I", str(_PROGRAM), str(side)]
     try:
@@ -44,8 +57,30 @@ def draw_svg(content: bytes, side: int) -> bytes:
             command, input=content, capture_output=True, timeout=_PATIENCE_S, check=False
         )
     except subprocess.TimeoutExpired as error:
-        raise ValueError(f"it cannot be drawn within {_PATIENCE_S:g} s") from error
+        raise _undrawable(Said("it cannot be drawn within {most:g} s", most=_PATIENCE_S)) from error
+    log = done.stderr.decode(errors="replace")
+    if missing := _NO_FONT.search(log):
+        raise missing_letter(chr(int(missing[1], 16)))
     if done.returncode == 0:
         return done.stdout
-    lines = done.stderr.decode(errors="replace").strip().splitlines()
-    raise ValueError(lines[-1] if lines else "it is nested too deeply to be drawn")
+    if link := _LINK.search(log):
+        raise UnusablePicture(
+            Said("links to the picture '{link}'; embed that picture in the SVG", link=link[1])
+        )
+    lines = log.strip().splitlines()
+    raise _undrawable(lines[-1] if lines else Said("it is nested too deeply to be drawn"))
+
+
+def missing_letter(letter: str) -> UnusablePicture:
+    """What is raised for a letter that no font has."""
+    return UnusablePicture(
+        Said(
+            "has the letter {letter} (U+{number:04X}), which no font here has; install one",
+            letter=letter if letter.isprintable() else repr(letter),
+            number=ord(letter),
+        )
+    )
+
+
+def _undrawable(why: str) -> UnusablePicture:
+    return UnusablePicture(Said("is an SVG that cannot be drawn: {why}", why=why))

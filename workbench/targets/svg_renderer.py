@@ -1,10 +1,12 @@
 """A program of its own: draws the SVG on standard input as PNG on standard output.
 
-Its argument is the number of pixels along the longer side. What is wrong is one line on standard
-error. Pictures in other files, which the SVG may link to, are not drawn.
+Its argument is the number of pixels along the longer side. What is wrong is the last line on
+standard error, where the renderer also logs which letters no font has. An SVG that links to
+pictures in other files is refused.
 """
 
 import math
+import os
 import re
 import sys
 from collections.abc import Mapping
@@ -14,21 +16,27 @@ from xml.etree import ElementTree
 import resvg_py
 
 _DPI = 96
+_LONGEST_LINK = 200  # characters
 _PIXELS = {"": 1, "px": 1, "in": 96, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 96 / 72, "pc": 16}
 _LENGTH = re.compile(r"\s*([0-9.eE+-]+)\s*([a-z]*)\s*")
 
 _SVG = "http://www.w3.org/2000/svg"
-_LINKS = "href", "{http://www.w3.org/1999/xlink}href"
+_XLINK = "http://www.w3.org/1999/xlink"
+_LINKS = "href", f"{{{_XLINK}}}href"
+_DRAWN = {f"{{{_SVG}}}{name}" for name in ("image", "feImage", "use")}
 
 
 def main(side: int) -> None:
     """Draw it."""
     content = sys.stdin.buffer.read().removeprefix(b"\xef\xbb\xbf")
+    # The renderer logs to standard output, which is for the picture.
+    output = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
     try:
-        root = ElementTree.fromstring(content)
+        root = _parsed(content)
         if root.tag != f"{{{_SVG}}}svg":
             raise ValueError("it has no <svg> at its root")
-        _leave_out_links(root)
+        _check_links(root)
         width, height = _size(root.attrib) or _measured(root)
         scale = side / max(width, height)
         columns, rows = (max(1, round(scale * size)) for size in (width, height))
@@ -42,16 +50,35 @@ def main(side: int) -> None:
         sys.exit("it is nested too deeply to be drawn")
     except (ValueError, SyntaxError) as error:
         sys.exit(" ".join(str(error).split()) or "it is empty")
-    sys.stdout.buffer.write(drawn)
+    output.write(drawn)
+    output.close()
 
 
-def _leave_out_links(root: ElementTree.Element) -> None:
-    """Take out of pictures within the drawing what would be read from other files."""
+def _parsed(content: bytes) -> ElementTree.Element:
+    """The drawing; elements without a namespace are those of SVG, as in a page of the web."""
+    try:
+        root = ElementTree.fromstring(content)
+    except ElementTree.ParseError as error:
+        if "unbound prefix" not in str(error):
+            raise
+        declared = f'<svg xmlns:xlink="{_XLINK}"'.encode()
+        root = ElementTree.fromstring(content.replace(b"<svg", declared, 1))
+    if root.tag == "svg":
+        for element in root.iter():
+            if isinstance(element.tag, str) and not element.tag.startswith("{"):
+                element.tag = f"{{{_SVG}}}{element.tag}"
+    return root
+
+
+def _check_links(root: ElementTree.Element) -> None:
+    """Refuse pictures that would be read from other files; other links draw nothing."""
     for element in root.iter():
         for name in _LINKS:
             link = element.get(name, "").strip()
-            if not link.startswith(("#", "data:")):
-                element.attrib.pop(name, None)
+            if link and not link.startswith(("#", "data:")):
+                if element.tag in _DRAWN:
+                    raise ValueError(f"link to a picture: {link[:_LONGEST_LINK]}")
+                element.attrib.pop(name)
 
 
 def _drawn(root: ElementTree.Element) -> bytes:
@@ -61,6 +88,7 @@ def _drawn(root: ElementTree.Element) -> bytes:
     # For text whose own font is not there: fonts of matplotlib, so that all machines have them.
     drawn = resvg_py.svg_to_bytes(
         svg_string=text,
+        log_information=True,
         dpi=_DPI,
         font_dirs=[f"{place}/mpl-data/fonts/ttf" for place in places],
         font_family="DejaVu Sans",

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -20,16 +19,35 @@ class Tone:
     Attributes
     ----------
     name : str
-        As in ``target.tone``.
+        As in ``target.tone``, or what a file says.
     light : callable
         From an array of stored values to light.
     stored : callable
         The way back.
     """
 
-    name: Literal["linear", "srgb"]
+    name: str
     light: Callable[[Array], Array]
     stored: Callable[[Array], Array]
+
+    @classmethod
+    def power(cls, exponent: float) -> "Tone":
+        """Light is a power of the stored value."""
+        return cls(
+            f"power {exponent:g}",
+            lambda stored: stored**exponent,
+            lambda light: light ** (1 / exponent),
+        )
+
+    @classmethod
+    def measured(cls, light: Array) -> "Tone":
+        """Light of equally spaced stored values from 0 to 1, shape (values,); it does not fall."""
+        stored = np.linspace(0.0, 1.0, len(light))
+        return cls(
+            "measured",
+            lambda values: np.interp(values, stored, light),
+            lambda values: np.interp(values, light, stored),
+        )
 
 
 def _same(values: Array) -> Array:
@@ -48,6 +66,9 @@ def _srgb_of_light(light: Array) -> Array:
 
 LINEAR = Tone("linear", _same, _same)
 """The stored value is the light."""
+
+NUMBERS = Tone("linear", _same, _same)
+"""The stored value is the light, and there is no largest one: no tone of a monitor can be meant."""
 
 SRGB = Tone("srgb", _light_of_srgb, _srgb_of_light)
 """What a monitor makes of the stored value; IEC 61966-2-1."""

@@ -40,6 +40,13 @@ def test_a_design_with_a_missing_image_can_be_padded_and_blurred(window, saved, 
     assert session.target.sum() < before.sum() and not window.forms.refused
 
 
+def test_what_a_picture_says_of_itself_is_mentioned(window, make_scene, tmp_path):
+    Image.fromarray(np.kron(LETTER, np.ones((1, 3000), np.uint8))).save(tmp_path / "wide.png")
+    (tmp_path / "scene.json").write_text(make_scene({"target": {"image": "wide.png"}}).to_json())
+    assert window.files.open(tmp_path / "scene.json")
+    assert "wide.png' has 9000 × 3 pixels and is reduced to 4500 × 2" in window.messages.text
+
+
 def test_a_changed_file_is_read_again_on_request(window, saved, image, qtbot):
     Image.fromarray(255 - LETTER).save(image)
     assert window.files.open(saved)

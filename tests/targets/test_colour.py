@@ -1,0 +1,217 @@
+"""Light by the colour profile of a picture, or by the chunks of a PNG."""
+
+import struct
+import zlib
+
+import numpy as np
+import pytest
+from PIL import Image, ImageCms
+
+from workbench.errors import Refused
+from workbench.targets import draw_target
+from workbench.targets.colour import luminance_weights
+from workbench.targets.image import read_picture
+from workbench.targets.picture import Picture
+from workbench.targets.tone import LINEAR, SRGB
+
+D65 = 0.3127, 0.3290
+SRGB_PRIMARIES = (0.64, 0.33), (0.30, 0.60), (0.15, 0.06)
+# Colorants in the white D50 of profiles; the luminances of green are those of the standards.
+ADOBE_RGB = (0.60974, 0.31111, 0.01947), (0.20528, 0.62567, 0.06087), (0.14919, 0.06322, 0.74457)
+SRGB_COLORANTS = (
+    (0.43607, 0.22249, 0.01392),
+    (0.38515, 0.71687, 0.09708),
+    (0.14307, 0.06061, 0.71410),
+)
+
+
+def profile(gamma, colorants=None):
+    """An ICC profile: of grey, or of red, green and blue."""
+
+    def place(xyz):
+        return struct.pack(">4s4x3i", b"XYZ ", *(round(v * 65536) for v in xyz))
+
+    curve = struct.pack(">4s4xIH2x", b"curv", 1, round(gamma * 256))
+    tags = {b"wtpt": place((0.9642, 1, 0.8249)), b"cprt": b"text\0\0\0\0none\0\0\0\0"}
+    tags[b"desc"] = struct.pack(">4s4xI", b"desc", 5) + b"Mine\0" + bytes(79)
+    if colorants is None:
+        tags[b"kTRC"] = curve
+    else:
+        for name, xyz in zip(b"rgb", colorants, strict=True):
+            tags[bytes([name]) + b"XYZ"] = place(xyz)
+            tags[bytes([name]) + b"TRC"] = curve
+    table, content, begin = b"", b"", 132 + 12 * len(tags)
+    for tag, part in tags.items():
+        table += struct.pack(">4s2I", tag, begin + len(content), len(part))
+        content += part
+    space = b"GRAY" if colorants is None else b"RGB "
+    head = struct.pack(
+        ">I4xI4s4s4s12x4s28x3i48x",
+        begin + len(content),
+        0x02400000,
+        b"mntr",
+        space,
+        b"XYZ ",
+        b"acsp",
+        63190,
+        65536,
+        54061,
+    )
+    return head + struct.pack(">I", len(tags)) + table + content
+
+
+def with_chunks(path, chunks):
+    """A PNG with chunks behind its header."""
+    content = path.read_bytes()
+    added = b"".join(
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in chunks.items()
+    )
+    path.write_bytes(content[:33] + added + content[33:])
+
+
+def grey(value=128, mode="L"):
+    return Image.fromarray(np.array([[value, 255]], np.uint8)).convert(mode)
+
+
+def read(tmp_path, image, name="a.png", tone=SRGB, **options) -> Picture:
+    path = tmp_path / name
+    image.save(path, **options)
+    return read_picture(path, tone=tone)
+
+
+@pytest.mark.parametrize("name", ["a.png", "a.jpg", "a.tif", "a.webp", "a.avif", "a.heic"])
+@pytest.mark.parametrize("gamma", [1.0, 1.8])
+def test_the_curve_of_a_profile_counts(tmp_path, name, gamma):
+    import pillow_heif
+
+    pillow_heif.register_heif_opener()
+    lossless = (
+        {} if name.endswith(("png", "tif", "jpg")) else {"quality": -1 if "heic" in name else 100}
+    )
+    if name == "a.webp":
+        lossless = {"lossless": True}
+    image = Image.fromarray(np.full((16, 16, 3), 128, np.uint8))
+    image.paste((255, 255, 255), (0, 8, 16, 16))
+    found = read(tmp_path, image, name, icc_profile=profile(gamma, SRGB_COLORANTS), **lossless)
+    assert found.light[3, 3] / found.light[12, 12] == pytest.approx((128 / 255) ** gamma, abs=6e-3)
+    (remark,) = found.remarks
+    assert "Mine" in remark and "target.tone" in remark and name in remark
+
+
+@pytest.mark.parametrize("mode", ["L", "RGB", "P", "LA", "RGBA", "1"])
+def test_a_profile_counts_in_every_mode(tmp_path, mode):
+    image = grey(128, "L").convert(mode)
+    found = read(tmp_path, image, icc_profile=profile(1.0, SRGB_COLORANTS))
+    assert found.light.ravel() == pytest.approx([0 if mode == "1" else 128 / 255, 1], abs=2e-3)
+
+
+def test_a_profile_of_grey_keeps_16_bits(tmp_path):
+    deep = np.array([[0, 1, 30_001, 65_535]], np.uint16)
+    found = read(tmp_path, Image.fromarray(deep), icc_profile=profile(1.0))
+    assert found.light.ravel() == pytest.approx(deep.ravel() / 65535, abs=1e-9)
+    found = read(tmp_path, Image.fromarray(deep), icc_profile=profile(2.0))
+    assert found.light.ravel() == pytest.approx((deep.ravel() / 65535) ** 2, abs=5e-4)
+
+
+def test_primaries_of_a_profile_weigh_the_channels(tmp_path):
+    image = Image.fromarray(np.array([[[0, 255, 0], [255, 0, 0], [0, 0, 255]]], np.uint8))
+    found = read(tmp_path, image, icc_profile=profile(2.2, ADOBE_RGB))
+    assert found.light.ravel() == pytest.approx([0.6274, 0.2974, 0.0753], abs=5e-4)
+    found = read(tmp_path, image, icc_profile=profile(2.2, SRGB_COLORANTS))
+    assert found.light.ravel() == pytest.approx([0.7152, 0.2126, 0.0722], abs=5e-4)
+
+
+def test_a_profile_that_means_the_same_is_not_mentioned(tmp_path):
+    content = ImageCms.ImageCmsProfile(ImageCms.createProfile("sRGB")).tobytes()
+    found = read(tmp_path, grey(mode="RGB"), icc_profile=content)
+    assert found.light[0, 0] == pytest.approx(0.21586, abs=1e-5) and not found.remarks
+    found = read(tmp_path, grey(mode="RGB"), tone=LINEAR, icc_profile=content)
+    assert found.light[0, 0] == pytest.approx(0.21586, abs=2e-4) and found.remarks
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"no profile", profile(1.8, SRGB_COLORANTS)[:300], bytes(500), profile(1.8)],
+    ids=["text", "cut off", "zeros", "of grey"],
+)
+def test_a_profile_that_cannot_be_used_is_reported_and_ignored(tmp_path, content):
+    found = read(tmp_path, grey(mode="RGB"), icc_profile=content)
+    assert found.light[0, 0] == pytest.approx(0.21586, abs=1e-5)
+    (remark,) = found.remarks
+    assert "cannot be used" in remark and "\n" not in remark
+
+
+def test_inversion_is_that_of_the_stored_values(tmp_path, make_scene):
+    grey(64).save(tmp_path / "a.png", icc_profile=profile(2.0))
+    target = {"image": "a.png", "invert": True, "fit": "fill"}
+    pixels = {"screen.pixels": [2, 1], "screen.half_width": [2.0, 1.0]}
+    task = make_scene({"version": 2, "target": target, **pixels})
+    light = draw_target(task, tmp_path).light
+    assert light.ravel() == pytest.approx([(191 / 255) ** 2, 0], abs=1e-3)
+
+
+def gama(gamma):
+    return {b"gAMA": struct.pack(">I", round(gamma * 1e5))}
+
+
+def chrm(white, primaries):
+    numbers = [round(v * 1e5) for pair in (white, *primaries) for v in pair]
+    return {b"cHRM": struct.pack(">8I", *numbers)}
+
+
+@pytest.mark.parametrize(
+    ("chunks", "expected"),
+    [
+        (gama(1.0), 128 / 255),
+        (gama(1 / 1.8), (128 / 255) ** 1.8),
+        (gama(1.0) | {b"sRGB": b"\0"}, 0.21586),
+        ({}, 0.21586),
+        (chrm(D65, ((0.6, 0.3), (0.2, 0.7), (0.1, 0.1))), 0.21586),  # says nothing of greys
+        (gama(0.0), 0.21586),
+    ],
+)
+def test_chunks_of_a_png_tell_the_curve(tmp_path, chunks, expected):
+    path = tmp_path / "a.png"
+    grey().save(path)
+    with_chunks(path, chunks)
+    assert read_picture(path, tone=SRGB).light[0, 0] == pytest.approx(expected, abs=1e-4)
+
+
+def test_chunks_of_a_png_tell_the_primaries(tmp_path):
+    path = tmp_path / "a.png"
+    Image.fromarray(np.array([[[0, 255, 0], [255, 0, 0]]], np.uint8)).save(path)
+    with_chunks(path, gama(1.0) | chrm(D65, ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))))
+    found = read_picture(path)
+    assert found.light.ravel() == pytest.approx([0.6274, 0.2973], abs=1e-3)
+
+
+def test_a_profile_wins_over_chunks(tmp_path):
+    path = tmp_path / "a.png"
+    grey().save(path, icc_profile=profile(1.8))
+    with_chunks(path, gama(1.0))
+    found = read_picture(path)
+    assert found.light[0, 0] == pytest.approx((128 / 255) ** 1.8, abs=1e-3)
+
+
+def test_weights_of_rec_709_follow_from_its_primaries():
+    assert luminance_weights(SRGB_PRIMARIES, D65) == pytest.approx(
+        [0.2126, 0.7152, 0.0722], abs=1e-4
+    )
+    with pytest.raises((ValueError, np.linalg.LinAlgError)):
+        luminance_weights([(0.3, 0.3)] * 3, D65)
+
+
+def test_lightness_of_cie_lab_is_light(tmp_path):
+    image = Image.fromarray(np.array([[[128, 0, 0], [255, 0, 0]]], np.uint8), "LAB")
+    found = read(tmp_path, image, "a.tif", tone=LINEAR)
+    lightness = 100 * 128 / 255
+    assert found.light.ravel() == pytest.approx([((lightness + 16) / 116) ** 3, 1], abs=1e-9)
+
+
+def test_numbers_have_no_profile(tmp_path):
+    path = tmp_path / "a.tif"
+    Image.fromarray(np.array([[0.5, 2.0]], np.float32)).save(path, icc_profile=profile(1.8))
+    assert read_picture(path).light.tolist() == [[0.5, 2.0]]
+    with pytest.raises(Refused):
+        read_picture(path, tone=SRGB)

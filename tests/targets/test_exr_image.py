@@ -1,0 +1,118 @@
+"""Light from OpenEXR."""
+
+import numpy as np
+import OpenEXR
+import pytest
+
+from workbench.errors import Refused
+from workbench.targets.image import read_picture
+from workbench.targets.tone import SRGB
+
+
+@pytest.fixture
+def save(tmp_path):
+    def save(channels, **header):
+        path = tmp_path / "a.exr"
+        kinds = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+        OpenEXR.File(kinds | header, dict(channels)).write(str(path))
+        return path
+
+    return save
+
+
+@pytest.fixture
+def colours(rng):
+    return {name: rng.random((5, 7)).astype(np.float32) for name in "RGB"}
+
+
+def luminance(colours):
+    red, green, blue = (colours[name].astype(float) for name in "RGB")
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.float32])
+def test_colours_are_luminance(save, colours, kind):
+    colours = {name: (4 * each).astype(kind) for name, each in colours.items()}
+    found = read_picture(save(colours | {"A": np.ones((5, 7), kind)}))
+    np.testing.assert_allclose(found.light, luminance(colours), rtol=1e-6)
+    assert not found.remarks
+
+
+@pytest.mark.parametrize(
+    "names", [("Y",), ("Y", "A"), ("Z",), ("beauty.R", "beauty.G", "beauty.B", "Z")]
+)
+def test_channels_are_found(save, colours, names):
+    pixels = colours["R"]
+    found = read_picture(save(dict.fromkeys(names, pixels)))
+    np.testing.assert_allclose(found.light, pixels, rtol=1e-6)
+
+
+def test_channels_without_a_picture_are_named(save, colours):
+    with pytest.raises(Refused, match="depth, id"):
+        read_picture(save({"depth": colours["R"], "id": colours["G"]}))
+
+
+def test_what_is_displayed_is_read(save, colours):
+    windows = {
+        "displayWindow": ((10, 20), (13, 28)),
+        "dataWindow": ((8, 22), (14, 26)),
+    }
+    try:
+        path = save(
+            {"Y": colours["R"]},
+            **{
+                name: tuple(np.array(corner, np.int32) for corner in each)
+                for name, each in windows.items()
+            },
+        )
+    except Exception as error:
+        pytest.skip(f"this library writes no windows: {error}")
+    light = read_picture(path).light
+    assert light.shape == (9, 4)
+    np.testing.assert_allclose(light[2:7], colours["R"][:, 2:6])
+    assert not light[:2].any() and not light[7:].any()
+
+
+def test_chromaticities_weigh_the_channels(save, colours):
+    adobe = (0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329)
+    found = read_picture(save(colours, chromaticities=adobe))
+    red, green, blue = (colours[name].astype(float) for name in "RGB")
+    expected = 0.2973 * red + 0.6274 * green + 0.0753 * blue
+    np.testing.assert_allclose(found.light, expected, rtol=1e-3)
+
+
+@pytest.mark.parametrize(("value", "said"), [(np.nan, "NaN"), (np.inf, "infinite"), (-50, "-3")])
+def test_impossible_light_is_refused(save, colours, value, said):
+    colours["G"][2, 3] = value
+    with pytest.raises(Refused, match=said):
+        read_picture(save(colours))
+
+
+def test_it_is_light_whatever_the_tone(save, colours):
+    found = read_picture(save(colours), tone=SRGB)
+    np.testing.assert_allclose(found.light, luminance(colours), rtol=1e-6)
+    assert "target.tone" in found.remarks[0]
+
+
+def test_oblong_pixels_are_mentioned(save, colours):
+    found = read_picture(save(colours, pixelAspectRatio=2.0))
+    assert "2 times as wide" in found.remarks[0]
+
+
+def test_damaged_files_are_read_or_refused(save, colours, tmp_path, rng):
+    whole = save(colours).read_bytes()
+    path = tmp_path / "b.exr"
+    for cut in (4, 40, 200, len(whole) - 1):
+        path.write_bytes(whole[:cut])
+        with pytest.raises(Refused):
+            read_picture(path)
+    for _ in range(60):
+        damaged = np.frombuffer(whole, np.uint8).copy()
+        damaged[rng.integers(4, len(whole), 3)] = rng.integers(0, 256, 3)
+        path.write_bytes(damaged.tobytes())
+        try:
+            light = read_picture(path).light
+        except Refused as refused:
+            assert refused.path == "target.image"
+        else:
+            assert np.isfinite(light).all() and light.min() >= 0

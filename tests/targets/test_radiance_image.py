@@ -1,0 +1,127 @@
+"""Light from Radiance HDR."""
+
+import numpy as np
+import pytest
+
+from workbench.errors import Refused
+from workbench.targets.image import read_picture
+from workbench.targets.tone import SRGB
+
+HEAD = "#?RADIANCE\n# made here\nFORMAT=32-bit_rle_{}\nEXPOSURE=2\n{}\n{}\n"
+WEIGHTS = np.array([0.2126, 0.7152, 0.0722])
+
+
+@pytest.fixture
+def colours(rng):
+    """Light of 5 × 12 pixels that RGBE holds exactly."""
+    colours = rng.integers(0, 128, (5, 12, 3)) * 2.0 ** rng.integers(-4, 5, (5, 12, 1))
+    colours[2, 3] = 0
+    return colours
+
+
+def rgbe(colours):
+    largest = np.frexp(colours.max(axis=-1))[1]
+    pixels = np.zeros((*colours.shape[:2], 4), np.uint8)
+    pixels[..., :3] = np.ldexp(colours, (8 - largest)[..., None])
+    pixels[..., 3] = np.where(colours.max(axis=-1) > 0, largest + 128, 0)
+    return pixels
+
+
+def packed(pixels):
+    """Lines packed channel by channel: a run, then values as they are."""
+    content = b""
+    for line in pixels:
+        content += bytes([2, 2, 0, len(line)])
+        for channel in line.T:
+            content += bytes([len(channel), *channel])
+    return content
+
+
+def save(
+    path, pixels, size=None, kind="rgbe", more="", magic="#?RADIANCE", pack=np.ndarray.tobytes
+):
+    rows, columns = pixels.shape[:2]
+    head = HEAD.format(kind, more, size or f"-Y {rows} +X {columns}").replace("#?RADIANCE", magic)
+    path.write_bytes(head.encode() + pack(pixels))
+    return path
+
+
+@pytest.mark.parametrize("magic", ["#?RADIANCE", "#?RGBE"])
+@pytest.mark.parametrize("pack", [np.ndarray.tobytes, packed])
+def test_values_are_luminance(tmp_path, colours, pack, magic):
+    path = save(tmp_path / "a.hdr", rgbe(colours), pack=pack, magic=magic)
+    np.testing.assert_allclose(read_picture(path).light, colours @ WEIGHTS, rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("size", "stored"),
+    [
+        ("-Y 5 +X 12", lambda p: p),
+        ("+Y 5 +X 12", lambda p: p[::-1]),
+        ("-Y 5 -X 12", lambda p: p[:, ::-1]),
+        ("+X 12 -Y 5", lambda p: p.transpose(1, 0, 2)),
+        ("-X 12 +Y 5", lambda p: p[::-1, ::-1].transpose(1, 0, 2)),
+    ],
+)
+def test_pictures_stand_upright(tmp_path, colours, size, stored):
+    path = save(tmp_path / "a.hdr", np.ascontiguousarray(stored(rgbe(colours))), size)
+    np.testing.assert_allclose(read_picture(path).light, colours @ WEIGHTS, rtol=1e-6)
+
+
+def test_runs_are_unpacked(tmp_path):
+    line = bytes([2, 2, 0, 12, 128 + 12, 64, 128 + 5, 0, 7, *[32] * 7, 128 + 12, 0, 128 + 12, 129])
+    (tmp_path / "a.hdr").write_bytes(HEAD.format("rgbe", "", "-Y 1 +X 12").encode() + line)
+    expected = [0.2126 * 0.5] * 5 + [0.2126 * 0.5 + 0.7152 * 0.25] * 7
+    np.testing.assert_allclose(read_picture(tmp_path / "a.hdr").light[0], expected, rtol=1e-6)
+
+
+def test_old_runs_repeat_a_pixel(tmp_path):
+    line = bytes([0, 128, 0, 129, 1, 1, 1, 44, 1, 1, 1, 1, 0, 64, 0, 129])
+    (tmp_path / "a.hdr").write_bytes(HEAD.format("rgbe", "", "-Y 1 +X 302").encode() + line)
+    expected = 0.7152 * np.array([1.0] * 301 + [0.5])
+    np.testing.assert_allclose(read_picture(tmp_path / "a.hdr").light[0], expected, rtol=1e-6)
+
+
+def test_xyze_and_primaries_count(tmp_path, colours):
+    path = save(tmp_path / "a.hdr", rgbe(colours), kind="xyze")
+    np.testing.assert_allclose(read_picture(path).light, colours[..., 1], rtol=1e-6)
+    primaries = "PRIMARIES= 0.64 0.33 0.21 0.71 0.15 0.06 0.3127 0.329\n"
+    path = save(tmp_path / "a.hdr", rgbe(colours), more=primaries)
+    adobe = colours @ np.array([0.2973, 0.6274, 0.0753])
+    np.testing.assert_allclose(read_picture(path).light, adobe, rtol=1e-3)
+
+
+def test_it_is_light_whatever_the_tone(tmp_path, colours):
+    found = read_picture(save(tmp_path / "a.hdr", rgbe(colours)), tone=SRGB)
+    np.testing.assert_allclose(found.light, colours @ WEIGHTS, rtol=1e-6)
+    assert "target.tone" in found.remarks[0]
+
+
+@pytest.mark.parametrize("pack", [np.ndarray.tobytes, packed])
+def test_damaged_files_are_read_or_refused(tmp_path, rng, pack):
+    whole = save(tmp_path / "a.hdr", rgbe(rng.random((6, 20, 3))), pack=pack).read_bytes()
+    path = tmp_path / "b.hdr"
+    for _ in range(150):
+        damaged = np.frombuffer(whole, np.uint8).copy()
+        damaged[rng.integers(10, len(whole), 3)] = rng.integers(0, 256, 3)
+        path.write_bytes(damaged.tobytes())
+        try:
+            light = read_picture(path).light
+        except Refused as refused:
+            assert refused.path == "target.image"
+        else:
+            assert np.isfinite(light).all() and light.min() >= 0
+
+
+@pytest.mark.parametrize("cut", [-1, 60, 90, 150])
+def test_what_is_cut_off_is_refused(tmp_path, rng, cut):
+    whole = save(tmp_path / "a.hdr", rgbe(rng.random((6, 20, 3))), pack=packed).read_bytes()
+    (tmp_path / "a.hdr").write_bytes(whole[:cut])
+    with pytest.raises(Refused, match=r"incomplete|damaged"):
+        read_picture(tmp_path / "a.hdr")
+
+
+@pytest.mark.parametrize("size", ["-Y 99999 +X 99999", "-Y 20000 +X 2", "-Y 0 +X 2", "-Y 2 +Y 2"])
+def test_forged_sizes_are_refused(tmp_path, size):
+    with pytest.raises(Refused):
+        read_picture(save(tmp_path / "a.hdr", np.zeros((1, 9, 4), np.uint8), size))
