@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from ui.check.checking import ACCURACY, RAYS, CheckedLens, check, verified_error
-from ui.shown.frame import same_lens
+from ui.shown.frame import same_lens, shows
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.words import tr
@@ -57,6 +57,13 @@ class Check(QObject):
         if self._asked is not None and not same_lens(self._asked, frame):
             self._forget()
 
+    def show_design(self, session: "Session") -> None:
+        """Forget a lens that is not the open design's any more, and its check."""
+        if self._shown is not None and not shows(self._shown, session):
+            self._shown = None
+        if self._asked is not None and not shows(self._asked, session):
+            self._forget()
+
     def show_nothing(self, session: "Session") -> None:
         """Take note that there is no lens to show."""
         self._shown = None
@@ -70,7 +77,11 @@ class Check(QObject):
         """Check the lens on show, unless that is done; while it is under way, cancel it."""
         if self._background.busy:
             self._forget()
-        elif self._shown is not None and (self._asked is None or self._asked_rays != self._rays):
+        elif self._shown is None:
+            self.failed.emit(
+                tr("The light of this design is still being traced. Try again in a moment.")
+            )
+        elif self._asked is None or self._asked_rays != self._rays:
             self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
             self._asked, self._asked_rays = self._shown, self._rays
             self.figures_changed.emit(tr("checking…"))

@@ -13,10 +13,11 @@ from PySide6.QtGui import QShowEvent
 from ui.manufacture.face_map import FaceMap
 from ui.manufacture.figures import ManufactureFigures
 from ui.manufacture.limits import LimitFields
-from ui.shown.frame import same_light
+from ui.shown.frame import same_light, shows
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.side_by_side import SideBySide
+from ui.widgets.veil import Veil
 from ui.words import tr
 from workbench.analysis.manufacture import Manufacture, SurfaceMaps, manufacture, surface_maps
 from workbench.geometry.surface import even_counts
@@ -61,6 +62,8 @@ class ManufacturePane(SideBySide):
         self._frame: Frame | None = None
         self._found: _Found | None = None
         self._resting = True
+        self._of_another = False  # whether the frame is of another design
+        self._veil = Veil(self)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._compute)
         self._background = Background("look at the face", self)
@@ -74,6 +77,14 @@ class ManufacturePane(SideBySide):
         """Take unit and own limits of a design."""
         self._fields.show_scene(session.scene)
         self.map.show_design(session)
+        if self._frame is not None and not shows(self._frame, session):  # nobody waits for it
+            self._rest.stop()
+            self._background.cancel()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Mark map and figures as those of another design, or no longer."""
+        self._of_another = outdated
+        self._show_veil()
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of another lens."""
@@ -87,6 +98,7 @@ class ManufacturePane(SideBySide):
         self.map.show_nothing(session)
         self._figures.show_nothing()
         self._figures.say("")
+        self._show_veil()
 
     def allow(self, resting: bool) -> None:
         """Whether the lens on show stays as it is; while it does not, nothing is computed."""
@@ -95,6 +107,7 @@ class ManufacturePane(SideBySide):
 
     def look(self) -> None:
         """Look at the lens in a moment, if that is not done and somebody sees it."""
+        self._show_veil()
         if self._frame is None:
             return
         if self._known:
@@ -122,6 +135,10 @@ class ManufacturePane(SideBySide):
     def _known(self) -> bool:
         frame, found = self._frame, self._found
         return frame is not None and found is not None and same_light(found.frame, frame)
+
+    def _show_veil(self) -> None:
+        behind = self._found is not None and not self._known
+        self._veil.cover(self._of_another or behind)
 
     def _compute(self) -> None:
         frame = self._frame

@@ -1,7 +1,8 @@
 """The lens follows every edit of the task, while no run goes on.
 
-1. One thread designs. An edit lets the design that is under way come to its first lens, which is
-   shown, and then the latest edit is next: whoever drags a slider sees lens after lens.
+1. One thread designs. An edit lets the design that is under way come to its first lens, if that
+   comes soon; it is shown, and then the latest edit is next: whoever drags a slider sees lens after
+   lens. A design that nobody wants any more, after undo or a new task, ends at once.
 2. Each lens is part of the step of its edit (`Document.improve`): whatever is done with the design
    is done with the best lens so far, and undoing the edit takes it back. Once a lens is finished,
    the next edit begins another step, also one of the same field; and the lens is a kept run.
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
 _PATIENCE_MS = 3000
+_GRACE_MS = 500  # that a design has for its first lens once an edit waits for its end
 _UNDER_WAY = later("Following: the first design is under way")
 _SLOW = later(
     "Edits are followed no longer: a first result of this design takes more "
@@ -133,6 +135,8 @@ class Follow(QObject):
         self._limit = QTimer(self, singleShot=True, interval=patience_ms)
         self._limit.timeout.connect(self._note_late_lens)
         self._late = 0  # first lenses in succession
+        self._grace = QTimer(self, singleShot=True, interval=_GRACE_MS)
+        self._grace.timeout.connect(self._give_up)
         document.edited.connect(self._follow)
         document.begun.connect(self._begin_new)
         document.session_changed.connect(self._note_change)
@@ -242,9 +246,16 @@ class Follow(QObject):
         self._background.begin(partial(work, job), self._next)
         if self._design is None:
             self._take_next()
-        elif self._design.has_lens:
-            self._design.job.gate.give_up()
+        elif self._design.has_lens or before is None:
+            self._give_up()
+        elif not self._grace.isActive():
+            self._grace.start()
         self._say(tr(_UNDER_WAY))
+
+    def _give_up(self) -> None:
+        """End the design that is under way: nobody waits for more of it."""
+        if self._design is not None:
+            self._design.job.gate.give_up()
 
     def _snapshots(
         self, session: "Session", goes_on: bool, before: "Session | None"
@@ -256,6 +267,7 @@ class Follow(QObject):
         """The thread has begun with what was next, or rests."""
         self._design, self._next = self._next, None
         self._limit.stop()
+        self._grace.stop()
         if self._design is None:
             self._look.stop()
             return
@@ -290,7 +302,7 @@ class Follow(QObject):
                 self._late = 0
             self._look.start(_FRAME_MS)
         if self._next is not None:
-            design.job.gate.give_up()
+            self._give_up()
 
     def _put(self, design: _Design, best: "Result") -> None:
         """Give the document the best lens so far."""
@@ -348,10 +360,10 @@ class Follow(QObject):
         """Design no more until the next edit, and let the control show the document's lens."""
         self._background.stop()
         self._next = None
-        if self._design is not None:
-            self._design.job.gate.stop()
+        self._give_up()
         self._look.stop()
         self._limit.stop()
+        self._grace.stop()
         self._seen = None
         if self._wanted is not None:
             self._wanted, self._control.followed = None, False

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 from ui.run.pace import Pace
 from ui.run.status_room import StatusRoom
 from ui.widgets.elided_label import ElidedLabel
+from ui.widgets.veil import OUTDATED
 from ui.words import later, tr
 from workbench.powers import written
 
@@ -34,6 +35,8 @@ class RunStatus:
         self._read.timeout.connect(lambda: self._say(self._text))
         bar.addWidget(self._state, 1)
         self._progress = _progress(bar)
+        self._outdated = _passing(bar, tr(OUTDATED))
+        self._outdated.setText(tr("Outdated:"))
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(
             bar,
@@ -161,6 +164,13 @@ class RunStatus:
         """There is no lens to show figures of."""
         for figure in (self._iteration, self._loss, self._light, self._elapsed, self._left):
             figure.clear()
+        self._room.share()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Grey the figures of a lens that is not the design's any more, and say so."""
+        for figure in (self._iteration, self._loss, self._light, self._elapsed, self._verified):
+            figure.setEnabled(not outdated)
+        self._outdated.setVisible(outdated)
         self._room.share()
 
     def settle(self) -> None:

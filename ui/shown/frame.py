@@ -121,6 +121,14 @@ def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
     )
 
 
+def shows(frame: Frame, session: "Session") -> bool:
+    """Whether a frame is of a design as it is: the task, and the lens where the design has one."""
+    lens = session.result
+    return lit_alike(frame.session, session) and (
+        lens is None or lens.state.heights == frame.state.heights
+    )
+
+
 def iterations_before(frame: Frame) -> int:
     """Iterations before a frame, those of a continued run included."""
     return frame.result.iterations

@@ -2,13 +2,16 @@
 
 from typing import TYPE_CHECKING, Protocol
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
+from ui.shown.frame import lit_alike, shows
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
+
+_AT_ONCE_MS = 250  # for a person; most frames of an edited design come sooner, and nothing flickers
 
 
 class FrameView(Protocol):
@@ -23,6 +26,9 @@ class FrameView(Protocol):
     def show_nothing(self, session: "Session") -> None:
         """Show a design of which there is no frame."""
 
+    def show_outdated(self, outdated: bool) -> None:
+        """Mark what is shown as that of another design than the open one, or no longer."""
+
 
 class ShownLens(QObject):
     """Passes frames from those that make them to those that show them; neither knows the other.
@@ -33,14 +39,24 @@ class ShownLens(QObject):
         Another frame is shown.
     emptied : Signal(Session)
         There is no frame of this design.
+    outdated_changed : Signal(bool)
+        The frame on show is of another design than the open one, or no longer.
     """
 
     frame_changed = Signal(object)
     emptied = Signal(object)
+    outdated_changed = Signal(bool)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
+        self._frame: Frame | None = None
+        self._outdated = False
+        self._wait = QTimer(self, singleShot=True, interval=_AT_ONCE_MS)
+        self._wait.timeout.connect(lambda: self._mark(True))
+        document.session_changed.connect(self._follow)
+        self.frame_changed.connect(self._take)
+        self.emptied.connect(self._empty)
 
     def add(self, view: FrameView) -> None:
         """Let a view show the design of now, and from then on whatever is shown."""
@@ -48,3 +64,30 @@ class ShownLens(QObject):
         self._document.session_changed.connect(view.show_design)
         self.frame_changed.connect(view.show_frame)
         self.emptied.connect(view.show_nothing)
+        self.outdated_changed.connect(view.show_outdated)
+
+    def _follow(self, session: "Session") -> None:
+        """Another design is open, of which the frame on show may still be."""
+        self._judge(self._frame is None or shows(self._frame, session))
+
+    def _take(self, frame: "Frame") -> None:
+        """A frame of the open design shows it as it is or was in the making."""
+        self._frame = frame
+        self._mark(False)
+        self._judge(lit_alike(frame.session, self._document.session))
+
+    def _empty(self, session: "Session") -> None:
+        self._frame = None
+        self._judge(True)
+
+    def _judge(self, up_to_date: bool) -> None:
+        if up_to_date:
+            self._wait.stop()
+            self._mark(False)
+        elif not self._wait.isActive():
+            self._wait.start()
+
+    def _mark(self, outdated: bool) -> None:
+        if outdated != self._outdated:
+            self._outdated = outdated
+            self.outdated_changed.emit(outdated)

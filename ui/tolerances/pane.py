@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 
-from ui.shown.frame import same_light
+from ui.shown.frame import same_light, shows
 from ui.threads.background import Background
 from ui.threads.failure import sentence_of
 from ui.tolerances.form import ToleranceForm
@@ -53,6 +53,7 @@ class TolerancePane(SideBySide):
         self._frame: Frame | None = None
         self._sample: Sample | None = None
         self._resting = True
+        self._of_another = False  # whether the frame is of another design
         self._background = Background("sample of tolerances", self)
         self._background.progressed.connect(self._take)
         self._background.done.connect(self._follow)
@@ -65,6 +66,14 @@ class TolerancePane(SideBySide):
         """Take the unit of a design."""
         self.form.show_scene(session.scene)
         self.plot.show_design(session)
+        if self._frame is not None and not shows(self._frame, session):
+            self._background.stop()  # the lenses that are traced count
+            self._offer()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Mark the distribution as that of another design, or no longer."""
+        self._of_another = outdated
+        self._offer()
 
     def show_frame(self, frame: "Frame") -> None:
         """Take note of the lens that is shown."""
@@ -126,7 +135,8 @@ class TolerancePane(SideBySide):
             if busy
             else tr("Perturb what is on show at random, and trace each with fresh rays")
         )
-        possible = self._resting and self._frame is not None
+        possible = self._resting and self._frame is not None and not self._of_another
+        self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
         begin.setEnabled(not self._background.stopping if busy else possible)
         self.form.save.setEnabled(sample is not None and sample.shown)
         self.summary.setText(self._figures(busy))
@@ -151,6 +161,10 @@ class TolerancePane(SideBySide):
             most=100 * spread.percentiles["95"],
             worst=100 * spread.worst,
         )
-        if self._frame is None or not same_light(sample.frame, self._frame):
+        if self._is_past(sample):
             return f"{text}. {tr('Out of date: the lens has changed since.')}"
         return text
+
+    def _is_past(self, sample: Sample) -> bool:
+        """Whether a sample is of another lens than the one on show."""
+        return self._frame is None or not same_light(sample.frame, self._frame)

@@ -1,8 +1,14 @@
 """What views have in common that compute something of their own: never while nobody sees them."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtGui import QHideEvent, QShowEvent
 
+from ui.shown.frame import shows
 from ui.views.view import View
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
 
 
 class ComputingView(View):
@@ -12,6 +18,12 @@ class ComputingView(View):
     """
 
     _covered = False
+
+    def show_design(self, session: "Session") -> None:
+        """Compute nothing for a design that was left."""
+        super().show_design(session)
+        if self._frame is not None and not shows(self._frame, session):
+            self._want_nothing()
 
     def uncover(self, uncovered: bool) -> None:
         """Compute, or not; a dock behind another tab is not hidden, but covered."""

@@ -58,6 +58,7 @@ class DerivativeView(PlotView, ComputingView):
         self._background.done.connect(self._take)
         self._background.failed.connect(self._give_up)
         self._map: DerivativeMap | None = None
+        self._of: DerivativeRequest | None = None  # what the map answers
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._ask_for_map)
         self._faces = FaceChoice()
@@ -98,6 +99,7 @@ class DerivativeView(PlotView, ComputingView):
             self._map = None
             self._faces.offer(frame.session.scene.optic)
         super().show_frame(frame)
+        self._show_veil()
         self._offer()
         self._want()
 
@@ -148,6 +150,7 @@ class DerivativeView(PlotView, ComputingView):
             self._sum.setText(tr("Computed when the design rests…"))
             self._rest.start()
             self.chosen.emit(self.point)
+        self._show_veil()
 
     def _want_nothing(self) -> None:
         self._background.cancel()
@@ -162,9 +165,10 @@ class DerivativeView(PlotView, ComputingView):
         self._background.begin(partial(derivative, request), request)
 
     def _take(self, request: DerivativeRequest, found: "DerivativeMap") -> None:
-        self._map = found
+        self._map, self._of = found, request
         self._place.setText(_place(found, request.scene.unit))
         self._sum.setText(_sum(found, request.scene.unit))
+        self._show_veil()
         self._ask()
 
     def _give_up(self, request: DerivativeRequest, error: Exception) -> None:
@@ -172,6 +176,13 @@ class DerivativeView(PlotView, ComputingView):
         self._place.clear()
         self._sum.setText(sentence_of(error, tr("derivative map")))
         self._ask()
+
+    def _is_behind(self) -> bool:
+        """Whether the map is of another lens or control point."""
+        frame, of = self._frame, self._of
+        if frame is None or self._map is None or of is None:
+            return False
+        return (of.heights, of.point) != (frame.state.heights, self.point)
 
     def _why_empty(self, frame: "Frame | None") -> str:
         if frame is not None and self._map is None:

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
 
 _TRACE = later("trace through focus")
 _REST_MS = 250  # longer than between two frames of a run
@@ -47,6 +48,7 @@ class _TracedLight:
     """The light on the screen that is looked at, as far as it is traced."""
 
     light: Array | None = None
+    heights: "ControlHeights | None" = None  # of the lens
 
     def of(self, frame: "Frame") -> Array:
         return np.zeros_like(frame.session.target) if self.light is None else self.light
@@ -114,6 +116,7 @@ class FocusView(LightImageView, ComputingView):
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
+        self._show_veil()
         self._want()
 
     def show_nothing(self, session: "Session") -> None:
@@ -183,14 +186,23 @@ class FocusView(LightImageView, ComputingView):
         _, found = traced
         if found is None:
             self._traced.light = np.zeros_like(request.session.target)
+            self._traced.heights = request.heights
             self._tell(tr("no light arrives there"))
         else:
-            self._traced.light = found.irradiance
+            self._traced.light, self._traced.heights = found.irradiance, request.heights
             arrives = tr("{part:.1f} % of the light").format(part=100 * found.efficiency)
             self._tell(
                 tr("error {error}, {light}").format(error=verified_error(found), light=arrives)
             )
+        self._show_veil()
         self._ask()
+
+    def _is_behind(self) -> bool:
+        """Whether the light is that of another lens."""
+        frame, traced = self._frame, self._traced
+        if frame is None or traced.light is None:
+            return False
+        return traced.heights != frame.state.heights
 
     def _tell(self, what: str) -> None:
         assert self._frame is not None

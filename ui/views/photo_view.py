@@ -204,7 +204,13 @@ class PhotoView(ComputingView):
             self._tell(request)
             self._ask()
 
+    def _is_behind(self) -> bool:
+        """Whether the photo is of another lens, or of another light."""
+        there = self._frame is not None and self._taken is not None
+        return there and not self._known(self._request())
+
     def _tell(self, request: PhotoRequest) -> None:
+        self._show_veil()
         if self._known(request) and self._taken is not None:
             text = tr(self._taken[1].summary)
             self._said.setText(f"{text[0].upper()}{text[1:]}.")

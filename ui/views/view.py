@@ -7,6 +7,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from ui.views.drawing_queue import drawing_queue
+from ui.widgets.veil import Veil
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
@@ -16,17 +17,24 @@ if TYPE_CHECKING:
 class View(QWidget):
     """Shows one aspect of the design.
 
-    A picture of another design replaces the old one with its first frame, which a preview brings
-    within moments; nothing flashes in between.
+    A picture of another design replaces the old one with its first frame. Until then the old one is
+    greyed and marked as outdated.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self._session: Session | None = None
         self._frame: Frame | None = None
-        self._outdated = False
+        self._to_draw = False
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
+        self._of_another = False  # whether the frame is of another design
+        self._veil = Veil(self)
+
+    @property
+    def outdated(self) -> bool:
+        """Whether what is shown is marked as that of another design."""
+        return not self._veil.isHidden()
 
     def add_below(self, widget: QWidget) -> None:
         """Put something below the picture."""
@@ -46,15 +54,21 @@ class View(QWidget):
     def show_nothing(self, session: "Session") -> None:
         """Show a design of which there is no frame, rather than the one before it."""
         self._session, self._frame = session, None
+        self._show_veil()
         self._ask()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Mark what is shown as that of another design, or no longer."""
+        self._of_another = outdated
+        self._show_veil()
 
     def draw_now(self) -> None:
         """Draw now, if there is anything to draw that can be seen."""
-        if not self._outdated or not self.isVisible() or self.window().isMinimized():
+        if not self._to_draw or not self.isVisible() or self.window().isMinimized():
             return
         session = self._session if self._frame is None else self._frame.session
         if session is not None:
-            self._outdated = False
+            self._to_draw = False
             self._draw(session, self._frame)
 
     def is_dark(self) -> bool:
@@ -65,7 +79,7 @@ class View(QWidget):
     def showEvent(self, event: QShowEvent) -> None:
         """Catch up with what came while hidden."""
         super().showEvent(event)
-        if self._outdated:
+        if self._to_draw:
             drawing_queue().ask(self)
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -81,9 +95,16 @@ class View(QWidget):
             self._ask()
 
     def _ask(self) -> None:
-        self._outdated = True
+        self._to_draw = True
         if self.isVisible():
             drawing_queue().ask(self)
+
+    def _show_veil(self) -> None:
+        self._veil.cover(self._of_another or self._is_behind())
+
+    def _is_behind(self) -> bool:
+        """Whether what is shown is not computed for the frame yet."""
+        return False
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
         """Bring the picture up to date and paint it before returning."""

@@ -143,6 +143,8 @@ class LoadedParts(QObject):
         shown.frame_changed.connect(self.check.show_frame)
         shown.frame_changed.connect(self._show_frame)
         shown.emptied.connect(self.check.show_nothing)
+        shown.outdated_changed.connect(early.status.show_outdated)
+        early.document.session_changed.connect(self.check.show_design)
         shown.emptied.connect(early.status.show_nothing)
         runner.failed.connect(early.messages.warn)
         runner.waiting.connect(early.show_waiting)

@@ -15,7 +15,7 @@ def make_tools(display, make_session, qtbot):
         # Until the first preview is drawn there is nothing to take hold of.
         view = tools.view
         qtbot.waitUntil(lambda: view.frame is not None and view.optic is not None, timeout=60_000)
-        qtbot.waitUntil(lambda: not view._outdated)
+        qtbot.waitUntil(lambda: not view._to_draw)
         return tools
 
     return make_tools

@@ -59,7 +59,7 @@ def test_the_lens_follows_a_drag_at_a_steady_rate(window, latency_probe, qtbot, 
     view, irradiance = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     qtbot.waitUntil(lambda: view.frame is not None and view.lens is not None, timeout=60_000)
     window.commands["sculpt"].trigger()
-    qtbot.waitUntil(lambda: view.nets.picture._shown and not view._outdated, timeout=60_000)
+    qtbot.waitUntil(lambda: view.nets.picture._shown and not view._to_draw, timeout=60_000)
     asked = [{}, {}]  # when, by the largest height; one for each view
     watched = [Watch(each, when) for each, when in zip((view, irradiance), asked, strict=True)]
 

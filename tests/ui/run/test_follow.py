@@ -1,6 +1,7 @@
 """Lenses that follow edits, from an engine that takes a step when a test lets it."""
 
 import threading
+import time
 from dataclasses import replace
 
 import pytest
@@ -12,6 +13,7 @@ from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.kept import restored
 from workbench.design.live import LiveDesign
+from workbench.interruption import check_given_up
 from workbench.scene import Scene
 
 _FREE = 10_000
@@ -491,3 +493,31 @@ def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monk
     assert "nothing there" in desk.failed[0]
     assert desk.document.session.scene.screen.z == 7
     assert desk.follow.text == ""
+
+
+@pytest.mark.parametrize("leave", ["undo", "begin", "edit"])
+def test_a_design_that_nobody_wants_ends_before_its_first_lens(desk, qtbot, designed, leave):
+    begun = []
+
+    def endless(scene, *_):
+        begun.append(scene.screen.z)
+        while True:
+            check_given_up()
+            time.sleep(0.002)
+        yield
+
+    desk.follow._live = LiveDesign(endless, refit=lambda *_: None)
+    desk.edit(7)
+    qtbot.waitUntil(lambda: begun == [7])
+    if leave == "undo":
+        desk.document.undo_stack.undo()
+        qtbot.waitUntil(lambda: not desk.follow._background.running)
+    elif leave == "begin":
+        desk.document.begin(designed, "new")
+        qtbot.waitUntil(lambda: begun == [7, 5])
+    else:
+        desk.edit(8)  # the first lens may still come soon
+        assert begun == [7]
+        qtbot.waitUntil(lambda: begun == [7, 8])
+    desk.follow.rest()
+    qtbot.waitUntil(lambda: not desk.follow._background.running)

@@ -173,7 +173,7 @@ def test_light_has_a_logarithmic_scale(views, qtbot):
 def test_the_target_is_drawn_once_for_a_run_that_loses_as_much_light(views, frame, frames):
     target = views[1]
     target.show_frame(frames(2, irradiance=frame.state.irradiance[::-1]))
-    assert not target._outdated
+    assert not target._to_draw
 
 
 def test_the_target_has_as_much_light_as_arrives(views, frame, frames, qtbot):
@@ -182,7 +182,7 @@ def test_the_target_has_as_much_light_as_arrives(views, frame, frames, qtbot):
     assert total(target.get_array()) == pytest.approx(total(light.get_array()))
     for view in views[:2]:
         view.show_frame(frames(2, irradiance=frame.state.irradiance / 8))
-    qtbot.waitUntil(lambda: not views[1]._outdated)
+    qtbot.waitUntil(lambda: not views[1]._to_draw)
     assert total(target.get_array()) == pytest.approx(total(frame.state.irradiance) / 8)
     qtbot.waitUntil(lambda: light.get_clim() == target.get_clim())
 
@@ -258,7 +258,7 @@ def test_arrows_move_place_and_line(views, section, frame, qtbot):
     start, end = link.line
     assert start == pytest.approx((-1 + pixel, -1 + pixel))
     assert end == pytest.approx((1.0, 1 - 9 * pixel))
-    qtbot.waitUntil(lambda: not section._outdated and not views[1]._outdated)
+    qtbot.waitUntil(lambda: not section._to_draw and not views[1]._to_draw)
     np.testing.assert_allclose(views[1]._marks[2].get_xydata(), link.line)
     assert section._curves._axes.get_xlim()[1] == pytest.approx(math.hypot(31, 22) * pixel)
 
