@@ -104,7 +104,7 @@ def _prepare_environment() -> None:
     sys.modules.setdefault("triton", None)  # type: ignore[arg-type]
     if sys.platform.startswith("linux"):
         # The 3D view draws into an X window, also where the desktop speaks Wayland.
-        os.environ.setdefault("QT_QPA_PLATFORM", "xcb")
+        os.environ["QT_QPA_PLATFORM"] = os.environ.get("QT_QPA_PLATFORM") or "xcb"
     if platform.libc_ver()[0] == "glibc":
         # Threads come and go here, and each arena that one had keeps what was freed in it.
         ctypes.CDLL(None).mallopt(_M_ARENA_MAX, 2)

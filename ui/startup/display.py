@@ -2,27 +2,61 @@
 
 import ctypes
 import os
+import subprocess
 import sys
 
 from workbench import system_libraries
 
-# Platforms of Qt that need no display, as tests use them.
-_WITHOUT_DISPLAY = ("offscreen", "minimal", "vnc")
+_PLATFORM = "QT_QPA_PLATFORM"
+# Starts everywhere: tests use it.
+_OFFSCREEN = "offscreen"
+_X = "xcb"
+# Vulkan alone draws there, and no widget.
+_WITHOUT_WIDGETS = "vkkhrdisplay"
+_PROBE = (
+    "from PySide6.QtGui import QGuiApplication, QRasterWindow;"
+    "a = QGuiApplication(['probe']); w = QRasterWindow(); w.resize(8, 8); w.show();"
+    "a.processEvents()"
+)
+_PATIENCE_S = 20.0
 
 
 def why_no_window() -> str | None:
     """One sentence on what stands in the way of a window; None if nothing does."""
-    if not sys.platform.startswith("linux"):
+    platform = os.environ.get(_PLATFORM, "")
+    if sys.platform.startswith("linux"):
+        if missing := system_libraries.missing():
+            return system_libraries.advice(missing)
+        if platform in ("", _X) and (reason := _why_no_x_window()):
+            return reason
+    if platform in ("", _OFFSCREEN, _X) or (platform != _WITHOUT_WIDGETS and _starts()):
         return None
-    if missing := system_libraries.missing():
-        return system_libraries.advice(missing)
-    if os.environ.get("QT_QPA_PLATFORM", "").startswith(_WITHOUT_DISPLAY):
-        return None
+    return f"no window opens with {_PLATFORM}={platform}; type: {_cure()}"
+
+
+def _cure() -> str:
+    """The command that starts the program without that setting."""
+    if sys.platform == "win32":
+        return f"set {_PLATFORM}= & freeform-workbench"
+    return f"env -u {_PLATFORM} freeform-workbench"
+
+
+def _why_no_x_window() -> str | None:
     if not os.environ.get("DISPLAY"):
         return "no display: DISPLAY is not set; use `freeform` to design without a window"
     if not _display_answers():
         return f"no display: {os.environ['DISPLAY']} does not answer; is an X server running?"
     return None
+
+
+def _starts() -> bool:
+    """Whether Qt starts in a process of its own: it aborts where it cannot."""
+    try:
+        command = [sys.executable, "-c", _PROBE]
+        done = subprocess.run(command, capture_output=True, timeout=_PATIENCE_S, check=False)
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+    return done.returncode == 0
 
 
 def _display_answers() -> bool:
