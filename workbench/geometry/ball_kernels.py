@@ -11,7 +11,7 @@ from workbench.compiled import jit
 LEAF_ROWS, LEAF_SPANS = 2, 4
 """Rows and pieces of a row in the smallest block of `Blocks`."""
 _GUESSES = 3  # steps from the centre above a place to the ball that sweeps over it
-_NEWTON = 6  # steps from a point of a lattice to where a ball touches; two are the rule
+_NEWTON = 12  # steps from a point of a lattice to where a ball touches; two are the rule
 _STRAY = 2.0  # lattice steps that one step of Newton's method may go
 
 
@@ -180,7 +180,7 @@ def touching(pieces, radius, stray, x, y, at_x, at_y, tip):  # type: ignore[no-u
     basis = np.empty((6, max(pieces.along_x.shape[1], pieces.along_y.shape[1])))
     for k in range(len(x)):
         u, v = at_x[k] - x[k], at_y[k] - y[k]
-        best = -math.inf
+        best, move_x, move_y = -math.inf, 0.0, 0.0
         far = _STRAY * stray
         for _ in range(_NEWTON):
             square = radius * radius - u * u - v * v
@@ -188,12 +188,11 @@ def touching(pieces, radius, stray, x, y, at_x, at_y, tip):  # type: ignore[no-u
                 break
             z, p, q, r, s, t = _derivatives(pieces, x[k] + u, y[k] + v, basis)
             above = math.sqrt(square)
-            if z + above <= best:  # by rounding, or beyond an edge of the face
-                break
-            gain = z + above - best
+            if z + above <= best:  # by rounding, or past a place where the face bends otherwise
+                move_x, move_y = move_x / 2, move_y / 2
+                u, v = u - move_x, v - move_y
+                continue
             best, at_x[k], at_y[k] = z + above, x[k] + u, y[k] + v
-            if gain <= 1e-14 * radius:
-                break
             # The largest z + above: slopes g and second derivatives of it are
             g_x, g_y = p - u / above, q - v / above
             xx = r - (1 + u * u / square) / above
@@ -204,8 +203,11 @@ def touching(pieces, radius, stray, x, y, at_x, at_y, tip):  # type: ignore[no-u
                 break
             move_x, move_y = (xy * g_y - yy * g_x) / whole, (xy * g_x - xx * g_y) / whole
             size = math.sqrt(move_x * move_x + move_y * move_y)
+            if size <= 1e-7 * radius:  # what is gained then goes with its square
+                break
             part = far / size if size > far else 1.0
-            u, v = u + part * move_x, v + part * move_y
+            move_x, move_y = part * move_x, part * move_y
+            u, v = u + move_x, v + move_y
         tip[k] = best - radius
 
 

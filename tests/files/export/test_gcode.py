@@ -165,3 +165,17 @@ def test_too_many_moves_are_refused(program):
 def test_ridges_as_high_as_the_ball_are_refused():
     with pytest.raises(Refused, match=r"^scallop: "):
         Cutting(tool_radius=0.1, scallop=0.1)
+
+
+@pytest.mark.parametrize("degree", [2, 3])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_cutter_that_is_chosen_fits_rough_faces(degree, seed):
+    """Their curvature jumps at the rim, where straight lines go on."""
+    net = ControlNet((16, 13), (degree, degree), (1.0, 0.8))
+    heights = 0.02 * np.random.default_rng(seed).normal(size=net.shape)
+    face = CutFace(net, heights, Rectangle(net.half_width))
+    raster = finished(face.rastering(face.fitting_radius, SCALLOP, 10**6))
+    cut_off, left, place = finished(face.left(raster))
+    assert cut_off < 1e-4 * SCALLOP
+    assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
+    assert face.outline.contains(*place)
