@@ -11,6 +11,7 @@ from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import intensity_of
 from workbench.scene import (
     AreaSource,
@@ -54,7 +55,9 @@ def mitsuba_lights(
     rays, seed : int
         How many rays to draw, and how, of light that is given by its rays.
     """
-    return row_of(_LIGHTS, source)(mi, source, optic, unit, rays, seed)
+    in_aperture = optic.onwards > 0 and "entrance" not in freeform_nets(optic)
+    light = row_of(_LIGHTS, source) if in_aperture or source.along_axis else rays_as_light
+    return light(mi, source, optic, unit, rays, seed)
 
 
 def check_known(source: Source) -> None:

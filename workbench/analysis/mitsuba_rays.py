@@ -1,5 +1,7 @@
 """Single rays as a light in Mitsuba: where it has no light of a kind, it is given its rays.
 
+So it is where rays beside the aperture would meet a first face that is not in its plane.
+
 Each ray is a tiny triangle just before the entrance face, whose normal is the ray's direction and
 whose area is its flux; Mitsuba draws from them and traces the light. All triangles are in one
 plane, so none hides another. They are drawn anew for each seed: with too few of them, two images
@@ -12,9 +14,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from workbench.analysis.tracing.sources.cones import covering_cones
+from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.arrays import Array
-from workbench.measured.lamps import placed_rays
-from workbench.scene import AreaSource, CollimatedSource, Optic, RayFileSource, Source
+from workbench.geometry.outlines import outline_of
+from workbench.measured.lamps import intensity_of, placed_rays
+from workbench.scene import (
+    AreaSource,
+    CollimatedSource,
+    LightOfPoints,
+    Optic,
+    PhotometricSource,
+    RayFileSource,
+    Source,
+)
+from workbench.scene.kinds import row_of
 
 # Most triangles: single precision still tells so many apart.
 _MOST = 1 << 19
@@ -50,9 +64,9 @@ def rays_as_light(
 ) -> tuple[dict[str, Any], float]:
     """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
     random = np.random.default_rng([seed, 3])
-    found = _RAYS[type(source)](source, optic, random, min(rays, _MOST))
-    (r_x, r_y), before = optic.half_width, _BEFORE * unit + optic.front_z - optic.lowest
-    met = (abs(found.x) <= r_x) & (abs(found.y) <= r_y) & (found.flux > 0)
+    found = row_of(_RAYS, source)(source, optic, random, min(rays, _MOST))
+    before = _BEFORE * unit + optic.front_z - optic.lowest
+    met = outline_of(optic).contains(found.x, found.y) & (found.flux > 0)
     if not met.any():
         return {}, 1.0
     way, flux = found.way[met], found.flux[met]
@@ -99,16 +113,37 @@ def _from_disc(
 def _from_area(
     source: AreaSource, optic: Optic, random: np.random.Generator, count: int
 ) -> FaceRays:
-    """Light of random places of an emitter, as much in all directions, to those of the face."""
+    """Light of random places of an emitter to random ones of the face."""
     start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
-    x, y = _on_face(optic, random, count)
-    way = np.column_stack([x, y, np.full(count, optic.front_z)]) - source.center
-    way[:, :2] -= start.T * source.half_width
-    distance = np.linalg.norm(way, axis=1)
-    way /= distance[:, None]
-    # Solid angle of the face over that of the half-space.
-    flux = 4 * math.prod(optic.half_width) * way[:, 2] / distance**2 / (2 * math.pi)
-    return FaceRays(x, y, way, flux, float(count))
+    (a, b), (r_x, r_y) = start, source.half_width
+    place = np.column_stack([r_x * a, r_y * b, np.zeros(count)]) + source.center
+    x, y, way, solid = _onto_face(place, optic, random)
+    intensity = way[:, 2] / math.pi if source.emission == "lambertian" else 1 / (2 * math.pi)
+    return FaceRays(x, y, way, intensity * solid, float(count))
+
+
+def _from_points(
+    source: LightOfPoints, optic: Optic, random: np.random.Generator, count: int
+) -> FaceRays:
+    """Light of random ones of some points to random places of the face."""
+    points = source.positions
+    x, y, way, solid = _onto_face(points[random.integers(len(points), size=count)], optic, random)
+    cones = covering_cones(points, optic.half_width, optic.front_z)
+    if source.emission == "lambertian":
+        power = math.pi * cones.versine * (2 - cones.versine) * cones.axis[:, 2]
+        solid = solid * way[:, 2]
+    else:
+        power = 2 * math.pi * cones.versine
+    return FaceRays(x, y, way, solid, count * float(power.mean()))
+
+
+def _from_lamp(
+    source: PhotometricSource, optic: Optic, random: np.random.Generator, count: int
+) -> FaceRays:
+    """Light of the point of a lamp to random places of the face."""
+    table, turned = intensity_of(source), file_axes(source.rotation).inv()
+    x, y, way, solid = _onto_face(np.tile(source.position, (count, 1)), optic, random)
+    return FaceRays(x, y, way, solid * table.at(turned.apply(way)), count * table.lumens)
 
 
 def _from_file(
@@ -129,6 +164,17 @@ def _on_face(optic: Optic, random: np.random.Generator, count: int) -> tuple[Arr
     return optic.half_width[0] * x, optic.half_width[1] * y
 
 
+def _onto_face(
+    start: Array, optic: Optic, random: np.random.Generator
+) -> tuple[Array, Array, Array, Array]:
+    """Places (x, y) of the face for points, unit vectors there, and the solid angle of the face."""
+    x, y = _on_face(optic, random, len(start))
+    way = np.column_stack([x, y, np.full(len(start), optic.front_z)]) - start
+    distance = np.linalg.norm(way, axis=1)
+    way /= distance[:, None]
+    return x, y, way, 4 * math.prod(optic.half_width) * way[:, 2] / distance**2
+
+
 def _in_square(random: np.random.Generator, count: int) -> Array:
     return random.uniform(-1, 1, (2, count))
 
@@ -141,5 +187,7 @@ def _in_disc(random: np.random.Generator, count: int) -> Array:
 _RAYS: Mapping[type, Callable[[Any, Optic, np.random.Generator, int], FaceRays]] = {
     CollimatedSource: _from_disc,
     AreaSource: _from_area,
+    LightOfPoints: _from_points,
+    PhotometricSource: _from_lamp,
     RayFileSource: _from_file,
 }

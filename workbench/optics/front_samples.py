@@ -48,7 +48,9 @@ class FrontGrid(NamedTuple):
     level : float
         z of the scene that heights of the entrance face are counted from.
     outline : Outline
-        Of the lens.
+        Of the lens, and of the aperture before it.
+    front_z : float
+        z of the scene where that is.
     """
 
     origins: Origins
@@ -59,6 +61,7 @@ class FrontGrid(NamedTuple):
     net: ControlNet
     level: float
     outline: Outline
+    front_z: float
 
     @classmethod
     def of(cls, path: Path) -> "FrontGrid | None":
@@ -72,7 +75,7 @@ class FrontGrid(NamedTuple):
                 FaceStep(BSplineSurface() as leaving, Refraction()) as last,
             ) if all(step.surface.kind == "B-spline" for step in path.steps):
                 found = emitter.origins, emitter.samples, entrance, last, leaving
-                return cls(*found, net, level, path.outline)
+                return cls(*found, net, level, path.outline, path.front_z)
         return None
 
     @property

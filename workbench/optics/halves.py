@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.optics.samples import Corners, Samples
+from workbench.optics.samples import Corners, Samples, counts
 from workbench.said import Said
 
 
@@ -70,10 +70,10 @@ class Halves(NamedTuple):
 
 
 def _half(samples: Samples, axis: int, points: int) -> Array | None:
+    count = counts(samples)[axis]
     if not isinstance(samples, Corners):
-        count = -(-samples[axis] // points) * points
+        count = -(-count // points) * points
         return np.ones(count // 2) if count % 2 == 0 else None
-    count = samples[axis]
     if points % 2 == 0:
         return np.ones(points // 2 * (count + 2))
     if points == 1 and count % 2 == 0:

@@ -8,7 +8,14 @@ import numpy.typing as npt
 from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.optics.entering import entering
-from workbench.optics.samples import Corners, Places, Samples, interleaving, places_of_points
+from workbench.optics.samples import (
+    Corners,
+    Places,
+    Samples,
+    counts,
+    interleaving,
+    places_of_points,
+)
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import LightOfPoints, Optic
 
@@ -122,7 +129,7 @@ def _places(samples: Samples, axis: int, points: int) -> Places:
     """Places of samples, and what of the aperture each of its point's stands for."""
     if isinstance(samples, Corners):
         return places_of_points(samples, axis, points)
-    count = -(-samples[axis] // points) * points
+    count = -(-counts(samples)[axis] // points) * points
     part = (np.arange(count) + 0.5) / count
     low, high = part - points / count / 2, part + points / count / 2
     low[:points], high[-points:] = 0.0, 1.0
@@ -132,9 +139,9 @@ def _places(samples: Samples, axis: int, points: int) -> Places:
 def _turns(samples: Samples, axis: int, points: int) -> npt.NDArray[np.int64]:
     """Number of the point that each sample belongs to."""
     if isinstance(samples, Corners):
-        each = samples[axis] + (1 if points == 1 else 2)
+        each = counts(samples)[axis] + (1 if points == 1 else 2)
         return np.repeat(np.arange(points), each)
-    return np.tile(interleaving(points), -(-samples[axis] // points))
+    return np.tile(interleaving(points), -(-counts(samples)[axis] // points))
 
 
 def _axis(

@@ -4,6 +4,7 @@ Rays through a plane before the face would search for it, and would miss what co
 On a tensor grid of samples height and slopes are small matrix products, and what each origin of the
 light sends there follows from the place alone: a sample stands for the part of the face around it,
 and takes in more or less light than a plane across the axis, as the face leans to the light or not.
+A part is lit as far as its light comes through the aperture, see `workbench.optics.aperture`.
 """
 
 from typing import NamedTuple
@@ -14,6 +15,7 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.aperture import part_within, seen
 from workbench.optics.path import Path
 from workbench.optics.patterns import interpolated
 from workbench.optics.rays import RayBundle, Vector
@@ -32,6 +34,24 @@ class LitSamples(NamedTuple):
     meeting: Meeting
 
 
+class _Light(NamedTuple):
+    """Light at samples before the face does anything to it.
+
+    Attributes
+    ----------
+    slopes : tuple of two Tensor
+        dx/dz and dy/dz.
+    density : Tensor
+        Flux per area across the axis.
+    narrowed : Tensor
+        How wide light is in the aperture that is of width 1 at samples.
+    """
+
+    slopes: tuple[Tensor, Tensor]
+    density: Tensor
+    narrowed: Tensor
+
+
 class LitFace:
     """Samples of a face with all that does not depend on its heights.
 
@@ -40,7 +60,7 @@ class LitFace:
     net : ControlNet
         Where its control heights sit.
     level : float
-        z of the scene that heights are counted from; beams of some radius have their middle there.
+        z of the scene that heights are counted from.
     lines : tuple of two Places
         Samples along x and y.
     origins : Origins
@@ -71,23 +91,27 @@ class LitFace:
         self._basis = GridBasis(*map(constant, vars(basis).values()))
         (r_x, r_y), shape_x, shape_y = net.half_width, (-1, 1, 1), (1, 1, -1)
         # [samples along x, origins, samples along y]
-        self._x = constant((2 * across.part - 1) * r_x).reshape(shape_x)
-        self._y = constant((2 * up.part - 1) * r_y).reshape(shape_y)
+        self._x, *self._ends_x = (constant((2 * p - 1) * r_x).reshape(shape_x) for p in across)
+        self._y, *self._ends_y = (constant((2 * p - 1) * r_y).reshape(shape_y) for p in up)
+        self._whole, self._front = path.outline.whole, path.front_z - level
         self._areas = constant(areas_of(path.outline, *lines))[:, None]
         self._flux = constant(origins.flux).reshape(1, -1, 1)
         # Heights above the level: of light from infinitely far directions, which have none.
         above = np.array([0.0, 0.0, 0.0 if origins.infinite else level])
         self._at = tuple(constant(part).reshape(1, -1, 1) for part in (origins.places - above).T)
+        self._ahead = self._front - self._at[2]
         self._patterns = None if patterns is None else constant(patterns)
 
     def light(self, heights: Tensor) -> LitSamples:
         """The light that meets a face with control heights (n_u, n_v), z as in the scene."""
         above = (heights - self._level).to(self._x.dtype)
         z, face_x, face_y = (part[:, None] for part in self._basis.evaluate(above))
-        (s_x, s_y), density = self._come(z)
+        light = self._come(z)
+        (s_x, s_y), density, _ = light
         lean = 1 - s_x * face_x - s_y * face_y
         met = lean > 0  # a face that leans away further is not lit from before
-        flux = torch.where(met, density * lean * self._areas, 0.0)
+        through = self._through_aperture(z - self._front, light, (face_x, face_y))
+        flux = torch.where(met, density * lean * self._areas * through, 0.0)
         along = (s_x.square() + s_y.square() + 1).rsqrt()
         length = (face_x.square() + face_y.square() + 1).rsqrt()
         shape = flux.shape
@@ -97,15 +121,46 @@ class LitFace:
         flux, met = (part.reshape(shape[0], -1) for part in (flux, met.expand(shape)))
         return LitSamples(RayBundle(at, direction, flux, met), Meeting(at, normal, met))
 
-    def _come(self, z: Tensor) -> tuple[tuple[Tensor, Tensor], Tensor]:
-        """Slopes of the light at the samples, and its flux per area across the axis."""
+    def _through_aperture(
+        self, behind: Tensor, light: "_Light", face_slopes: tuple[Tensor, Tensor]
+    ) -> Tensor:
+        """Part of the light of each sample that comes through the aperture before the face.
+
+        Parameters
+        ----------
+        behind : Tensor
+            How far samples are behind the aperture.
+        light : _Light
+            At the samples.
+        face_slopes : tuple of two Tensor
+            Of the face.
+        """
+        sides = (self._x, *self._ends_x), (self._y, *self._ends_y)
+        x, y = (at - behind * s for (at, *_), s in zip(sides, light.slopes, strict=True))
+        if not self._whole:
+            here, size = (self._x, self._y), [high - low for _, low, high in sides]
+            return part_within(here, (x, y), (size[0], size[1]), self._half_width)
+        part = torch.ones_like(behind)
+        slopes = zip(light.slopes, face_slopes, strict=True)
+        for (at, low, high), u, r, (s, f) in zip(
+            sides, (x, y), self._half_width, slopes, strict=True
+        ):
+            # The rim of the aperture as its light falls onto the face around a sample.
+            wide = light.narrowed * (1 - s * f)
+            begin, end = (at + (side - u) / wide for side in (-r, r))
+            lit = seen(low, high, begin, end) / (high - low)
+            part = part * torch.where(wide > 0, lit, (u.abs() <= r).to(lit.dtype))
+        return part
+
+    def _come(self, z: Tensor) -> "_Light":
         origins = self._origins
         if origins.infinite:
             d_x, d_y, d_z = self._at
-            r2 = self._x.square() + self._y.square() + z.square()
-            beside2 = r2 - (self._x * d_x + self._y * d_y + z * d_z).square()
+            behind = z - self._front  # beams of some radius have their middle in the aperture
+            r2 = self._x.square() + self._y.square() + behind.square()
+            beside2 = r2 - (self._x * d_x + self._y * d_y + behind * d_z).square()
             fall = torch.exp(-2 * beside2 / origins.waist**2)
-            return (d_x / d_z, d_y / d_z), self._flux * d_z * fall
+            return _Light((d_x / d_z, d_y / d_z), self._flux * d_z * fall, torch.ones_like(z))
         p_x, p_y, p_z = self._at
         way = torch.where(z > p_z, z - p_z, torch.inf)  # dark is what does not lie ahead
         s_x, s_y = (self._x - p_x) / way, (self._y - p_y) / way
@@ -114,7 +169,7 @@ class LitFace:
         if self._patterns is not None:
             across = p_x - p_z * s_x, p_y - p_z * s_y
             density = density * interpolated(self._patterns, across, self._half_width)
-        return (s_x, s_y), density
+        return _Light((s_x, s_y), density, self._ahead / way)
 
 
 def _side_by_side(parts: Vector, shape: torch.Size) -> Vector:

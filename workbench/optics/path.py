@@ -39,11 +39,13 @@ class Path:
         z of the scene from which the elements count z: near the face, so that float32 keeps the
         digits that make its shape.
     outline : Outline
-        Of the lens.
+        Of the optic; and of the aperture before it, which all of its light passes.
     seed : int
         Of the source's rays.
     dtype, device
         Float type and device of the walk.
+    front_z : float, optional
+        z of the scene where that aperture is; the datum by default.
 
     Attributes
     ----------
@@ -61,9 +63,11 @@ class Path:
         seed: int,
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
+        front_z: float | None = None,
     ) -> None:
         self.emitter, self.steps, self.receiver = emitter, tuple(steps), receiver
         self.datum, self.outline = datum, outline
+        self.front_z = datum if front_z is None else front_z
         self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
@@ -92,7 +96,8 @@ class Path:
         light = emitter.by_area, source.along_axis, source.subdivisions
         steps = steps_of(optic, PathContext(net, datum, *light, dtype, device))
         receiver = receiver_of(scene.receiver, optic, datum)
-        return cls(emitter, steps, receiver, datum, outline, scene.run.seed, dtype, device)
+        walk = scene.run.seed, dtype, device, optic.front_z
+        return cls(emitter, steps, receiver, datum, outline, *walk)
 
     @property
     def rays(self) -> RayBundle:
@@ -165,6 +170,8 @@ class Path:
     def _begin(self) -> RayBundle:
         """The source's rays before the first freeform face, in float64; tells what is lost."""
         rays = self.emitter.rays(self._seed, self._draw)
+        if not self.emitter.by_area:  # else their flux is that of what the aperture lets through
+            rays = _stopped(rays, self.outline)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         passing = 1 - _total(rays)
         rays, lost, _ = _through(self._fixed, rays, {})
@@ -172,6 +179,13 @@ class Path:
             lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
         self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
         return _living(rays)
+
+
+def _stopped(rays: RayBundle, outline: Outline) -> RayBundle:
+    """Rays that are in the plane of the aperture; those beside it end there."""
+    x, y, _ = rays.position
+    alive = rays.alive & outline.contains(x, y)
+    return rays._replace(flux=torch.where(alive, rays.flux, 0.0), alive=alive)
 
 
 def _through(

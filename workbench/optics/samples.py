@@ -11,6 +11,41 @@ from workbench.geometry.outlines import Outline
 
 # Cells beside a ray that differ in width by less than twice this part count as equal.
 _EVEN = 1e-6
+# Beyond a crowd, places go with this power of even ones: of these, two thirds are within.
+_POWER, _CORE = 15, 2 / 3
+
+
+class Crowd(NamedTuple):
+    """Where corners of cells lie along an axis: evenly in a part of it, and fewer beyond.
+
+    Attributes
+    ----------
+    middle : float
+        Of that part, half-widths from the middle of the aperture.
+    half : float
+        Its half, half-widths; 1 where corners are even all the way.
+    """
+
+    middle: float = 0.0
+    half: float = 1.0
+
+    @classmethod
+    def of(cls, half: float, middle: float) -> Self:
+        """A crowd that reaches so far about its middle; even where that is beyond the aperture."""
+        wider = half / _CORE
+        return cls(middle, wider) if wider + abs(middle) < 1 else cls()
+
+    def __call__(self, part: Array) -> Array:
+        """Places for even parts of the way from one side of the aperture to the other."""
+        if self.half == 1:
+            return part
+        even = 2 * part - 1
+        beyond = 1 - self.half - self.middle * np.sign(even)
+        place = self.middle + even * (self.half + beyond * even ** (_POWER - 1))
+        return np.asarray((1 + place) / 2)
+
+
+EVERYWHERE = Crowd()
 
 
 class Corners(NamedTuple):
@@ -26,6 +61,8 @@ class Corners(NamedTuple):
         Cells along x and y of a source of some size, at whose corners these origins lie; all see
         the same corners of the aperture. 0 where origins lie elsewhere. See
         `workbench.optics.source_beams`.
+    crowd_x, crowd_y : Crowd
+        Where the corners lie along x and y.
     """
 
     x: int
@@ -33,11 +70,18 @@ class Corners(NamedTuple):
     origins: int = 1
     source_x: int = 0
     source_y: int = 0
+    crowd_x: Crowd = EVERYWHERE
+    crowd_y: Crowd = EVERYWHERE
 
     @classmethod
     def and_of_source(cls, x: int, y: int, of_source: tuple[int, int]) -> Self:
         """Corners of cells of the aperture, and of the source."""
         return cls(x, y, math.prod(cells + 1 for cells in of_source), *of_source)
+
+    @property
+    def crowds(self) -> tuple[Crowd, Crowd]:
+        """Where the corners lie along x and y."""
+        return self.crowd_x, self.crowd_y
 
     @property
     def of_source(self) -> tuple[int, int] | None:
@@ -74,6 +118,11 @@ class Places(NamedTuple):
         return np.stack([1 - behind, behind, np.abs(behind - 0.5) < _EVEN], axis=1)
 
 
+def counts(samples: Samples) -> tuple[int, int]:
+    """Cells along x and y."""
+    return samples[0], samples[1]
+
+
 def cells(samples: Samples) -> int:
     """Number of cells that rays stand for."""
     return samples[0] * samples[1]
@@ -82,17 +131,17 @@ def cells(samples: Samples) -> int:
 def shares(samples: Samples, axis: int) -> Array:
     """Which part of a cell each ray stands for along x (0) or y (1): those at the rim for half."""
     if not isinstance(samples, Corners):
-        return np.ones(samples[axis])
-    share = np.ones(samples[axis] + 1)
+        return np.ones(counts(samples)[axis])
+    share = np.ones(counts(samples)[axis] + 1)
     share[0] = share[-1] = 0.5
     return share
 
 
 def places(samples: Samples, axis: int) -> Places:
     """Places of samples along x (0) or y (1)."""
-    count = samples[axis]
+    count = counts(samples)[axis]
     if isinstance(samples, Corners):
-        return _between(np.arange(count + 1) / count)
+        return _between(samples.crowds[axis](np.arange(count + 1) / count))
     cell = np.arange(count)
     return Places((cell + 0.5) / count, cell / count, (cell + 1) / count)
 
@@ -108,11 +157,12 @@ def places_of_points(samples: Samples, axis: int, points: int) -> Places:
         return places(samples, axis)
     if isinstance(samples, Corners) and samples.of_source is not None:
         return Places(*(np.tile(part, points) for part in places(samples, axis)))
-    count = samples[axis]
+    count = counts(samples)[axis]
     each = []
     for shift in (interleaving(points) + 0.5) / points:
         inner = (np.arange(count) + shift) / count
-        each.append(_between(np.concatenate([[0.0], inner, [1.0]])))
+        part = np.concatenate([[0.0], inner, [1.0]])
+        each.append(_between(samples.crowds[axis](part) if isinstance(samples, Corners) else part))
     return Places(*(np.concatenate(parts) for parts in zip(*each, strict=True)))
 
 

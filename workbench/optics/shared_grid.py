@@ -16,6 +16,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet, GridBasis
+from workbench.optics.aperture import part_within, seen
 from workbench.optics.arrival import Arrival
 from workbench.optics.glass import FlatGlass
 from workbench.optics.interfaces import Refraction
@@ -29,8 +30,6 @@ from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.said import Said
 
-# In the middle of the lens no distance to the outline has a direction.
-_CENTRE = 1e-12
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
 
 
@@ -235,7 +234,9 @@ class SharedSamples:
         from_origin = self._from_sky if self._shared.origins.infinite else self._from_points
         place, direction, flux = from_origin(depth)
         if self._inside is not None:
-            flux = flux * self._inside * self._through_outline(*place)
+            size = self._high_x - self._low_x, self._high_y - self._low_y
+            held = part_within((self._x, self._y), place, size, self._shared.half_width)
+            flux = flux * self._inside * held
 
         shape = flux.shape
         zero, one = flux.new_zeros(()), flux.new_ones(())
@@ -265,30 +266,18 @@ class SharedSamples:
         out = _reshaped(passed.rays, shape, side_by_side)
         return Arrival(*self._path.receiver.places(out), out, lost)
 
-    def _through_outline(self, x: Tensor, y: Tensor) -> Tensor:
-        """Part of what the outline holds of each sample that comes through it at the entrance.
-
-        Exactly 1 of light that goes straight on.
-        """
-        here = self._held(self._x, self._y)
-        part = self._held(x, y) / torch.where(here > 0, here, 1.0)
-        return torch.where(here > 0, part.clamp_max(1), 1.0)
-
-    def _held(self, x: Tensor, y: Tensor) -> Tensor:
-        """About how much of what a sample stands for is inside the outline around (x, y)."""
-        r_x, r_y = self._shared.half_width
-        level = ((x / r_x).square() + (y / r_y).square()).clamp_min(_CENTRE).sqrt()
-        across = x.abs() * (self._high_x - self._low_x) / r_x**2
-        across = across + y.abs() * (self._high_y - self._low_y) / r_y**2
-        return (0.5 + level * (1 - level) / across.clamp_min(_CENTRE)).clamp(0, 1)
+    def _seen(self, low: Tensor, high: Tensor, axis: int) -> Tensor:
+        """What of intervals lies within the entrance face."""
+        half_width = self._half_width[axis]
+        return seen(low, high, -half_width, half_width)
 
     def _from_sky(self, depth: Tensor) -> tuple[tuple[Tensor, Tensor], Vector, Tensor]:
         """Places on the entrance face, directions before it and flux that meets it."""
         d_x, d_y, d_z = self._at
         down = (1 - (d_x.square() + d_y.square()) / self._index**2).sqrt() * self._index
         shift_x, shift_y = d_x / down * depth, d_y / down * depth
-        wide_x = _seen(self._low_x - shift_x, self._high_x - shift_x, self._half_width[0])
-        wide_y = _seen(self._low_y - shift_y, self._high_y - shift_y, self._half_width[1])
+        wide_x = self._seen(self._low_x - shift_x, self._high_x - shift_x, 0)
+        wide_y = self._seen(self._low_y - shift_y, self._high_y - shift_y, 1)
         x, y = self._x - shift_x, self._y - shift_y
         beside2 = x.square() + y.square() - (x * d_x + y * d_y).square()
         even = self._flux * d_z * torch.exp(-2 * beside2 / self._shared.origins.waist**2)
@@ -313,8 +302,8 @@ class SharedSamples:
             (low - way * (low - p), high - way * (high - p))
             for low, high, p in ((self._low_x, self._high_x, p_x), (self._low_y, self._high_y, p_y))
         )
-        wide_x = _seen(low_x, high_x, self._half_width[0])
-        wide_y = _seen(low_y, high_y, self._half_width[1])
+        wide_x = self._seen(low_x, high_x, 0)
+        wide_y = self._seen(low_y, high_y, 1)
         cos = (1 + radius_ratio.square() * radius2 / distance**2).rsqrt()
         lit = cos.square() * cos / distance**2
         if self._shared.origins.lambertian:
@@ -326,11 +315,6 @@ class SharedSamples:
             flux = flux * interpolated(self._patterns, (x, y), self._shared.half_width)
         slope_x, slope_y = radius_ratio * away_x / distance, radius_ratio * away_y / distance
         return (x, y), (slope_x * cos, slope_y * cos, cos), flux
-
-
-def _seen(low: Tensor, high: Tensor, half_width: float) -> Tensor:
-    """What of intervals lies within the entrance face."""
-    return (high.clamp_max(half_width) - low.clamp_min(-half_width)).clamp_min(0)
 
 
 def _reshaped(rays: RayBundle, shape: torch.Size, to: tuple[int, int]) -> RayBundle:

@@ -45,7 +45,11 @@ class Mirror(Optic):
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
-        about("Half width", "Half of the mirror's extent along x and y. All of it is lit."),
+        about(
+            "Half width",
+            "Half of the mirror's extent along x and y. Light reaches it through this extent in "
+            "the plane of its base.",
+        ),
     ]
     outline: Annotated[
         Literal["rectangle", "ellipse"],
@@ -119,7 +123,7 @@ class Mirror(Optic):
 
     @property
     def front_z(self) -> float:
-        """The middle of the base: what light crosses there is what the mirror is lit by."""
+        """The middle of the base: the light that passes the outline there lights the mirror."""
         return self.base.height
 
     @property

@@ -55,7 +55,7 @@ class Optic(Part):
     @property
     @abstractmethod
     def front_z(self) -> float:
-        """The plane that light crosses before it meets the optic; all light is judged at it."""
+        """The plane of the aperture: light that passes the outline there reaches the optic."""
 
     @property
     @abstractmethod

@@ -39,7 +39,9 @@ def two_faces(scene, origins, cells, dtype=torch.float64):
     law, _ = TransmittanceLaw.of(scene.lens)
     front = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
     emitter, steps = Light(origins, Corners(*cells)), (front, flat.steps[1])
-    return Path(emitter, steps, flat.receiver, flat.datum, flat.outline, 0, dtype)
+    front_z = scene.lens.entrance_z - 0.007  # the aperture
+    given = flat.receiver, flat.datum, flat.outline, 0, dtype
+    return Path(emitter, steps, *given, front_z=front_z)
 
 
 def faces(scene, seed, amplitude):

@@ -18,8 +18,12 @@ from workbench.optics.kernels.taps import FAST
 Number = np.floating[Any]
 
 _ONE = np.uintp(1)
-# Numbers of a batch: slopes of the light, its flux per area across the axis, and derivatives by z.
-S_X, S_Y, BRIGHT, D_S_X, D_S_Y, D_BRIGHT, NEXT = (OWN + np.uintp(BATCH * k) for k in range(7))
+# Numbers of a batch: slopes of the light, its flux per area across the axis, and derivatives by z;
+# one by the distance of the origin along z (0 of one that is infinitely far); how wide light is in
+# the aperture that is of width 1 at samples; and derivatives of the flux by slopes of the face.
+S_X, S_Y, BRIGHT, D_S_X, D_S_Y, D_BRIGHT, BY_WAY, NARROWED, BY_Z_X, BY_Z_Y, NEXT = (
+    OWN + np.uintp(BATCH * k) for k in range(11)
+)
 """The first number that is free for the rest of the way."""
 
 
@@ -34,6 +38,8 @@ class FarLight(NamedTuple):
         Flux per area across the axis, in the middle of the beam.
     narrowing : floating
         Flux falls with exp(−narrowing × square of the distance to the middle of the beam).
+    front : floating
+        Height of the aperture, where the middle of the beam is.
     """
 
     x: AnyArray
@@ -41,6 +47,7 @@ class FarLight(NamedTuple):
     z: AnyArray
     flux: AnyArray
     narrowing: Number
+    front: Number
 
 
 class NearLight(NamedTuple):
@@ -50,8 +57,8 @@ class NearLight(NamedTuple):
     ----------
     x, y : ndarray
         Where they are, scene units.
-    below : ndarray
-        How far they are before the level of heights.
+    below, ahead : ndarray
+        How far they are before the level of heights, and before the aperture.
     flux : ndarray
         Flux per solid angle straight ahead.
     lambert : floating
@@ -65,6 +72,7 @@ class NearLight(NamedTuple):
     x: AnyArray
     y: AnyArray
     below: AnyArray
+    ahead: AnyArray
     flux: AnyArray
     lambert: Number
     patterns: AnyArray
@@ -75,7 +83,7 @@ class NearLight(NamedTuple):
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
 def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one direction at a batch of samples."""
-    zero = t.dtype.type(0)
+    zero, one = t.dtype.type(0), t.dtype.type(1)
     d_x, d_y, d_z, flux = light.x[k], light.y[k], light.z[k], light.flux[k]
     for lane in range(np.uintp(lanes)):
         t[S_X + lane] = d_x / d_z
@@ -84,9 +92,11 @@ def from_far(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
         t[D_S_X + lane] = zero
         t[D_S_Y + lane] = zero
         t[D_BRIGHT + lane] = zero
+        t[BY_WAY + lane] = zero
+        t[NARROWED + lane] = one
     if light.narrowing > zero:  # in a loop of its own: exp does not vectorise
         for lane in range(np.uintp(lanes)):
-            z = t[Z + lane]
+            z = t[Z + lane] - light.front
             along = x[lane] * d_x + y * d_y + z * d_z
             beside2 = x[lane] * x[lane] + y * y + z * z - along * along
             bright = flux * np.exp(-light.narrowing * beside2)
@@ -99,13 +109,8 @@ def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one point at a batch of samples."""
     kind = t.dtype.type
     zero, one, two, power = kind(0), kind(1), kind(2), kind(3) + light.lambert
-    p_x, p_y, below, flux, lambert = (
-        light.x[k],
-        light.y[k],
-        light.below[k],
-        light.flux[k],
-        light.lambert,
-    )
+    p_x, p_y, below, ahead = light.x[k], light.y[k], light.below[k], light.ahead[k]
+    flux, lambert = light.flux[k], light.lambert
     for lane in range(np.uintp(lanes)):
         way = t[Z + lane] + below
         by_way = one / way if way > zero else zero  # dark is what does not lie ahead
@@ -119,6 +124,8 @@ def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
         t[BRIGHT + lane] = bright
         t[D_S_X + lane] = -s_x * by_way
         t[D_S_Y + lane] = -s_y * by_way
+        t[BY_WAY + lane] = by_way
+        t[NARROWED + lane] = ahead * by_way if way > zero else one
         t[D_BRIGHT + lane] = bright * by_way * (power * sine2 * cos2 - two)
     if len(light.patterns):
         _weigh(light, k, lanes, t)

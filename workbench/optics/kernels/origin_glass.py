@@ -13,14 +13,13 @@ import numpy as np
 
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import Z
+from workbench.optics.kernels.outlines import held
 from workbench.optics.kernels.rows import OWN
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 
 _ONE = np.uintp(1)
-# In the middle of the lens no distance to an outline has a direction.
-_CENTRE = 1e-12
 # Numbers of a batch: slopes in the glass, flux of a level sample, what the glass has taken of it,
 # and derivatives by the depth.
 S_X, S_Y, BRIGHT, ABSORBED, D_S_X, D_S_Y, D_BRIGHT, NEXT = (
@@ -109,23 +108,6 @@ def _narrow(sky, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
 
 
 @jit(fastmath=FAST, error_model="numpy", forceinline=True)
-def _held(x, y, d_x, d_y, wide, high, outline):  # type: ignore[no-untyped-def]
-    """About how much of a sample's part is inside a curved outline, and its derivative."""
-    kind = type(x)
-    zero, one, two, centre = kind(0), kind(1), kind(2), kind(_CENTRE)
-    level = np.sqrt(max(x * x * outline.by_x2 + y * y * outline.by_y2, centre))
-    d_level = (x * d_x * outline.by_x2 + y * d_y * outline.by_y2) / level
-    wide, high = wide * outline.by_x2, high * outline.by_y2
-    across = max(abs(x) * wide + abs(y) * high, centre)
-    d_across = (d_x if x > zero else -d_x) * wide + (d_y if y > zero else -d_y) * high
-    over = level * (one - level) / across
-    rise = (d_level * (one - two * level) - over * d_across) / across
-    held = kind(0.5) + over
-    partly = (held > zero) & (held < one)
-    return min(max(held, zero), one), rise if partly else zero
-
-
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
 def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
     """What a curved outline keeps off: at the exit face by area, and at the entrance face."""
     if not outline.curved:
@@ -137,8 +119,8 @@ def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-
         depth = max(t[Z + lane] + medium.lift, zero)
         s_x, s_y, wide = t[S_X + lane], t[S_Y + lane], high[lane] - low[lane]
         d_x, d_y = -s_x - depth * t[D_S_X + lane], -s_y - depth * t[D_S_Y + lane]
-        here, _ = _held(x[lane], y, zero, zero, wide, tall, outline)
-        there, rise = _held(x[lane] - s_x * depth, y - s_y * depth, d_x, d_y, wide, tall, outline)
+        here, _ = held(x[lane], y, zero, zero, wide, tall, outline)
+        there, rise = held(x[lane] - s_x * depth, y - s_y * depth, d_x, d_y, wide, tall, outline)
         whole = there >= here
         by_here = one / (here if here > zero else one)
         left = inside[lane] * (one if whole else there * by_here)

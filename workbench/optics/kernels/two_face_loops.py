@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from workbench.compiled import jit
+from workbench.optics.kernels.aperture import stop
 from workbench.optics.kernels.front_light import from_far, from_near
 from workbench.optics.kernels.grid import (
     Z_X,
@@ -77,6 +78,7 @@ def _make_land(name: str, shine: Any) -> Any:
                 blend(rows, up, j, lanes, t)
                 for k in range(len(light.flux)):
                     shine(light, k, x, up.place[j], lanes, t)
+                    stop(body.aperture, x, up.place[j], i, j, lanes, t)
                     enter(body, x, up.place[j], body.areas[j, i:], lanes, t, w, sums)
                     _begin(depths, i, k * count + j, lanes, w)
                     meet(net, bounds, table, w, lanes, patch, before, columns)
@@ -97,7 +99,8 @@ def _make_back(name: str, shine: Any) -> Any:
         cotangent, d_rooms = cotangents
         kind = heights.dtype.type
         rows, d_rows = make_rows(heights), make_rows(heights)
-        t, sums = np.empty(_NUMBERS, heights.dtype), np.zeros(8)
+        # Where all light passes the aperture, its slopes by those of the face stay 0.
+        t, sums = np.zeros(_NUMBERS, heights.dtype), np.zeros(8)
         w, columns = np.empty(ROWS * BATCH, heights.dtype), make_columns(table)
         patch = np.zeros(BATCH, np.int32)
         count = len(up.first)
@@ -114,6 +117,7 @@ def _make_back(name: str, shine: Any) -> Any:
                 for k in range(len(light.flux)):
                     areas = body.areas[j, i:]
                     shine(light, k, x, up.place[j], lanes, t)
+                    stop(body.aperture, x, up.place[j], i, j, lanes, t)
                     enter(body, x, up.place[j], areas, lanes, t, w, sums)
                     _met(depths, i, k * count + j, lanes, w)
                     place(net, w, lanes, patch)

@@ -11,8 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.compiled import jit
+from workbench.optics.kernels.aperture import Aperture
 from workbench.optics.kernels.front_light import (
     BRIGHT,
+    BY_Z_X,
+    BY_Z_Y,
     D_BRIGHT,
     D_S_X,
     D_S_Y,
@@ -78,6 +81,8 @@ class Body(NamedTuple):
 
     Attributes
     ----------
+    aperture : Aperture
+        Before the entrance face.
     areas : ndarray, shape (samples along y, samples along x)
         What each sample stands for, as seen along the axis.
     lift : floating
@@ -96,6 +101,7 @@ class Body(NamedTuple):
         Of both faces.
     """
 
+    aperture: Aperture
     areas: npt.NDArray[Number]
     lift: Number
     critical: Number
@@ -315,5 +321,7 @@ def enter_back(body, areas, lanes, t):  # type: ignore[no-untyped-def]
         d_z = t[_D_START + lane] + d_s_x * t[D_S_X + lane] + d_s_y * t[D_S_Y + lane]
         d_z += d_flux * lean * transmitted * t[D_BRIGHT + lane]
         t[SUM_Z + lane] += d_z if enters else zero
+        d_z_x += d_flux * lean * transmitted * t[BY_Z_X + lane]
+        d_z_y += d_flux * lean * transmitted * t[BY_Z_Y + lane]
         t[SUM_Z_X + lane] += d_z_x if enters else zero
         t[SUM_Z_Y + lane] += d_z_y if enters else zero

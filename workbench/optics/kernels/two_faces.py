@@ -17,6 +17,7 @@ from workbench.optics.account import Account
 from workbench.optics.front_samples import FrontGrid, FrontSamples
 from workbench.optics.intersection import RIM
 from workbench.optics.kernels import threads
+from workbench.optics.kernels.aperture import Aperture
 from workbench.optics.kernels.exit_face import ExitFace
 from workbench.optics.kernels.front_light import FarLight, NearLight
 from workbench.optics.kernels.function import kind_of, trace_two
@@ -111,6 +112,7 @@ class _Given:
         self.face = Face(leaving.net, path.dtype)
         by_x2, by_y2 = (kind(1 / r**2) for r in front.half_width)
         self.body = Body(
+            _aperture(front, kind),
             np.ascontiguousarray(front.areas.T, kind),
             kind(entrance.level - leaving.level),
             kind(16 * np.finfo(kind).eps),
@@ -202,6 +204,19 @@ def _faces(front: FrontGrid) -> tuple[ExitFace, ExitFace]:
     return entrance, leaving
 
 
+def _aperture(front: FrontGrid, kind: Kind) -> Aperture:
+    origins, curved = front.origins, not front.outline.whole
+    straight = origins.infinite and not origins.places[:, :2].any()
+    low_x, high_x, low_y, high_y = (
+        np.ascontiguousarray((2 * end - 1) * r, kind)
+        for line, r in zip(front.lines, front.half_width, strict=True)
+        for end in (line.low, line.high)
+    )
+    (r_x, r_y), ends = front.half_width, (low_x, high_x, low_y, high_y)
+    size = kind(r_x), kind(r_y), curved, kind(1 / r_x**2), kind(1 / r_y**2)
+    return Aperture(straight, kind(front.front_z - front.level), *size, *ends)
+
+
 def _axis(net: ControlNet, axis: int, part: Array, kind: Kind) -> Axis:
     found = make_axis(net, axis, part, kind)
     return found._replace(place=found.place.astype(kind))
@@ -212,13 +227,17 @@ def _light(front: FrontGrid, kind: Kind) -> FarLight | NearLight:
     x, y, z = origins.places.T
     if origins.infinite:
         x, y, z, flux = (part.astype(kind) for part in (x, y, z, origins.flux * z))
-        return FarLight(x, y, z, flux, kind(2 / origins.waist**2))
+        return FarLight(
+            x, y, z, flux, kind(2 / origins.waist**2), kind(front.front_z - front.level)
+        )
     patterns = front.patterns()
     patterns = np.zeros((0, 2, 2)) if patterns is None else patterns
     per_x, per_y = (kind((patterns.shape[1] - 1) / (2 * r)) for r in front.half_width)
-    x, y, below, flux = (part.astype(kind) for part in (x, y, front.level - z, origins.flux))
+    x, y, below, ahead, flux = (
+        part.astype(kind) for part in (x, y, front.level - z, front.front_z - z, origins.flux)
+    )
     table = np.ascontiguousarray(patterns, kind)
-    return NearLight(x, y, below, flux, kind(origins.lambertian), table, per_x, per_y)
+    return NearLight(x, y, below, ahead, flux, kind(origins.lambertian), table, per_x, per_y)
 
 
 def compile_for(dtype: torch.dtype) -> None:
@@ -230,10 +249,11 @@ def compile_for(dtype: torch.dtype) -> None:
     exit_face = face.net, face.bounds(heights, np.ones(2)), make_table(heights, face.powers)
     pair, axes = np.ones(2, kind), (one, one, one)
     laws = (TransmittanceLaw.fresnel(ratio).cast(kind) for ratio in (1 / 1.5, 1.5))
-    body = Body(np.ones((2, 2), kind), -one, kind(1e-6), one, False, one, one, one, *laws)
+    aperture = Aperture(False, one, one, one, False, one, one, pair, pair, pair, pair)
+    body = Body(aperture, np.ones((2, 2), kind), -one, kind(1e-6), one, False, one, one, one, *laws)
     landing = Landing(False, axes, one, axes, axes, one, one)
-    near = NearLight(pair, pair, pair, pair, one, np.ones((2, 2, 2), kind), one, one)
-    for loops, light in ((FROM_FAR, FarLight(pair, pair, pair, pair, one)), (FROM_NEAR, near)):
+    near = NearLight(pair, pair, pair, pair, pair, one, np.ones((2, 2, 2), kind), one, one)
+    for loops, light in ((FROM_FAR, FarLight(pair, pair, pair, pair, one, one)), (FROM_NEAR, near)):
         nodes, gradients = np.zeros((3, 4, 2), kind), (np.zeros((2, 2)), np.zeros((1, 2, 2)))
         given = heights, bases, exit_face, light, body, landing, np.zeros((4, 2), kind), 0, 2
         loops.land(*given, nodes, nodes[0], np.zeros(SUMS))

@@ -10,9 +10,10 @@ from torch import Tensor
 
 from workbench.arrays import Array
 from workbench.optics.rays import RayBundle
-from workbench.optics.samples import Samples
+from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.area import AreaEmitter
 from workbench.optics.sources.collimated import CollimatedEmitter
+from workbench.optics.sources.crowding import where_lit
 from workbench.optics.sources.directions import DirectionEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.sources.photometric import PhotometricEmitter
@@ -101,6 +102,8 @@ class Emitter(Protocol):
 
 def _collimated(source: CollimatedSource, optic: Optic, samples: Samples | None) -> Emitter:
     straight = source.along_axis
+    if isinstance(samples, Corners):
+        samples = where_lit(samples, source, optic)
     return (CollimatedEmitter if straight else DirectionEmitter)(source, optic, samples)
 
 

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
-from workbench.optics.samples import Corners, Samples, cells, parts_inside, places, shares
+from workbench.optics.samples import Corners, Samples, cells, counts, parts_inside, places, shares
 from workbench.optics.sources.origins import Origins
 from workbench.scene import CollimatedSource, Optic
 
@@ -83,7 +83,7 @@ class CollimatedEmitter:
             erf(math.sqrt(2) * (2 * part - 1) * r / self._waist)
             for part in (sampled.high, sampled.low)
         )
-        return np.asarray(self.samples[axis] * (high - low) / 2)
+        return np.asarray(counts(self.samples)[axis] * (high - low) / 2)
 
     def rays(self, seed: int, draw: int = 0) -> RayBundle:
         """The same rays for every seed and draw; see `Emitter.rays`."""

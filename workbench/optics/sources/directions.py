@@ -9,6 +9,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
+from workbench.optics.sources.crowding import where_lit
 from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
@@ -32,7 +33,7 @@ class DirectionEmitter(ExtendedEmitter):
         self, source: CollimatedSource, optic: Optic, samples: Samples | None = None
     ) -> None:
         super().__init__(optic, source.ray_count, samples)
-        self._source = source
+        self._source, self.many = source, where_lit(self.many, source, optic)
 
     def origins_at(self, places: SpreadPlaces) -> Origins:
         """See `ExtendedEmitter`; directions are even in solid angle."""

@@ -15,9 +15,6 @@ from workbench.optics.sources.evenly import Outline, SpreadPlaces, at_corners, f
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
 from workbench.scene import Optic
 
-# Cells and origins that tell how much light meets the lens, where rays are drawn at random.
-_MANY = Corners(64, 64, 64)
-
 
 class ExtendedEmitter(ABC):
     """Light of a source of some size, which stands as a set of origins; an `Emitter`.
@@ -38,6 +35,8 @@ class ExtendedEmitter(ABC):
     by_area = True
     outline: Outline
     aspect: float = 1.0
+    many = Corners(64, 64, 64)
+    """Cells and origins that tell how much light meets the lens, where rays are drawn at random."""
 
     def __init__(self, optic: Optic, rays: int, samples: Samples | None) -> None:
         self.optic, self.samples = optic, samples
@@ -62,7 +61,7 @@ class ExtendedEmitter(ABC):
     @cached_property
     def beside(self) -> float:
         """See `Emitter`; all of it that misses the lens."""
-        rays = self._through_cells(self.samples or _MANY)
+        rays = self._through_cells(self.samples or self.many)
         return 1 - float(rays.flux.sum())
 
     @property

@@ -108,11 +108,17 @@ class SplineFace:
 
     def _inside(self, found: Crossings) -> Crossings:
         """Crossings without those beside the outline."""
-        across = np.abs(found.position[:, 0]) / self._spline.r_x
-        up = np.abs(found.position[:, 1]) / self._spline.r_y
-        radius = across**2 + up**2 if self._spline.curved else np.maximum(across, up)
-        flux = np.where(radius <= _RIM, found.flux, 0.0)
+        return self._within(found, found.position)
+
+    def _within(self, found: Crossings, place: Array) -> Crossings:
+        """Crossings of rays of which some places (m, 2 or 3) are inside the outline."""
+        flux = np.where(self._radius(place) <= _RIM, found.flux, 0.0)
         return found._replace(flux=flux, missed=found.missed + float((found.flux - flux).sum()))
+
+    def _radius(self, place: Array) -> Array:
+        """Parts of the way from the axis to the rim at places; of ellipses their squares."""
+        across, up = np.abs(place[:, 0]) / self._spline.r_x, np.abs(place[:, 1]) / self._spline.r_y
+        return np.asarray(across**2 + up**2 if self._spline.curved else np.maximum(across, up))
 
     def _length_beside(self, place: Array, way: Array, onwards: int) -> Array:
         """How far rays go from the face until they are beside it or beyond all of it."""
@@ -140,14 +146,31 @@ class SplineFace:
 
 
 class FrontFace(SplineFace):
-    """The face that light meets first, perhaps before the plane of counted rays; a `TracedFace`."""
+    """The face that light meets first, perhaps before the plane of the aperture; a `TracedFace`.
+
+    Light of the source is what passes the outline in the plane z = 0: other rays miss the face.
+    """
 
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays from far below first meet it; see `TracedFace.meet`."""
         way = rays.direction / rays.direction[:, 2:]
         back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
         # What comes in from beside, over the rim, meets no front.
-        return self._inside(super().meet(rays._replace(position=rays.position - back * way)))
+        found = super().meet(rays._replace(position=rays.position - back * way))
+        return self._inside(self._within(found, self._crossing(rays)))
+
+    def lit(self, source: FaceLight, origin: int, x: Array, y: Array) -> TracedRays:
+        """See `TracedFace.lit`."""
+        rays = super().lit(source, origin, x, y)
+        through = self._radius(self._crossing(rays)) <= _RIM
+        return rays._replace(flux=np.where(through, rays.flux, 0.0))
+
+    @staticmethod
+    def _crossing(rays: TracedRays) -> Array:
+        """Where rays cross the plane of the aperture, shape (m, 2)."""
+        way, ahead = rays.direction[:, :2], rays.direction[:, 2:]
+        slope = way / np.where(ahead > 0, ahead, np.inf)  # rays that go back meet no face
+        return np.asarray(rays.position[:, :2] - rays.position[:, 2:] * slope)
 
 
 def _pieces(knots: Array, degree: int) -> Array:
