@@ -187,7 +187,8 @@ def export(
     ------
     Refused
         If the session has no lens, it is no body, the unit is unknown, an ending tells no format,
-        or a file cannot be written.
+        or a file cannot be written. At the end, if a format cannot hold what is asked; the other
+        files are written.
 
     Examples
     --------

@@ -5,6 +5,8 @@ import trimesh
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
+from workbench.errors import RunFailed
+from workbench.files.export.formats import FORMATS
 from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
@@ -79,6 +81,31 @@ def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     assert reason in stderr
     assert stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == [lens]
+
+
+def test_files_that_are_refused_stop_no_other_and_are_named(freeform, lens, tmp_path):
+    names = "a.nc", "a.stl", "a.gcode", "a.obj"
+    files = [tmp_path / name for name in names]
+    given = "--chord-error", "0.01", "--tool-radius", "50"
+    status, stdout, stderr = freeform("export", lens, *files, *given)
+    assert status == 2
+    assert [line.split(":")[0] for line in stdout.splitlines()] == [str(files[1]), str(files[3])]
+    assert stderr.count("\n") == 1
+    for file in (files[0], files[2]):
+        assert f"{file}: " in stderr and not file.exists()
+    assert trimesh.load_mesh(files[1]).is_watertight and files[3].exists()
+
+
+def test_a_library_that_fails_stops_no_other_file(freeform, lens, tmp_path, monkeypatch):
+    def fail(design, file):
+        raise RunFailed("no library")
+
+    (step,) = {found.writer for found in FORMATS if ".step" in found.endings}
+    monkeypatch.setattr(f"workbench.files.export.step.{step}", fail)
+    files = tmp_path / "a.step", tmp_path / "a.stl"
+    status, _, stderr = freeform("export", lens, *files, "--chord-error", "0.01")
+    assert status == 1 and stderr == f"freeform: {files[0]}: no library\n"
+    assert files[1].exists() and not files[0].exists()
 
 
 def test_a_scene_without_a_lens_is_refused(freeform, scene_file, tmp_path):

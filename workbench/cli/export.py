@@ -17,7 +17,7 @@ def export(
     ------
     Refused
         If the session cannot be read or holds no lens or one that is no body, or a file cannot be
-        written.
+        written. At the end, if a format cannot hold what is asked; the other files are written.
     RunFailed
         If another program's library that is needed fails.
     """

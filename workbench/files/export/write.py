@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from workbench.design.session import result_of
-from workbench.errors import Refused
+from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.design import Design, Deviation
@@ -49,7 +49,7 @@ def export(
     cutting: Cutting = PLAIN,
     mesh_unit: str = MILLIMETRES,
 ) -> Iterator[Written]:
-    """Write a lens and its light, one file after the other.
+    """Write a lens and its light, one file after the other; one that is refused stops no other.
 
     Parameters
     ----------
@@ -74,8 +74,10 @@ def export(
     ------
     Refused
         If the session has no lens or one that is no body, the unit is unknown, an ending tells no
-        format or a file cannot be written, all of it before anything is written; later, if a format
-        cannot hold what is asked.
+        format or a file cannot be written, all of it before anything is written. At the end, if a
+        format cannot hold what is asked; it names each such file.
+    RunFailed
+        At the end, if nothing was refused and another program's library that is needed fails.
     """
     result = result_of(session)
     check_body(session.scene, result.state.heights)
@@ -89,11 +91,38 @@ def export(
                 str(path), Said("the {face} face is flat, so it has no file", face=found.face)
             )
         check_writable(path)
+    failures: list[tuple[Path, Refused | RunFailed]] = []
     for path, found in zip(paths, formats, strict=True):
-        write = found.load()
-        with replacing(path) as file:
-            deviation = write(design, file)
-        yield Written(path, _described(found, faces), deviation)
+        try:
+            write = found.load()
+            with replacing(path) as file:
+                deviation = write(design, file)
+        except (Refused, RunFailed) as failure:
+            failures.append((path, failure))
+        else:
+            yield Written(path, _described(found, faces), deviation)
+    if failures:
+        raise failures[0][1] if len(paths) == 1 else _together(failures)
+
+
+def _together(failures: Sequence[tuple[Path, Refused | RunFailed]]) -> Refused | RunFailed:
+    """One refusal or failure that names each file."""
+    (first, failure), *others = failures
+    reason: str = _of_file(first, failure)
+    for path, other in others:
+        reason = Said(
+            "{reason}; {path}: {other}", reason=reason, path=path, other=_of_file(path, other)
+        )
+    if all(isinstance(each, RunFailed) for _, each in failures):
+        return RunFailed(Said("{path}: {reason}", path=first, reason=reason))
+    return Refused(str(first), reason)
+
+
+def _of_file(path: Path, failure: Refused | RunFailed) -> str:
+    """Why a file is not written, without its name."""
+    if isinstance(failure, Refused) and failure.path == str(path):
+        return failure.reason
+    return str(failure)
 
 
 def _described(found: Format, faces: Collection[str]) -> str:
