@@ -93,7 +93,7 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
     error = relative_l2(finished(fine.tracing()), target)
     monkeypatch.setattr(image, "_BEGIN", 1 << 19)
     monkeypatch.setattr(independent, "_BEGIN", 1 << 19)
-    found = validate(lens[0], target, lens[1], 100_000, accuracy=2e-3)
+    found = validate(lens[0], target, lens[1], 1_200_000, accuracy=2e-3)
     cells = found.by_cells
     assert cells.bound > 4 * 2e-3
     low, high = cells.relative_l2_corrected_interval

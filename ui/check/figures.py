@@ -38,6 +38,9 @@ _TIPS = later(
             "Cells and random rays trace the same light by different means. Where they differ by "
             "more than noise and error bounds explain, one of them is wrong."
         ),
+        "no deterministic figure": (
+            "The error is by random rays alone, whose noise is in the intervals below."
+        ),
         "optimiser and check": (
             "The image and the efficiency of the design differ from the check by more than errors "
             "explain: the optimiser traces fewer rays."

@@ -19,6 +19,9 @@ from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 from workbench.watch import Steps, within
 
+# Cells that are off by so many times what was asked for are left out if random rays know better.
+_FAR = 10
+
 
 @dataclass(frozen=True)
 class ByCells:
@@ -125,6 +128,17 @@ class ByCells:
             independent=independent,
         )
 
+    def poorer_than(self, interval: tuple[float, float]) -> bool:
+        """Whether the error is by far less exact than asked for, and than by random rays.
+
+        Parameters
+        ----------
+        interval : tuple[float, float]
+            Where the error lies by random rays.
+        """
+        low, high = self.relative_l2_corrected_interval
+        return self.bound > _FAR * self.wanted and high - low > interval[1] - interval[0]
+
     @property
     def difference_over_noise(self) -> float | None:
         """How far random rays are from this image, in units of their noise: 1 if both are right."""
@@ -183,21 +197,22 @@ def without_scatter(
     accuracy: float,
     pose: Pose | None,
     threads: int | None,
+    random_rays: int,
 ) -> Steps[tuple[CellImage | None, IndependentError | None]]:
     """Find the image by cells, and independent ones where these tell its error more exactly.
 
     Parameters
     ----------
-    scene, heights, accuracy, pose, threads
+    scene, heights, accuracy, pose, threads, random_rays
         As for `imaging`.
     target : ndarray, shape (n_y, n_x)
         The target image in any scale.
     """
-    steps = imaging(scene, heights, accuracy, pose, threads)
+    steps = imaging(scene, heights, accuracy, pose, threads, random_rays)
     image = yield from within(steps, lambda part: part / 2)
     if image is None or (off := image.error(target)[1]) <= accuracy or not image.sized:
         return image, None
-    rays = tracing_independently(scene, heights, target, accuracy, pose, threads)
+    rays = tracing_independently(scene, heights, target, accuracy, pose, threads, random_rays)
     independent = yield from within(rays, lambda part: 0.5 + part / 2)
     return image, independent if independent.unscattered.off < off else None
 

@@ -20,8 +20,9 @@ from workbench.arrays import Array
 from workbench.scene import Scene
 from workbench.watch import Steps, within
 
-# Rays of all images at first, and at most: some ten seconds on two cores.
-_BEGIN, _MOST = 1 << 22, 1 << 24
+# Rays of all images at first, and at most: some ten seconds on two cores. And for each ray of the
+# check at most.
+_BEGIN, _MOST, _EACH = 1 << 22, 1 << 24, 4
 
 
 class IndependentError(NamedTuple):
@@ -46,6 +47,7 @@ def tracing_independently(
     accuracy: float,
     pose: Pose | None = None,
     threads: int | None = None,
+    random_rays: int | None = None,
 ) -> Steps[IndependentError]:
     """Find the error of a lens from independent images; twice as many rays until it is exact.
 
@@ -57,9 +59,12 @@ def tracing_independently(
         The target image in any scale.
     accuracy : float
         How far the error may be off, unless that takes too many rays.
+    random_rays : int, optional
+        Random rays of the check: the images have at most four times as many.
     """
     images = np.zeros((BATCHES, *target.shape))
-    rays, run, together = 0, 0, _BEGIN
+    most = _MOST if random_rays is None else min(_EACH * random_rays, _MOST)
+    rays, run, together = 0, 0, min(_BEGIN, most)
     while True:
         more = (together if run == 0 else together // 2) // BATCHES
         for number in range(BATCHES):
@@ -69,7 +74,7 @@ def tracing_independently(
             rays += trace.rays
         found = CorrectedDistance.of_pairs(list(images), target)
         run, together = run + 1, 2 * together
-        if found.off <= accuracy or together > _MOST:
+        if found.off <= accuracy or together > most:
             return IndependentError(found, rays)
 
 

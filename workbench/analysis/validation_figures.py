@@ -61,7 +61,9 @@ class Validation:
     share : RandomShare
         The efficiency with its noise.
     by_cells : ByCells, optional
-        What cells say, where that was asked for and the source has not too many points.
+        What cells say, where that was asked for and possible.
+    left_out : Said, optional
+        Why nothing is said by cells although it was asked for.
     shading : Shading, optional
         Light that is counted although something is in its way, where cells were asked for.
     regions : tuple of RegionLight
@@ -86,6 +88,7 @@ class Validation:
     image_noise: float
     share: RandomShare
     by_cells: ByCells | None = None
+    left_out: Said | None = None
     shading: Shading | None = None
     regions: tuple[RegionLight, ...] = ()
     further: tuple["Validation", ...] = ()
@@ -159,6 +162,7 @@ class Validation:
             "noise": self.noise,
             "contradiction": self.contradiction,
             "deterministic": self.by_cells and self.by_cells.to_data(),
+            "deterministic_left_out": self.left_out,
             "shading": self.shading and self.shading.to_data(),
             **(regions if self.regions else {}),
             **(further if self.further else {}),

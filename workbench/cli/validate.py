@@ -116,6 +116,8 @@ def print_image(found: Validation, own: Array | None, receiver: AnyReceiver) -> 
     """Print what the check says of an image, and how far the optimiser's ``own`` is from it."""
     if found.by_cells:
         _print_cells(found.by_cells, own, receiver.place)
+    if found.left_out:
+        print(f"Without a deterministic figure: {found.left_out}")
     _print(found, None if own is None else relative_l2(found.irradiance, own))
     if own is not None and (remark := found.beside_run(own, receiver)):
         print(f"Note: {remark}")

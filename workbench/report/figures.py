@@ -40,6 +40,7 @@ def check_rows(
     quality, failed = found.quality, found.by_cells and found.by_cells.contradiction
     return (
         *((Fact("check failed", failed),) if failed else ()),
+        *((Fact("no deterministic figure", found.left_out),) if found.left_out else ()),
         *_cell_rows(found.by_cells),
         Fact("relative L2 error", percent(found.relative_l2)),
         Fact("95 % of other rays", _interval(found.relative_l2_interval)),

@@ -129,3 +129,31 @@ def test_leaving_it_ends_its_threads(make_scene):
     begun = time.monotonic()
     steps.close()
     assert time.monotonic() - begun < 30  # all levels take longer
+
+
+def test_few_random_rays_allow_few_rays_of_cells(make_scene, monkeypatch):
+    """The check is bounded by the rays that are asked for."""
+    followed = []
+
+    class Counted(CellLattice):
+        def tracing(self, threads=None):
+            found = yield from super().tracing(threads)
+            followed.append(self.rays)
+            return found
+
+    monkeypatch.setattr(image, "CellLattice", Counted)
+    monkeypatch.setattr(image, "_BEGIN", 1 << 15)
+    scene = make_scene()
+    few = found(scene, waves(scene), accuracy=1e-9, random_rays=1000)
+    assert max(followed) <= 2 << 15
+    more = found(scene, waves(scene), accuracy=1e-9, random_rays=20_000)
+    assert max(few.cells) < max(more.cells)
+    assert max(followed) <= 16 * 20_000
+
+
+def test_light_that_most_cells_lose_in_part_is_left_to_random_rays(make_scene, monkeypatch):
+    monkeypatch.setattr(image, "_BEGIN", 1 << 12)
+    near = {"kind": "grid", "center": [0, 0, -0.3], "half_width": [0.1, 0.1], "points": [1, 1]}
+    scene = make_scene({"source": near, "screen.half_width": [3.0, 3.0]})
+    steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
+    assert found(scene, steep, random_rays=100) is None

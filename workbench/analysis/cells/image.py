@@ -27,6 +27,9 @@ ACCURACY = 1e-3
 # Cells for all points of the source together in the first three levels at most: some seconds on two
 # cores. No later level is begun that would follow more rays than this: half a minute at most.
 _BEGIN, _MOST = 1 << 22, 1 << 26
+# Nor more than so many for each random ray of the check, if that is more than what is planned for
+# the first levels times this. Cells that are lost in part take more: no image is worth twice that.
+_EACH, _PLANNED, _PARTLY = 16, 2, 2
 # Least cells along an axis: as a rule, and where a source has many points.
 _ENOUGH, _FEWEST = 32, 8
 # From level to level the error is taken to fall by such a factor at most, and at least.
@@ -71,6 +74,7 @@ def imaging(
     accuracy: float = ACCURACY,
     pose: Pose | None = None,
     threads: int | None = None,
+    random_rays: int | None = None,
 ) -> Steps[CellImage | None]:
     """Find the image of a lens by cells, step by step.
 
@@ -93,11 +97,15 @@ def imaging(
         How the lens stands; straight and centred by default.
     threads : int, optional
         How many trace; as many as there are cores by default.
+    random_rays : int, optional
+        Random rays of the check. Up to 16 rays of cells are followed at each level for each of
+        these, or 8 million, and never more than 67 million, the default. The third level may take
+        twice as many.
 
     Returns
     -------
     CellImage or None
-        None if the source has so many points that three levels would take too long.
+        None if three levels would take too many rays.
 
     Raises
     ------
@@ -109,6 +117,9 @@ def imaging(
     levels = Levels(scene, heights, pose)
     if not levels.possible:
         return None
+    most = _MOST
+    if random_rays is not None:
+        most = min(max(_EACH * random_rays, _PLANNED * _BEGIN), _MOST)
     images: list[Array] = []
     bound, level = math.inf, 0
     while True:
@@ -122,8 +133,10 @@ def imaging(
             # Where origins double too, a level that is not the last one takes longer than random
             # rays that are as exact.
             hopeless = more > 1 and bound > _FASTEST * accuracy
-            if bound <= accuracy or hopeless or 4 * more * drawing.rays > _MOST:
+            if bound <= accuracy or hopeless or 4 * more * drawing.rays > most:
                 break
+        elif 4 * levels.more(level) * drawing.rays > _PARTLY * most:
+            return None
         level += 1
     if not image.any():
         dark = Said("no light of this lens reaches the screen, so there is no image to judge")

@@ -11,6 +11,7 @@ from workbench.analysis.tracing.sources.near import near_places
 @pytest.mark.parametrize("point", [(0.0, 0.0, -0.1), (0.7, -0.4, -1.0), (3.0, 0.0, -0.5)])
 def test_areas_are_the_derivative_of_places(point):
     a, b = np.meshgrid(np.linspace(0.01, 0.99, 9), np.linspace(0.02, 0.98, 7))
+    point = np.array([point])
     step = 1e-6
     x_0, _, area = near_places(a, b, point, (2.0, 1.0))
     x_1, _, _ = near_places(a + step, b, point, (2.0, 1.0))
@@ -21,7 +22,7 @@ def test_areas_are_the_derivative_of_places(point):
 
 def test_light_from_afar_gets_even_places():
     part = np.linspace(0, 1, 5)
-    x, y, area = near_places(part, part, (0.0, 0.0, -1e5), (2.0, 1.0))
+    x, y, area = near_places(part, part, np.array([[0.0, 0.0, -1e5]]), (2.0, 1.0))
     assert x == pytest.approx(4 * part - 2, abs=1e-6)
     assert y == pytest.approx(2 * part - 1, abs=1e-6)
     assert area == pytest.approx(8.0, rel=1e-6)
@@ -35,3 +36,19 @@ def test_rays_of_an_emitter_close_by_carry_almost_the_same_flux(make_scene, emis
     flux = np.concatenate([rays.flux for number in range(16) for rays in light.batch(number)])
     # Even places would give a spread of twice the mean and more.
     assert flux.std() < 0.5 * flux.mean()
+
+
+@pytest.mark.parametrize("away", [0.1, 1e-3, 1e-9])
+def test_a_wide_emitter_close_by_lights_the_face_beside_its_middle(make_scene, away):
+    """Each ray carries about as much, also where a point lights a spot of a billionth."""
+    near = {"kind": "area", "center": [0.1, 0, -away], "half_width": [0.3, 0.3]}
+    scene = make_scene({"source": near})
+    light = light_source(scene.source, scene.lens, Pose(), 50_000, 1)
+    rays = [rays for number in range(16) for rays in light.batch(number)]
+    flux = np.concatenate([each.flux for each in rays])
+    assert flux.sum() / light.rays * (1 + light.beside) == pytest.approx(1, abs=0.01)
+    assert flux.std() < flux.mean()
+    x = np.concatenate([each.position[:, 0] for each in rays])
+    mean = np.average(x, weights=flux)
+    assert mean == pytest.approx(0.1, abs=0.01)
+    assert np.sqrt(np.average((x - mean) ** 2, weights=flux)) > 0.3 / np.sqrt(3) - 0.01

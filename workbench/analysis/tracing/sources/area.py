@@ -33,8 +33,9 @@ class AreaLight(Unspread):
         self._given = source, optic, pose, rays, seed
         self._source, self._lens, self._pose, self._seed = source, optic, pose, seed
         self._upwards, self._half_width = pose.axis(), optic.half_width
-        middle = pose.to_lens(np.array([source.center]), optic.front_z)[0]
-        self._middle = middle[0], middle[1], middle[2]
+        middle = pose.to_lens(np.array([source.center]), optic.front_z)
+        # From afar all points light the face alike: places by the middle are spread more evenly.
+        self._middle = middle if -middle[0, 2] > max(source.half_width) else None
         self._lambertian = source.emission == "lambertian"
         self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays, self.emitted = self._cells.count, 1.0
@@ -52,7 +53,8 @@ class AreaLight(Unspread):
         random = np.random.default_rng([self._seed, 300 + number])
         for a, b in self._cells.batch(number):
             points = self._on_emitter(*pairs(random, len(a)))
-            x, y, area = near_places(a, b, self._middle, self._half_width)
+            foot = points if self._middle is None else self._middle
+            x, y, area = near_places(a, b, foot, self._half_width)
             rays = self._between(points, x, y)
             yield rays._replace(flux=rays.flux * area)
 

@@ -1,15 +1,15 @@
-"""Random places of a face that are as dense as the light of a source close to it."""
+"""Random places of a face that are as dense as the light of points close to it."""
 
 import numpy as np
 
 from workbench.arrays import Array
 
-# A source closer than this part of the half-width is taken to be as far: numbers would round off.
-_CLOSE = 1e-3
+# A point at the plane, or behind it where the face leans, gives no light: it needs some distance.
+_LEAST = 1e-15
 
 
 def near_places(
-    a: Array, b: Array, point: tuple[float, float, float], half_width: tuple[float, float]
+    a: Array, b: Array, points: Array, half_width: tuple[float, float]
 ) -> tuple[Array, Array, Array]:
     """Places for pairs that fill a square evenly, and the area that each stands for.
 
@@ -23,8 +23,9 @@ def near_places(
     ----------
     a, b : ndarray, shape (m,)
         In [0, 1].
-    point : tuple[float, float, float]
-        The middle of the source as the lens sees it, before the plane z = 0.
+    points : ndarray, shape (m, 3) or (1, 3)
+        Where each ray begins as the lens sees it, before the plane z = 0; one point may stand for
+        all.
     half_width : tuple[float, float]
         Of the rectangle that the places fill.
 
@@ -37,21 +38,25 @@ def near_places(
     --------
     >>> import numpy as np
     >>> a, b = np.meshgrid((np.arange(200) + 0.5) / 200, (np.arange(200) + 0.5) / 200)
-    >>> x, y, area = near_places(a.ravel(), b.ravel(), (0.5, 0.0, -1.0), (2.0, 1.0))
+    >>> point = np.array([[0.5, 0.0, -1.0]])
+    >>> x, y, area = near_places(a.ravel(), b.ravel(), point, (2.0, 1.0))
     >>> bool(abs(x).max() < 2 and abs(y).max() < 1), area.mean().round(1).item()
     (True, 8.0)
     """
     r_x, r_y = half_width
-    distance = max(-point[2], _CLOSE * max(half_width))
-    x, along_x = _along(a, np.array(distance), point[0], r_x)
-    y, along_y = _along(b, np.hypot(distance, x - point[0]), point[1], r_y)
+    foot_x, foot_y, z = points.T
+    distance = np.maximum(-z, _LEAST * max(half_width))
+    x, along_x = _along(a, distance, foot_x, r_x)
+    y, along_y = _along(b, np.hypot(distance, x - foot_x), foot_y, r_y)
     return x, y, along_x * along_y
 
 
-def _along(part: Array, distance: Array, foot: float, half: float) -> tuple[Array, Array]:
+def _along(part: Array, distance: Array, foot: Array, half: float) -> tuple[Array, Array]:
     """Places between both ends of a line, and the length that each stands for."""
     low, high = ((end - foot) / np.hypot(distance, end - foot) for end in (-half, half))
     sine = low + (high - low) * part
-    away = distance * sine / np.sqrt(1 - sine**2)
-    length = (high - low) * np.hypot(distance, away) ** 3 / distance**2
-    return (foot + away).clip(-half, half), length
+    with np.errstate(divide="ignore"):  # rounding may make a sine 1
+        away = distance * sine / np.sqrt(1 - sine**2)
+    place = (foot + away).clip(-half, half)
+    length = (high - low) * np.hypot(distance, place - foot) ** 3 / distance**2
+    return place, length

@@ -200,18 +200,19 @@ def _meet(spline, x, y, z, slope_x, slope_y, basis):  # type: ignore[no-untyped-
     high = min(side, spline.highest - z + slack)
     at_high = _over(spline, x, y, z, slope_x, slope_y, high, basis)
     # A face that climbs slower than a ray is met but once; else the ray looks on its way.
-    if abs(slope_x) * spline.steepest_x + abs(slope_y) * spline.steepest_y >= 1:
+    climb = abs(slope_x) * spline.steepest_x + abs(slope_y) * spline.steepest_y
+    if climb >= 1:
         spans_x = abs(slope_x) * spline.density_x
         spans_y = abs(slope_y) * spline.density_y
-        looks = _LOOKS * (2 + int((spans_x + spans_y) * (high - low)))
-        bottom, width = low, (high - low) / looks
-        for look in range(1, looks):
-            here = bottom + look * width
-            value = _over(spline, x, y, z, slope_x, slope_y, here, basis)
-            if value <= 0:
-                high, at_high = here, value
-                break
+        width = (high - low) / (_LOOKS * (2 + int((spans_x + spans_y) * (high - low))))
+        here, value = low, _over(spline, x, y, z, slope_x, slope_y, low, basis)
+        while value > 0 and here < high:
             low = here
+            # The face comes no closer than this climb allows: nothing is passed over.
+            here = min(here + max(value / (1 + climb), width), high)
+            value = _over(spline, x, y, z, slope_x, slope_y, here, basis)
+        if value <= 0:
+            high, at_high = here, value
     if side <= spline.lowest - z or at_high > 0:
         return -math.inf
     at_low = _over(spline, x, y, z, slope_x, slope_y, low, basis)
