@@ -49,6 +49,8 @@ class Situation:
         Whether the undo stack has a step in that direction.
     can_revert : bool
         Whether the design has a file and differs from it.
+    following : bool
+        Whether live update designs a lens just now.
     has_refused : bool
         Whether a field has an entry that was refused, which undo takes back first.
     """
@@ -61,6 +63,7 @@ class Situation:
     can_redo: bool
     can_revert: bool
     has_refused: bool
+    following: bool
 
     @property
     def two_faces(self) -> bool:
@@ -101,7 +104,7 @@ class Situation:
             "second_face": self.optic.most_faces > 1,
             "other_face": self.two_faces,
             "start": idle,
-            "continue": idle and self.has_lens,
+            "continue": idle and (self.has_lens or self.following),
             "pause": under_way,
             "stop": under_way,
             "restore_run": idle,
@@ -124,7 +127,7 @@ class Situation:
             **dict.fromkeys(
                 _TAKES_LENS, tr("Takes {lens}").format(lens=taken) if taken else no_lens
             ),
-            "continue": no_lens,
+            "continue": "" if self.following else no_lens,
             **({"undo": ""} if self.has_refused else {}),
             "second_face": ""
             if self.optic.most_faces > 1

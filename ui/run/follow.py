@@ -2,7 +2,8 @@
 
 1. One thread designs. An edit lets the design that is under way come to its first lens, if that
    comes soon; it is shown, and then the latest edit is next: whoever drags a slider sees lens after
-   lens. A design that nobody wants any more, after undo or a new task, ends at once.
+   lens. Where a first lens takes long, designs begin after a pause of the hand: nothing switches
+   itself off. A design that nobody wants any more, after undo or a new task, ends at once.
 2. Each lens is part of the step of its edit (`Document.improve`): whatever is done with the design
    is done with the best lens so far, and undoing the edit takes it back. Once a lens is finished,
    the next edit begins another step, also one of the same field; and the lens is a kept run.
@@ -17,6 +18,7 @@
 
 from dataclasses import dataclass, replace
 from functools import partial
+from time import monotonic
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -31,7 +33,6 @@ from ui.words import later, tr
 from workbench.design.endings import STOPPED
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
-from workbench.optics.kernels.ready import is_compiled
 from workbench.said import Said
 
 if TYPE_CHECKING:
@@ -42,14 +43,12 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _FIRST_MS, _FRAME_MS = 15, 66  # between two looks for a lens: the first one, better ones
-_PATIENCE_MS = 3000
 _GRACE_MS = 500  # that a design has for its first lens once an edit waits for its end
+_LATE_MS = 3000  # without a first lens, after which the status says that this takes long
+_SOON = 1.0  # seconds within which a first lens comes on a machine that keeps up
+_SHARE, _LONGEST = 0.5, 4.0  # pause after an edit: part of what a first lens takes, and seconds
 _UNDER_WAY = later("Following: the first design is under way")
-_SLOW = later(
-    "Edits are followed no longer: a first result of this design takes more "
-    "than {seconds:g} s here, time after time. Start designs it."
-)
-_TIMES = 2  # in succession that the first lens may be late, since the machine may be busy just once
+_SLOW = later("Following: the first design takes long here; edits wait for a pause")
 
 
 @dataclass(eq=False)
@@ -64,8 +63,10 @@ class _Design:
         What the thread does.
     own_step : bool
         Whether its lens is a step of its own: it follows no edit.
-    patient : bool
-        Whether its first lens may take long.
+    own_edit : bool
+        Whether it follows an edit, so that the lens of the edit before is still of interest.
+    began : float
+        When the thread began with it.
     has_lens : bool
         Whether there is a lens for it by now.
     """
@@ -73,7 +74,8 @@ class _Design:
     session: "Session"
     job: RunJob
     own_step: bool = False
-    patient: bool = False
+    own_edit: bool = False
+    began: float = 0.0
     has_lens: bool = False
 
 
@@ -88,8 +90,6 @@ class Follow(QObject):
         Shows the lenses; its runs go first.
     live : LiveDesign, optional
         Designs the lenses.
-    patience_ms : int
-        How long the first lens after an edit takes at most on a machine that keeps up.
 
     Attributes
     ----------
@@ -99,14 +99,11 @@ class Follow(QObject):
         The lens is as good as it gets, and the document has it.
     failed : Signal(str)
         Why a lens could not be designed.
-    gave_up : Signal(str)
-        The machine does not keep up: nothing is followed from now on.
     """
 
     message = Signal(str)
     settled = Signal()
     failed = Signal(str)
-    gave_up = Signal(str)
 
     def __init__(
         self,
@@ -114,7 +111,6 @@ class Follow(QObject):
         control: RunControl,
         parent: QObject,
         live: LiveDesign | None = None,
-        patience_ms: int = _PATIENCE_MS,
     ) -> None:
         super().__init__(parent)
         self._document, self._control = document, control
@@ -132,9 +128,12 @@ class Follow(QObject):
         self._background.failed.connect(self._fail)
         self._look = QTimer(self)
         self._look.timeout.connect(self._take_frame)
-        self._limit = QTimer(self, singleShot=True, interval=patience_ms)
-        self._limit.timeout.connect(self._note_late_lens)
-        self._late = 0  # first lenses in succession
+        self._late = QTimer(self, singleShot=True, interval=_LATE_MS)
+        self._late.timeout.connect(lambda: self._say(tr(_SLOW)))
+        self._pause = 0.0  # seconds without an edit before its design begins
+        self._waiting: _Design | None = None  # for such a pause
+        self._rested = QTimer(self, singleShot=True)
+        self._rested.timeout.connect(self._queue)
         self._grace = QTimer(self, singleShot=True, interval=_GRACE_MS)
         self._grace.timeout.connect(self._give_up)
         document.edited.connect(self._follow)
@@ -158,7 +157,7 @@ class Follow(QObject):
         if not on:
             self.rest()
         elif session.result is None and self.follows(session) and not self._control.busy:
-            self._begin(session, own_step=session.heights is not None, patient=True)
+            self._begin(session, own_step=session.heights is not None)
 
     def hold(self, held: bool) -> None:
         """Let something else go first, such as a check.
@@ -179,7 +178,7 @@ class Follow(QObject):
             if self._document.session.result is None:
                 self._wanted = waiting
         elif waiting is not None and not self._changes:
-            self._begin(waiting, patient=True)
+            self._begin(waiting)
 
     def close(self) -> None:
         """End the thread; safe to call twice."""
@@ -203,14 +202,16 @@ class Follow(QObject):
     def _note_change(self, session: "Session") -> None:
         """Count changes; what was opened without a lens gets one."""
         self._changes += 1
+        if self._rested.isActive():  # an edit begins the pause anew after this
+            self._rested.start(0)
         opened = not self._document.undo_stack.count()
         if opened and session.heights is None and self.follows(session):
-            self._begin(session, patient=True)
+            self._begin(session, abandons=True)
 
     def _begin_new(self, session: "Session") -> None:
         """Design the first lens of a new task."""
         if self.follows(session):
-            self._begin(session, patient=True)
+            self._begin(session, abandons=True)
 
     def _follow(self, before: "Session", after: "Session") -> None:
         alone, self._changes = self._changes == 1, 0
@@ -220,7 +221,7 @@ class Follow(QObject):
         elif asks_for_another_lens(before, after):
             self._begin(after, self._chain and alone, before=before)
         elif alone and self._wanted is not None:
-            self._begin(after, patient=True)  # the lens under way is wanted as before
+            self._begin(after)  # the lens under way is wanted as before
         else:
             self._chain = False
             self.rest()
@@ -232,9 +233,12 @@ class Follow(QObject):
         *,
         before: "Session | None" = None,
         own_step: bool = False,
-        patient: bool = False,
+        abandons: bool = False,
     ) -> None:
-        """Design a lens as soon as the design under way has one, and nothing else goes first."""
+        """Design a lens as soon as the design under way has one, and nothing else goes first.
+
+        Nothing is waited for where that design is abandoned.
+        """
         self._changes = 0
         if self._held:
             self._wanted, self._chain = session, False
@@ -242,20 +246,40 @@ class Follow(QObject):
         self._chain = True
         self._wanted, self._control.followed = session, True
         job = RunJob(session, generate=lambda *_: self._snapshots(session, goes_on, before))
-        self._next = _Design(session, job, own_step, patient)
-        self._background.begin(partial(work, job), self._next)
+        self._waiting = _Design(session, job, own_step, before is not None)
+        if abandons:
+            self._give_up()
+        if before is None or not self._pause:
+            self._queue()
+        else:
+            self._rested.start(round(1000 * self._pause))
+        self._say(tr(_UNDER_WAY))
+
+    def _queue(self) -> None:
+        """Let the thread begin with what waits, once it is free."""
+        self._rested.stop()
+        if self._changes:  # by somebody else
+            self.rest()
+            return
+        self._next, self._waiting = self._waiting, None
+        if self._next is None:
+            return
+        self._background.begin(partial(work, self._next.job), self._next)
         if self._design is None:
             self._take_next()
-        elif self._design.has_lens or before is None:
+        elif self._design.has_lens:
             self._give_up()
-        elif not self._grace.isActive():
+        elif self._next.own_edit and not self._grace.isActive():
             self._grace.start()
-        self._say(tr(_UNDER_WAY))
 
     def _give_up(self) -> None:
         """End the design that is under way: nobody waits for more of it."""
-        if self._design is not None:
-            self._design.job.gate.give_up()
+        design = self._design
+        if design is None:
+            return
+        design.job.gate.give_up()
+        if not design.has_lens:  # its first lens would have taken longer still
+            self._pause = max(self._pause, _pause_after(monotonic() - design.began))
 
     def _snapshots(
         self, session: "Session", goes_on: bool, before: "Session | None"
@@ -266,14 +290,14 @@ class Follow(QObject):
     def _take_next(self) -> None:
         """The thread has begun with what was next, or rests."""
         self._design, self._next = self._next, None
-        self._limit.stop()
+        self._late.stop()
         self._grace.stop()
         if self._design is None:
             self._look.stop()
             return
+        self._design.began = monotonic()
         self._look.start(_FIRST_MS)
-        if not self._design.patient and is_compiled():
-            self._limit.start()
+        self._late.start()
 
     def _take_frame(self) -> None:
         design = self._design
@@ -297,9 +321,8 @@ class Follow(QObject):
     def _note_lens(self, design: _Design) -> None:
         if not design.has_lens:
             design.has_lens = True
-            if self._limit.isActive():  # in time
-                self._limit.stop()
-                self._late = 0
+            self._late.stop()
+            self._pause = _pause_after(monotonic() - design.began)
             self._look.start(_FRAME_MS)
         if self._next is not None:
             self._give_up()
@@ -348,21 +371,14 @@ class Follow(QObject):
         if state == "running":
             self.rest()
 
-    def _note_late_lens(self) -> None:
-        self._late += 1
-        if self._late < _TIMES:
-            return
-        self._on, self._late = False, 0
-        self.rest()
-        self.gave_up.emit(tr(_SLOW).format(seconds=self._limit.interval() / 1000))
-
     def rest(self) -> None:
         """Design no more until the next edit, and let the control show the document's lens."""
         self._background.stop()
-        self._next = None
+        self._next = self._waiting = None
+        self._rested.stop()
         self._give_up()
         self._look.stop()
-        self._limit.stop()
+        self._late.stop()
         self._grace.stop()
         self._seen = None
         if self._wanted is not None:
@@ -373,3 +389,8 @@ class Follow(QObject):
     def _say(self, text: str) -> None:
         self._text = text
         self.message.emit(text)
+
+
+def _pause_after(seconds: float) -> float:
+    """Seconds without an edit before the next design, after one whose first lens took so long."""
+    return 0.0 if seconds < _SOON else min(_SHARE * seconds, _LONGEST)

@@ -176,10 +176,6 @@ class LoadedParts(QObject):
         follow, early, command = self.follow, self._early, self._early.commands["follow"]
         follow.settled.connect(self.runs.show)
         follow.failed.connect(early.messages.warn)
-        follow.gave_up.connect(
-            lambda why: early.messages.note(why, (tr("Follow"), command.trigger))
-        )
-        follow.gave_up.connect(lambda _: command.setChecked(False))
         self.check.under_way_changed.connect(follow.hold)
         self.tools.lens_taken.connect(follow.rest)
         command.triggered.connect(lambda on: settings.setValue(FOLLOW, on))

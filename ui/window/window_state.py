@@ -42,13 +42,13 @@ class WindowState:
 
     def __init__(self, early: EarlyParts, lens: LensOnShow) -> None:
         self._early, self._document, self._lens = early, early.document, lens
-        self._has_lens = False
+        self._has_lens = self._follows = False  # as shown last
         self.loaded: LoadedParts | None = None
 
     def show(self) -> None:
         """What can be done depends on the run, on the result and on the undo stack."""
         early, now = self._early, self._situation()
-        self._has_lens = now.has_lens
+        self._has_lens, self._follows = now.has_lens, now.following
         commands = early.commands
         commands.name_optic(now.optic.called)
         commands.allow(now.allows())
@@ -63,7 +63,8 @@ class WindowState:
 
     def show_following(self, text: str) -> None:
         """Say how far a lens is, many times a second; little else changes by it."""
-        if text and self._has_lens == (self._document.session.heights is not None):
+        has_lens = self._document.session.heights is not None
+        if text and self._follows and self._has_lens == has_lens:
             self._early.status.go_on(text)
         else:
             self.show()
@@ -79,6 +80,7 @@ class WindowState:
             can_redo=stack.canRedo(),
             can_revert=document.path is not None and document.dirty,
             has_refused=self._early.forms.refused,
+            following=self.loaded is not None and bool(self.loaded.follow.text),
         )
 
     def _undo_texts(self) -> dict[str, str]:

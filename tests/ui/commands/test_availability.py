@@ -18,10 +18,11 @@ def situation(
     can_redo=True,
     can_revert=True,
     has_refused=False,
+    following=False,
     optic=LENS,
 ):
     can = can_undo, can_redo, can_revert
-    return Situation(optic, state, has_lens, lens, *can, has_refused)
+    return Situation(optic, state, has_lens, lens, *can, has_refused, following)
 
 
 def allowed(**what):
@@ -37,6 +38,7 @@ def test_a_run_can_begin_only_when_there_is_none():
         assert not {"start", "continue"} & allowed(state=state)
     assert {"start", "continue"} <= allowed()
     assert "continue" not in allowed(has_lens=False)
+    assert "continue" in allowed(has_lens=False, following=True)
 
 
 @pytest.mark.parametrize("state", ["running", "paused", "stopping"])

@@ -58,16 +58,15 @@ def engine(snapshots):
 class Desk:
     """A document whose edits are followed, without a window."""
 
-    def __init__(self, session, engine, qtbot, patience_ms=30_000):
+    def __init__(self, session, engine, qtbot):
         self.document, self.engine, self._qtbot = Document(session, "small"), engine, qtbot
         self.control = RunControl(self.document, self.document)
         self.control.runner._generate = engine
         live = LiveDesign(engine, refit=lambda *_: None)
-        self.follow = Follow(self.document, self.control, self.document, live, patience_ms)
-        self.frames, self.settled, self.gave_up, self.failed = [], [], [], []
+        self.follow = Follow(self.document, self.control, self.document, live)
+        self.frames, self.settled, self.failed = [], [], []
         self.control.runner.frame_ready.connect(self.frames.append)
         self.follow.settled.connect(lambda: self.settled.append(self.document.session))
-        self.follow.gave_up.connect(self.gave_up.append)
         self.follow.failed.connect(self.failed.append)
 
     @property
@@ -105,8 +104,7 @@ class Desk:
 
 
 @pytest.fixture
-def make_desk(engine, qtbot, designed, monkeypatch):
-    monkeypatch.setattr(followed, "is_compiled", lambda: True)
+def make_desk(engine, qtbot, designed):
     desks = []
 
     def make(session=designed, on=True, **options):
@@ -406,31 +404,41 @@ def test_switching_off_stops_the_following_design_and_keeps_its_lens(desk, qtbot
     assert desk.follow.text == ""
 
 
-def test_following_is_switched_off_when_the_machine_is_too_slow_twice(make_desk, qtbot):
-    desk = make_desk(patience_ms=50)
+def test_a_slow_machine_makes_edits_wait_for_a_pause_and_switches_nothing_off(
+    desk, qtbot, monkeypatch
+):
+    monkeypatch.setattr(followed, "_SOON", 0.05)
+    monkeypatch.setattr(followed, "_SHARE", 2.0)
+    desk.follow._late.setInterval(50)
     desk.engine.hold()
-    desk.edit(7)
-    qtbot.waitUntil(lambda: desk.follow._late == 1)
-    assert desk.gave_up == []
-    desk.come_to_a_lens()
-    desk.edit(8)
-    desk.step()  # the design for the edit before ends
-    qtbot.waitUntil(lambda: bool(desk.gave_up))
-    assert desk.gave_up[0].startswith("Edits are followed no longer: a first result")
-    assert not desk.follow.follows(desk.document.session)
-    assert desk.document.session.result is None
-
-
-def test_a_lens_in_time_resets_the_count_of_late_ones(make_desk, qtbot):
-    desk = make_desk(patience_ms=50)
-    desk.engine.hold()
-    desk.edit(7)
-    qtbot.waitUntil(lambda: desk.follow._late == 1)
-    desk.follow._limit.setInterval(30_000)
+    desk.edit(6)
+    qtbot.waitUntil(lambda: "takes long" in desk.follow.text)
     desk.engine.leave.release(_FREE)
-    desk.edit(8)
     desk.wait()
-    assert desk.follow._late == 0
+    assert desk.follow._pause > 0.1
+    for z in (7, 8, 9):  # within one pause
+        desk.edit(z)
+    assert [z for z, _ in desk.engine.asked] == [6]
+    assert desk.follow.follows(desk.document.session) and desk.follow.text
+    desk.wait(2)
+    assert [z for z, _ in desk.engine.asked] == [6, 9]
+    assert desk.document.session.result is not None
+
+
+def test_edits_wait_no_longer_once_lenses_come_soon_again(desk):
+    desk.follow._pause = 0.05
+    desk.edit(6)
+    desk.wait()
+    assert desk.follow._pause == 0
+
+
+def test_undo_during_the_pause_after_an_edit_begins_no_design(desk, qtbot):
+    desk.follow._pause = 0.1
+    desk.edit(6)
+    desk.document.undo_stack.undo()
+    qtbot.wait(300)
+    assert desk.engine.asked == []
+    assert desk.follow.text == "" and not desk.follow._background.running
 
 
 def test_releasing_a_hold_that_never_began_starts_no_design(desk):
