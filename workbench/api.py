@@ -34,6 +34,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
+from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.mesh_unit import MILLIMETRES
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
@@ -42,6 +43,7 @@ from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
 
 __all__ = [
+    "Cutting",
     "DesignRun",
     "FaceArrays",
     "Refused",
@@ -162,6 +164,7 @@ def export(
     *files: File,
     chord_error: float | None = None,
     mesh_unit: str = MILLIMETRES,
+    cutting: Cutting = PLAIN,
 ) -> list[Written]:
     """Write the lens of a session and its light.
 
@@ -177,6 +180,8 @@ def export(
     mesh_unit : str
         Unit of lengths in STL, OBJ, PLY and 3MF files: "mm", "cm", "m", "inch", or "scene" for
         that of the scene. Most programs take them for millimetres.
+    cutting : Cutting
+        Cutter, feeds and spindle of G-code.
 
     Returns
     -------
@@ -199,9 +204,16 @@ def export(
     >>> written, = export(run.session, "lens.stl", chord_error=1e-3)
     >>> written.deviation.kind, written.deviation.size < 1e-3
     ('chord error', True)
+
+    A ball cutter of 0.5 mm, in the scene's unit, as G-code:
+
+    >>> cutting = Cutting(tool_radius=0.05, spindle_speed=12_000, feed=800)
+    >>> written, = export(run.session, "lens.nc", cutting=cutting)
+    >>> written.format
+    'G-code'
     """
     paths = [Path(file) for file in files]
-    return list(write_files(session, paths, chord_error, mesh_unit=mesh_unit))
+    return list(write_files(session, paths, chord_error, cutting, mesh_unit))
 
 
 def save(session: Session, path: File) -> None:

@@ -122,6 +122,21 @@ def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_pat
     assert "G-code, simulated cut off by " in stdout
     assert "cutter radius 0.05 cm," in stdout
     assert " F250\n" in path.read_text()
+    assert "\nM3 S10000\nG4 P3\n" in path.read_text()
+
+
+@pytest.mark.parametrize(
+    "option, value, allowed",
+    [
+        ("--spindle-speed", "0", "from 1 to 200,000 rpm"),
+        ("--plunge-feed", "1e9", "from 1 to 100,000 mm/min"),
+        ("--dwell", "nan", "from 0 to 600 s"),
+    ],
+)
+def test_what_a_machine_cannot_do_is_refused(freeform, lens, tmp_path, option, value, allowed):
+    status, _, stderr = freeform("export", lens, tmp_path / "a.nc", option, value)
+    assert status == 2
+    assert option in stderr and allowed in stderr
 
 
 def test_help_lists_the_endings(freeform, capsys):

@@ -4,9 +4,10 @@ import argparse
 import textwrap
 from typing import Any
 
-from workbench.cli.verbs.kinds import length
+from workbench.cli.verbs.kinds import length, ranged
 from workbench.cli.verbs.parser import add_verb
 from workbench.cli.verbs.shared import add_session
+from workbench.files.export.cutting import PLAIN, RANGES, Cutting
 from workbench.files.export.formats import ENDINGS
 from workbench.files.export.mesh_unit import MESH_UNITS, MILLIMETRES
 
@@ -47,21 +48,32 @@ def add(commands: Any) -> None:
     for name, metavar, does in (
         ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
         ("scallop", "LENGTH", "ridges between its cuts [1e-4 of the larger half-width]"),
-        ("safe-height", "LENGTH", "how far above the cuts it travels [its diameter]"),
+        ("safe-height", "LENGTH", "how far above the cuts the cutter travels [its diameter]"),
     ):
         parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
     parser.add_argument(
         "--rim", metavar="LENGTH", type=length, default=0.0, help="stock around it, to clamp it by"
     )
-    parser.add_argument(
-        "--feed", metavar="MM/MIN", type=length, default=600.0, help="default %(default)s"
-    )
+    for name, metavar, does in (
+        ("feed", "MM/MIN", "speed of cuts"),
+        ("plunge-feed", "MM/MIN", "speed down into the stock"),
+        ("spindle-speed", "RPM", "revolutions a minute"),
+        ("dwell", "SECONDS", "wait until the spindle is at its speed"),
+    ):
+        field = name.replace("-", "_")
+        least, most, unit = allowed = RANGES[field]
+        parser.add_argument(
+            f"--{name}",
+            metavar=metavar,
+            type=ranged(*allowed),
+            default=getattr(PLAIN, field),
+            help=f"{does}, {least:g} to {most:g} {unit}; default %(default)g",
+        )
     parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
 
 
 def _run(options: argparse.Namespace) -> None:
     from workbench.cli.export import export
-    from workbench.files.export.cutting import Cutting
 
     cutting = Cutting(
         options.tool_radius,
@@ -69,6 +81,9 @@ def _run(options: argparse.Namespace) -> None:
         options.rim,
         options.safe_height,
         options.feed,
+        options.plunge_feed,
+        options.spindle_speed,
+        options.dwell,
         options.negative,
     )
     export(options.session, options.files, options.chord_error, cutting, options.mesh_unit)

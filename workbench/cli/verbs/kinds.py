@@ -2,6 +2,7 @@
 
 import argparse
 import math
+from collections.abc import Callable
 from contextlib import suppress
 
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
@@ -25,6 +26,20 @@ def length(text: str) -> float:
     if math.isinf(number):
         raise argparse.ArgumentTypeError(f"{text!r}; a finite number is needed")
     return number
+
+
+def ranged(least: float, most: float, unit: str) -> Callable[[str], float]:
+    """Numbers within a range."""
+
+    def read(text: str) -> float:
+        with suppress(ValueError):
+            if least <= (number := float(text)) <= most:
+                return number
+        raise argparse.ArgumentTypeError(
+            f"{text!r}; a number from {least:g} to {most:,g} {unit} is needed"
+        )
+
+    return read
 
 
 def stops(text: str) -> float:

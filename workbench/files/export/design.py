@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -15,6 +15,10 @@ from workbench.files.export.mesh_unit import MILLIMETRES
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
+from workbench.watch import Watch, unwatched
+
+if TYPE_CHECKING:
+    from workbench.files.export.cut_plan import CutPlan
 
 METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
 """Length of each of the scene's units."""
@@ -46,6 +50,10 @@ class Design:
         How it is cut, where that is asked for.
     mesh_unit : str
         Unit of lengths in meshes; glTF has metres.
+    plan : CutPlan, optional
+        The cuts, where they have been planned before.
+    watch : callable
+        Is told which part of a file is done, where it takes long.
     """
 
     scene: Scene
@@ -54,6 +62,8 @@ class Design:
     face: str | None = None
     cutting: Cutting = PLAIN
     mesh_unit: str = MILLIMETRES
+    plan: "CutPlan | None" = None
+    watch: Watch = unwatched
 
     @property
     def unit(self) -> str:

@@ -7,15 +7,14 @@ written: the ball is swept over the rounded numbers, and what is left is compare
 
 from collections.abc import Iterator
 from functools import partial
-from typing import BinaryIO, NamedTuple
+from typing import BinaryIO
 
 import numpy as np
 
-from workbench.errors import Refused
+from workbench.files.export.cut_plan import CutPlan
 from workbench.files.export.design import Design, Deviation
-from workbench.geometry.tool_path import CutFace, Raster, Remains
+from workbench.geometry.tool_path import CutFace, Raster
 from workbench.powers import written
-from workbench.said import Said
 from workbench.watch import Steps, finished, within
 
 _FINE = 1e-4  # height of ridges over the larger half-width
@@ -23,35 +22,7 @@ _DIGITS = 5  # behind the point; GRBL reads seven in all
 _MOST = 1_000_000  # moves of a program
 _LEAST_RIDGES = 1e-4  # mm, unless they are asked for: programs round to 1e-5 mm
 _TRIES, _SMALLER = 5, 0.7  # radii of a cutter that nobody has asked for
-# Times the height of ridges that may be left, and be cut off: a cutter that fits does better.
-_LEFT, _OFF = 2.0, 0.25
-
-
-class CutPlan(NamedTuple):
-    """Cuts of a face, as a program has them, and what they leave.
-
-    Attributes
-    ----------
-    raster : Raster
-        The cuts, scene units.
-    scallop : float
-        Height of ridges that was planned.
-    remains : Remains
-        What the simulated cut leaves; the place is that of the face as it lies below the cutter.
-    top : float
-        Highest control height of the face as it lies below the cutter.
-    """
-
-    raster: Raster
-    scallop: float
-    remains: Remains
-    top: float
-
-    @property
-    def fits(self) -> bool:
-        """Whether the cutter leaves ridges alone."""
-        cut_off, left, _ = self.remains
-        return cut_off <= _OFF * self.scallop and left <= _LEFT * self.scallop
+_PLANNED = 0.8  # of the time that a program takes
 
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
@@ -62,24 +33,30 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     Refused
         If the cutter does not fit, or there are too many cuts.
     """
-    plan = finished(planning(design))
-    raster, radius, scallop = plan.raster, plan.raster.radius, plan.scallop
-    cut_off, left, (x, y) = plan.remains
-    if not plan.fits:
-        raise Refused(
-            "tool_radius",
-            Said(
-                "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
-                "cuts off {cut}; a smaller one, or run.min_tool_radius",
-                radius=written(radius, design.unit),
-                left=written(left, design.unit, 2),
-                x=written(x, design.unit),
-                y=written(y, design.unit),
-                cut=written(max(cut_off, 0), design.unit, 2),
-            ),
-        )
-    for line in _program(design, raster, scallop, plan.top):
-        file.write(f"{line}\n".encode())
+    return finished(writing(design, file), design.watch)
+
+
+def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
+    """Plan and simulate the cuts, unless the design has a plan, and write them; see `write_gcode`.
+
+    Each step takes a moment.
+    """
+    plan = design.plan
+    if plan is None:
+        plan = yield from within(planning(design), lambda done: _PLANNED * done)
+    refusal = plan.refusal(design.unit)
+    if refusal is not None:
+        raise refusal
+    begin = 0.0 if design.plan else _PLANNED
+    lines = "".join(f"{line}\n" for line in _header(design, plan))
+    file.write(lines.encode("ascii"))
+    rows = len(plan.raster.y)
+    for row in range(rows):
+        lines = "".join(f"{line}\n" for line in _cuts(design, plan, row))
+        file.write(lines.encode("ascii"))
+        yield begin + (1 - begin) * (row + 1) / rows
+    file.write("".join(f"{line}\n" for line in _footer(design, plan)).encode("ascii"))
+    radius, (cut_off, left, _) = plan.raster.radius, plan.remains
     return Deviation(
         "simulated cut off by",
         max(left, cut_off),
@@ -87,7 +64,7 @@ def write_gcode(design: Design, file: BinaryIO) -> Deviation:
         f"cutter radius {written(radius, design.unit)}, ridges up to "
         f"{written(left, design.unit, 2)}, cut into the face up to "
         f"{written(max(cut_off, 0), design.unit, 2)}; a finishing pass in mm, zero at the top of "
-        "the face",
+        f"the face, spindle {design.cutting.spindle_speed:g} rpm",
     )
 
 
@@ -101,14 +78,13 @@ def planning(design: Design) -> Steps[CutPlan]:
     Refused
         If there are too many cuts.
     """
-    up = -design.outward if design.cutting.negative else design.outward
-    heights = design.heights if up > 0 else -design.heights[::-1]
+    heights = design.heights if _looks_up(design) > 0 else -design.heights[::-1]
     face = CutFace(design.net, heights, design.outline)
     asked = design.cutting.tool_radius or design.scene.run.min_tool_radius
     radius, begin, plan = asked or face.fitting_radius, 0.0, None
     for _ in range(1 if asked else _TRIES):
         plan = yield from within(_planning(design, face, radius), partial(_from, begin))
-        if plan.fits:
+        if plan.refusal(design.unit) is None:
             break
         radius, begin = _SMALLER * radius, _from(begin, 0.5)
     assert plan is not None
@@ -123,7 +99,14 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     raster = yield from within(face.rastering(radius, scallop, _MOST), lambda done: 0.8 * done)
     raster = _rounded(raster, mm)
     remains = yield from within(face.left(raster), lambda done: 0.8 + 0.2 * done)
-    return CutPlan(raster, scallop, remains, top=float(face.heights.max()))
+    if _looks_up(design) < 0:  # the face lies turned over about y
+        remains = remains._replace(place=(-remains.place[0], remains.place[1]))
+    return CutPlan(raster, scallop, remains, float(face.heights.max()), face.fitting_radius)
+
+
+def _looks_up(design: Design) -> int:
+    """1 if what is cut looks to the scene's +z, -1 if to -z."""
+    return -design.outward if design.cutting.negative else design.outward
 
 
 def _from(begin: float, done: float) -> float:
@@ -140,26 +123,55 @@ def _rounded(raster: Raster, millimetres: float) -> Raster:
     return Raster(x, y, tip, raster.radius)
 
 
-def _program(design: Design, raster: Raster, scallop: float, top: float) -> Iterator[str]:
-    cutting, mm = design.cutting, 1e3 * design.metres
+def _heights(design: Design, plan: CutPlan) -> tuple[float, float]:
+    """How high the cutter travels, and its highest cut, mm over the zero of the program."""
+    raster, mm = plan.raster, 1e3 * design.metres
+    clear = design.cutting.safe_height or 2 * raster.radius
+    highest = float(raster.tip.max()) - plan.top
+    return mm * (highest + clear), mm * highest
+
+
+def _header(design: Design, plan: CutPlan) -> Iterator[str]:
+    """What the program is, and how it begins: no line has 80 characters, which GRBL cannot take."""
+    cutting, raster, mm = design.cutting, plan.raster, 1e3 * design.metres
     width, height = (2 * mm * (r + cutting.rim) for r in design.net.half_width)
-    deep = mm * (top - float(raster.tip.min()))
-    clear = 2 * raster.radius if cutting.safe_height is None else cutting.safe_height
-    safe = mm * (float(raster.tip.max()) - top + clear)
-    yield f"(freeform {'mould' if cutting.negative else 'face'}: finishing pass, mm)"
-    yield f"(ball cutter of radius {mm * raster.radius:.4f}, ridges {mm * scallop:.5f})"
+    deep = mm * (plan.top - float(raster.tip.min()))
+    safe, highest = _heights(design, plan)
+    yield f"(freeform {'mould' if cutting.negative else 'face'}: finishing pass)"
+    yield "(units: mm, mm/min, rpm, s)"
+    yield f"(ball cutter: radius {mm * raster.radius:.4f})"
+    yield f"(ridges between cuts: {mm * plan.scallop:.5f} high)"
+    yield f"(spindle speed: {cutting.spindle_speed:g} clockwise)"
+    yield f"(dwell until the spindle is at speed: {cutting.dwell:g})"
+    yield f"(feed: {cutting.feed:g}, plunge feed: {cutting.plunge_feed:g})"
+    yield f"(safe height: Z{safe:.4f}, {safe - highest:.4f} over the highest cut)"
     yield f"(stock {width:.3f} x {height:.3f}, cut {deep:.3f} deep)"
-    yield f"(clamping rim {mm * cutting.rim:.3f} wide; let holders keep off the cuts)"
+    yield f"(clamping rim {mm * cutting.rim:.3f} wide: keep holders off the cuts)"
+    x_end, y_end = (mm * float(each[-1]) for each in (raster.x, raster.y))
+    yield f"(middle of the ball goes to X +-{x_end:.3f}, Y +-{y_end:.3f})"
     yield "(zero: middle of the lens, highest control point of the face)"
     yield "G21 G90 G17 G94"
     yield f"G0 Z{safe:.4f}"
-    yield "M3"
-    x, y, z = (mm * each for each in (raster.x, raster.y, raster.tip - top))
-    yield f"G0 X{x[0]:.5f} Y{y[0]:.5f}"
-    yield f"G1 Z{z[0, 0]:.5f} F{cutting.feed:g}"
-    for row in range(len(y)):
-        ends = range(len(x)) if row % 2 == 0 else range(len(x) - 1, -1, -1)
-        yield from (f"G1 X{x[i]:.5f} Y{y[row]:.5f} Z{z[i, row]:.5f}" for i in ends)
-    yield f"G0 Z{safe:.4f}"
+    yield f"M3 S{cutting.spindle_speed:g}"
+    yield f"G4 P{cutting.dwell:g}"
+    x, y, z = (mm * float(each) for each in (raster.x[0], raster.y[0], raster.tip[0, 0] - plan.top))
+    yield f"G0 X{x:.5f} Y{y:.5f}"
+    yield f"G1 Z{z:.5f} F{cutting.plunge_feed:g}"
+
+
+def _cuts(design: Design, plan: CutPlan, row: int) -> Iterator[str]:
+    """One line of cuts; every second one goes back."""
+    mm, turn = 1e3 * design.metres, 1 if row % 2 == 0 else -1
+    x = (mm * plan.raster.x)[::turn].tolist()
+    z = (mm * (plan.raster.tip[:, row] - plan.top))[::turn].tolist()
+    y = mm * float(plan.raster.y[row])
+    feed = f" F{design.cutting.feed:g}" if row == 0 else ""
+    for at, deep in zip(x, z, strict=True):
+        yield f"G1 X{at:.5f} Y{y:.5f} Z{deep:.5f}{feed}"
+        feed = ""
+
+
+def _footer(design: Design, plan: CutPlan) -> Iterator[str]:
+    yield f"G0 Z{_heights(design, plan)[0]:.4f}"
     yield "M5"
-    yield "M2"
+    yield "M30"

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed
@@ -15,6 +15,10 @@ from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.powers import written
 from workbench.said import Said
+from workbench.watch import Watch, unwatched
+
+if TYPE_CHECKING:
+    from workbench.files.export.cut_plan import CutPlan
 
 
 class Written(NamedTuple):
@@ -48,6 +52,8 @@ def export(
     chord_error: float | None = None,
     cutting: Cutting = PLAIN,
     mesh_unit: str = MILLIMETRES,
+    plan: "CutPlan | None" = None,
+    watch: Watch = unwatched,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; one that is refused stops no other.
 
@@ -64,6 +70,10 @@ def export(
         How faces are cut, for G-code.
     mesh_unit : str
         Unit of lengths in STL, OBJ, PLY and 3MF files, or "scene" for that of the scene.
+    plan : CutPlan, optional
+        The cuts of this lens, where they have been planned and simulated before.
+    watch : callable
+        Is told which part of a file is done, where it takes long.
 
     Yields
     ------
@@ -82,7 +92,7 @@ def export(
     result = result_of(session)
     check_body(session.scene, result.state.heights)
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
-    design = Design(session.scene, result, chord_error, cutting=cutting, mesh_unit=unit)
+    design = Design(session.scene, result, chord_error, None, cutting, unit, plan, watch)
     formats = [format_of(path) for path in paths]
     faces = result.state.heights.keys()
     for path, found in zip(paths, formats, strict=True):

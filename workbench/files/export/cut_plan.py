@@ -1,0 +1,60 @@
+"""Cuts of a face, and whether the cutter fits."""
+
+from typing import NamedTuple
+
+from workbench.errors import Refused
+from workbench.geometry.tool_path import Raster, Remains
+from workbench.powers import written
+from workbench.said import Said
+
+# Times the height of ridges that may be left, and be cut off: a cutter that fits does better.
+_LEFT, _OFF = 2.0, 0.25
+
+
+class CutPlan(NamedTuple):
+    """Cuts of a face, as a program has them, and what they leave.
+
+    Attributes
+    ----------
+    raster : Raster
+        The cuts, scene units.
+    scallop : float
+        Height of ridges that was planned.
+    remains : Remains
+        What the simulated cut leaves, with the place in the scene's x and y.
+    top : float
+        Highest control height of the face as it lies below the cutter.
+    fitting_radius : float
+        Radius of a ball that fits everywhere, scene units.
+    """
+
+    raster: Raster
+    scallop: float
+    remains: Remains
+    top: float
+    fitting_radius: float
+
+    def refusal(self, unit: str) -> Refused | None:
+        """Why this is not written: the cutter leaves more than ridges. None if it fits.
+
+        Parameters
+        ----------
+        unit : str
+            The scene's unit of length.
+        """
+        cut_off, left, (x, y) = self.remains
+        if cut_off <= _OFF * self.scallop and left <= _LEFT * self.scallop:
+            return None
+        return Refused(
+            "tool_radius",
+            Said(
+                "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
+                "cuts off {cut}; one of {fitting} fits",
+                radius=written(self.raster.radius, unit),
+                left=written(left, unit, 2),
+                x=written(x, unit),
+                y=written(y, unit),
+                cut=written(max(cut_off, 0), unit, 2),
+                fitting=written(self.fitting_radius, unit, 2),
+            ),
+        )
