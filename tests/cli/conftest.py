@@ -43,7 +43,7 @@ def freeform(capsys, monkeypatch):
 def fake_run(monkeypatch, rng):
     """Puts a run in place: a second each iteration, loss 1/(i+1), before it ``events[i]()``."""
 
-    def put(events):
+    def put(events, seconds=float):
         def run(scene, target, start=None, locked=None):
             n_x, n_y = scene.screen.pixels
             for i in range(scene.run.iterations + 1):
@@ -58,7 +58,7 @@ def fake_run(monkeypatch, rng):
                     ),
                     iteration=i,
                     iterations=scene.run.iterations,
-                    seconds=float(i),
+                    seconds=seconds(i),
                     merit=1 / (i + 1),
                     best=True,
                 )

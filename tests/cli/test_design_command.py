@@ -238,12 +238,38 @@ class TestProgress:
         assert status == 0
         lines = progress.splitlines()
         assert [int(line.split("/")[0]) for line in lines] == list(range(0, 101, 5))
-        assert lines[10] == "50/100  loss 0.01961  00:50 left"
+        assert lines[0] == "0/100  loss 1"
+        assert lines[10] == "50/100  loss 0.01961  at most 00:50 left"
 
     def test_and_every_ten_seconds(self, freeform, scene_file, out, fake_run):
         fake_run({})  # each iteration takes a second
         _, _, progress = freeform("design", scene_file, "-o", out, "--iterations", 1000)
         assert [int(line.split("/")[0]) for line in progress.splitlines()][:3] == [0, 10, 20]
+
+    def test_the_first_lens_and_compiling_are_left_out_of_the_time_left(
+        self, freeform, scene_file, out, fake_run
+    ):
+        fake_run({}, seconds=lambda i: 0.0 if i == 0 else 900.0 + 2.0 * i)
+        _, _, progress = freeform("design", scene_file, "-o", out, "--iterations", 10)
+        lines = progress.splitlines()
+        assert [line for line in lines if "left" in line] == lines[4:11]
+        assert [line.split()[-2] for line in lines[4:11]] == [
+            f"00:{2 * left:02}" for left in range(6, -1, -1)
+        ]
+
+    def test_what_the_task_lacks_is_printed_from_the_start(self, freeform, tmp_path, make_scene):
+        scene = make_scene({"lens.height_range": [-0.01, 0.01], "lens.control_points": [24, 24]})
+        image = np.zeros((32, 32))
+        image[4:14, 4:14] = 1.0
+        np.save(tmp_path / "corner.npy", image)
+        data = scene.to_data() | {"target": {"image": "corner.npy"}}
+        data["run"] = {"method": "auto", "iterations": 3}
+        (tmp_path / "scene.json").write_text(json.dumps(data))
+        _, _, progress = freeform("design", tmp_path / "scene.json", "-o", tmp_path / "x.freeform")
+        said = [line for line in progress.splitlines() if "needs" in line]
+        assert len(said) == 2  # at the start and at the end
+        assert said[0].startswith("lens.height_range: The lens needs ")
+        assert progress.splitlines().index(said[0]) < 5
 
     def test_a_bar_on_a_terminal(self, freeform, scene_file, out, fake_run, monkeypatch):
         monkeypatch.setattr("sys.stderr.isatty", lambda: True)
@@ -252,5 +278,5 @@ class TestProgress:
         status, _, progress = freeform("design", scene_file, "-o", out)
         assert status == 0
         last = progress.rstrip("\n").split("\r")[-1]
-        assert last.endswith(" 10/10, loss 0.09091  00:00 left")
+        assert last.endswith(" 10/10, loss 0.09091  at most 00:00 left")
         assert progress.endswith("\n")

@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
-from ui.run.pace import Pace
 from ui.run.status_room import StatusRoom
 from ui.widgets.elided_label import ElidedLabel
 from ui.widgets.veil import OUTDATED
 from ui.words import later, tr
+from workbench.design.pace import Pace
 from workbench.powers import written
 
 if TYPE_CHECKING:

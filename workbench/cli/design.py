@@ -54,7 +54,7 @@ def design(
         try:
             with (
                 interrupted_when(lambda: interruption.asked > 0 or _is_over(deadline)),
-                closing(Progress(deadline)) as progress,
+                closing(Progress(session.scene, deadline)) as progress,
                 closing(iter(run)) as snapshots,
             ):
                 for snapshot in snapshots:
@@ -87,7 +87,7 @@ def _print_hint(session: Session, result: Result) -> None:
     from workbench.design.coarse_net import coarse_net  # late: a refusal does not wait for it
 
     if result.state.shortfall is not None:
-        print(result.state.shortfall.in_full(session.scene), file=sys.stderr)
+        print(result.state.shortfall.at_field(session.scene), file=sys.stderr)
     elif advice := result.state.account.advice(session.scene):
         print(advice, file=sys.stderr)
     elif coarse := coarse_net(session.scene, session.target, result):

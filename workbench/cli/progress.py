@@ -6,7 +6,9 @@ import time
 
 from tqdm import tqdm
 
+from workbench.design.pace import Pace
 from workbench.design.snapshot import Snapshot
+from workbench.scene import Scene
 
 # Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
 _PART, _SECONDS = 0.05, 10.0
@@ -57,18 +59,23 @@ class Progress:
 
     Parameters
     ----------
+    scene : Scene
+        The design task.
     deadline : float
         Time of `time.perf_counter` at which the run is stopped; may be infinite.
     """
 
-    def __init__(self, deadline: float) -> None:
-        self._deadline = deadline
+    def __init__(self, scene: Scene, deadline: float) -> None:
+        self._scene, self._deadline = scene, deadline
+        self._pace = Pace()
+        self._lacks_printed = False
         self._bar: tqdm | None = None
         self._line: Snapshot | None = None  # the last one that got a line
         self._notes: tuple[str, ...] = ()
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show the next snapshot of the run, and what its trace chose where that is new."""
+        """Show the next snapshot of the run; what its trace chose, and what it lacks, once."""
+        self._pace.note(snapshot.seconds, snapshot.iteration)
         if sys.stderr.isatty():
             self._draw(snapshot)
         elif self._is_due(snapshot):
@@ -79,6 +86,10 @@ class Progress:
         self._notes = snapshot.notes
         if new:
             tqdm.write("; ".join(new), file=sys.stderr)
+        lacks = snapshot.state.shortfall
+        if lacks is not None and lacks.needed is not None and not self._lacks_printed:
+            self._lacks_printed = True
+            tqdm.write(lacks.at_field(self._scene), file=sys.stderr)
 
     def close(self) -> None:
         """Leave the bar as it is and go on below it."""
@@ -108,11 +119,10 @@ class Progress:
         )
 
     def _state(self, snapshot: Snapshot) -> str:
-        left = self._deadline - time.perf_counter()
-        if snapshot.iteration > 0:
-            to_do = snapshot.iterations - snapshot.iteration
-            left = min(left, snapshot.seconds / snapshot.iteration * to_do)
         loss = f"loss {snapshot.state.loss:.4g}"
-        if math.isinf(left):  # nothing is known yet
+        measured = self._pace.left(snapshot.iterations - snapshot.iteration)
+        left = min(self._deadline - time.perf_counter(), math.inf if measured is None else measured)
+        if math.isinf(left):  # a number of the first moments would be wrong
             return loss
-        return f"{loss}  {tqdm.format_interval(max(left, 0.0))} left"
+        at_most = "at most " if self._scene.run.method == "auto" else ""
+        return f"{loss}  {at_most}{tqdm.format_interval(max(left, 0.0))} left"

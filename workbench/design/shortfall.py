@@ -135,6 +135,17 @@ class Shortfall:
         """The sentence, and what helps."""
         return Said("{sentence}: {cure}", sentence=self.sentence(scene), cure=self.cure_in(scene))
 
+    def at_field(self, scene: Scene) -> Said:
+        """The sentence and what helps, behind the path of the field that holds the limit."""
+        fields: dict[Cause, str] = {
+            "height_range": f"{scene.optic.called}.height_range",
+            "max_thickness": "lens.max_thickness",
+            "min_thickness": "lens.min_thickness",
+            "screen": "screen.z" if scene.receiver.at_distance else "lens.max_thickness",
+            "entrance_range": "lens.entrance.height_range",
+        }
+        return Said("{field}: {said}", field=fields[self.cause], said=self.in_full(scene))
+
     def scaled(self, factor: float) -> "Shortfall":
         """The same in another unit of length, of which ``factor`` make the one before."""
         needed = None if self.needed is None else _times(self.needed, factor)

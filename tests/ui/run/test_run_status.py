@@ -7,42 +7,12 @@ from PySide6.QtWidgets import QStatusBar
 
 from tests.accounts import account_of
 from tests.scene.test_further_image import SECOND
-from ui.run.pace import Pace
 from ui.run.status import RunStatus
 from workbench.analysis.metrics import relative_l2
 from workbench.design.lens_state import FurtherLight
 from workbench.design.loss import relative_error
 from workbench.design.task import begin
 from workbench.pictures.images import target_irradiance
-
-
-def test_the_pace_is_that_of_the_last_seconds():
-    pace = Pace()
-    assert pace.rate is None and pace.left(10) is None
-    for iteration in range(101):
-        pace.note(0.1 * iteration, iteration)
-    assert pace.rate == pytest.approx(10)
-    for iteration in range(1, 21):  # then four times slower
-        pace.note(10 + 0.4 * iteration, 100 + iteration)
-    assert pace.rate == pytest.approx(2.5)
-    assert pace.left(10) == pytest.approx(4)
-
-
-def test_slow_iterations_have_a_pace_too():
-    pace = Pace()
-    for iteration in range(4):
-        pace.note(30.0 * iteration, iteration)
-    assert pace.rate == pytest.approx(1 / 30)
-
-
-def test_another_run_begins_anew():
-    pace = Pace()
-    for iteration in range(10):
-        pace.note(iteration, iteration)
-    pace.note(0.0, 0)
-    assert pace.rate is None
-    pace.note(0.5, 5)
-    assert pace.rate == pytest.approx(10)
 
 
 @pytest.fixture
