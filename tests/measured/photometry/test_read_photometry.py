@@ -179,7 +179,7 @@ def good() -> str:
         (good().replace("0 45 90", "0 90 45"), "angles γ do not ascend"),
         (good().replace("0 45 90", "0 45 270"), "γ go from 0° to 270°"),
         (good().replace(" 3 1 1 ", " 3 1 2 "), "photometric type B; type C is needed"),
-        (good().replace(" 3 1 1 ", " 999999999 1 1 "), "from 1 to 4096"),
+        (good().replace(" 3 1 1 ", " 999999999 1 1 "), "from 1 to 16384"),
         (good().replace(" 3 1 1 ", " 2.5 1 1 "), "a whole number"),
         (good().replace("LM-63-2002", "LM-63-2050"), "says to be of version"),
         (good().replace("IESNA:LM-63-2002", "LM-63-3000"), "says to be of version 'LM-63-3000'"),

@@ -1,135 +1,127 @@
 """Intensity of the finished lens by direction: IES LM-63-2002 and EULUMDAT.
 
 The nadir is where light goes on to: +z behind a lens, −z before a mirror. C0 is +x and C90 is −y
-for a lens, +y for a mirror. The source counts as one lamp of 1000 lm.
+for a lens, +y for a mirror. The source is the one lamp, with its flux; a source of unknown flux
+counts as 1000 lm.
 """
 
-import math
 from collections.abc import Iterable
+from datetime import UTC, datetime
 from typing import BinaryIO
 
 import numpy as np
 
 from workbench import __version__
 from workbench.arrays import Array
-from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
-from workbench.files.export.leaving import LeavingRays, leaving
+from workbench.files.export.far_light import FarLight, far_light
+from workbench.files.export.fitted_table import (
+    MOST_VALUES,
+    FittedTable,
+    error_of,
+    fitted_table,
+)
+from workbench.measured.light_unit import light_unit
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
-from workbench.measured.photometry.table import solid_angles, table_of
-from workbench.said import Said
-from workbench.scene import Optic
 
-_LUMENS = 1000.0  # of the source
-_PLANES = 24
-# Steps of γ, degrees: the coarsest that makes so many of nearly all light is taken.
-_STEPS = (0.1, 0.25, 0.5, 1.0, 2.5)
-_FEWEST, _NEARLY_ALL = 36, 0.999
+_UNKNOWN = 1000.0  # lm, of a source that does not say its flux
+_PER_LAMPS = 1000.0  # lm of lamps for which EULUMDAT gives intensities
+_TOLERABLE = 0.02  # error of a table that needs no warning
+_MM = 1e-3
 _PROGRAM = f"Freeform Lens Workbench {__version__}"
 
 
 def write_ies(design: Design, file: BinaryIO) -> Deviation:
-    """Write the intensity as IES LM-63-2002."""
-    rays = leaving(design)
-    table = intensity_of_rays(rays, design.scene.optic)
-    lines = [
-        "IESNA:LM-63-2002",
-        "[TEST] simulated",
-        f"[TESTLAB] {_PROGRAM}",
-        "[MANUFAC] -",
-        "[LUMCAT] -",
-        "TILT=NONE",
-        f"1 {_LUMENS:g} 1 {len(table.gamma)} {len(table.c)} 1 2 0 0 0",
-        "1 1 0",
-        *_rows(table.gamma),
-        *_rows(table.c),
-        *(row for plane in table.candela for row in _rows(plane)),
-    ]
-    return _deviation(read_ies(_written(lines, file)), rays, design.scene.optic)
-
-
-def write_ldt(design: Design, file: BinaryIO) -> Deviation:
-    """Write the intensity as EULUMDAT, all planes of it."""
-    rays = leaving(design)
-    optic = design.scene.optic
-    table = intensity_of_rays(rays, optic)
-    step_c, step_gamma = 360 / _PLANES, table.gamma[1]
-    out = 100 * float(rays.flux.sum())
-    # Type of luminaire, symmetry (none), planes of C, their distance, angles γ, theirs.
-    head: list[object] = [_PROGRAM, 1, 0, _PLANES, step_c, len(table.gamma), step_gamma]
-    names: list[object] = ["simulated", f"Freeform {optic.called}", "", "", ""]
-    size = 2e3 * max(optic.half_width) * design.metres
-    sizes: list[object] = [round(size), 0, 0, round(size), *[0] * 5]
-    # Downward flux and light output ratio in per cent, factor, tilt, sets of lamps.
-    factors: list[object] = [100, round(out, 4), 1, 0, 1]
-    lamps: list[object] = [1, "-", _LUMENS, "-", "-", 0]
-    ratios = [0] * 10
-    angles = [*table.c[:-1], *table.gamma]
-    lines = [*head, *names, *sizes, *factors, *lamps, *ratios, *angles, *table.candela[:-1].ravel()]
-    text = [f"{line:.7g}" if isinstance(line, float) else str(line) for line in lines]
-    return _deviation(read_ldt(_written(text, file)), rays, optic)
-
-
-def intensity_of_rays(rays: LeavingRays, optic: Optic) -> IntensityTable:
-    """Intensity of rays on planes of C and angles γ, cd.
-
-    A ray counts for the nearest plane and, by its distance from each, for the two nearest angles:
-    then the flux of the table, which is linear between its angles, is that of the rays, at the
-    poles as well.
-
-    Parameters
-    ----------
-    rays : LeavingRays
-        At least one.
-    optic : Optic
-        What they leave: it says where the nadir is.
+    """Write the intensity as IES LM-63-2002; see `Deviation`.
 
     Raises
     ------
     Refused
-        If no ray leaves the optic.
+        If no light leaves the lens.
     """
-    if not len(rays.flux):
-        raise Refused(
-            "session",
-            Said(
-                "no light leaves its {body}, so that it has no intensity",
-                body=Said(optic.body_called),
-            ),
-        )
-    x, y, z = rays.direction.T * np.array([[1.0], [optic.onwards], [optic.onwards]])
-    angle = np.degrees(np.arctan2(np.hypot(x, y), z))
-    gamma = _angles(angle, rays.flux)
-    plane = np.degrees(np.arctan2(-y, x)) % 360 * _PLANES / 360
-    j = np.rint(plane).astype(np.intp) % _PLANES
-    i = np.minimum((angle / gamma[1]).astype(np.intp), len(gamma) - 2)
-    part = angle / gamma[1] - i
-    counted = np.zeros(_PLANES * len(gamma))
-    for node, share in ((i, 1 - part), (i + 1, part)):
-        counted += np.bincount(j * len(gamma) + node, _LUMENS * rays.flux * share, len(counted))
-    flux = counted.reshape(_PLANES, len(gamma))
-    poles = np.isin(gamma, (0.0, 180.0))  # one direction in all planes
-    flux[:, poles] = flux[:, poles].mean(axis=0)
-    candela = flux / (2 * np.pi / _PLANES * solid_angles(gamma))
-    c = np.linspace(0.0, 360.0, _PLANES + 1)
-    return table_of(c, gamma, np.vstack([candela, candela[:1]]))
+    light, lumens = far_light(design), _lumens(design)
+    lamp = fitted_table(light).times(lumens)
+    width, length = (f"{side:.6g}" for side in _luminous_sides(design))
+    lines = [
+        "IESNA:LM-63-2002",
+        "[TEST] simulated",
+        f"[TESTLAB] {_PROGRAM}",
+        f"[ISSUEDATE] {datetime.now(UTC):%Y-%m-%d}",
+        "[MANUFAC] -",
+        "[LUMCAT] -",
+        "TILT=NONE",
+        f"1 {lumens:.6g} 1 {len(lamp.gamma)} {len(lamp.c)} 1 2 {width} {length} 0",
+        "1 1 0",
+        *_rows(lamp.gamma, 9),
+        *_rows(lamp.c, 9),
+        *(row for plane in lamp.intensity for row in _rows(plane, 6)),
+    ]
+    return _deviation(read_ies(_written(lines, file)), light, lumens, design)
 
 
-def _angles(angle: Array, flux: Array) -> Array:
-    """Angles γ up to a half-space or, where light is behind it, to all of the sphere."""
-    order = np.argsort(angle)
-    outermost = np.searchsorted(np.cumsum(flux[order]), _NEARLY_ALL * flux.sum())
-    wide = float(angle[order[min(int(outermost), len(order) - 1)]])
-    step = next((step for step in reversed(_STEPS) if wide >= _FEWEST * step), _STEPS[0])
-    last = 90.0 if angle.max() <= 90 else 180.0
-    return np.linspace(0.0, last, round(last / step) + 1)
+def write_ldt(design: Design, file: BinaryIO) -> Deviation:
+    """Write the intensity as EULUMDAT; raises as `write_ies`."""
+    light, lumens = far_light(design), _lumens(design)
+    optic = design.scene.optic
+    lamp = fitted_table(light).times(_PER_LAMPS)
+    symmetry, planes = _all_planes(lamp)
+    steps = [_step(np.append(planes, 360.0)), _step(lamp.gamma)]
+    # Type of luminaire (a point source with and without symmetry about the axis).
+    kind = 1 if symmetry == 1 else 3
+    head: list[object] = [_PROGRAM, kind, symmetry, len(planes), steps[0]]
+    angles: list[object] = [len(lamp.gamma), steps[1]]
+    names: list[object] = ["simulated", f"Freeform {optic.called}", "", ""]
+    date = f"{datetime.now(UTC):%Y-%m-%d}"
+    length, width = (2 * half * design.metres / _MM for half in reversed(optic.half_width))
+    if optic.outline == "ellipse" and length == width:
+        width = 0.0  # round
+    sizes: list[object] = [length, width, 0, length, width, 0, 0, 0, 0]
+    # Downward flux and light output ratio in per cent, factor, tilt, sets of lamps.
+    factors: list[object] = [100, round(100 * light.flux, 4), 1, 0, 1]
+    lamps: list[object] = [1, "-", f"{lumens:.6g}", "-", "-", 0]
+    ratios = [0] * 10
+    stored = lamp.intensity[:-1] if symmetry == 0 else lamp.intensity
+    numbers = [f"{angle:.9g}" for angle in (*planes, *lamp.gamma)]
+    values = [f"{value:.6g}" for value in stored.ravel()]
+    text = [
+        f"{line:.7g}" if isinstance(line, float) else str(line)
+        for line in (*head, *angles, *names, date, *sizes, *factors, *lamps, *ratios)
+    ]
+    content = _written([*text, *numbers, *values], file)
+    return _deviation(read_ldt(content), light, lumens, design)
 
 
-def _rows(values: Iterable[float]) -> list[str]:
+def _lumens(design: Design) -> float:
+    """Flux of the source, lm."""
+    return light_unit(design.scene).lumens or _UNKNOWN
+
+
+def _luminous_sides(design: Design) -> tuple[float, float]:
+    """Width along C90 and length along C0 in metres; negative where the outline is round."""
+    optic = design.scene.optic
+    sign = -1 if optic.outline == "ellipse" else 1
+    r_x, r_y = optic.half_width
+    return sign * 2 * r_y * design.metres, sign * 2 * r_x * design.metres
+
+
+def _all_planes(lamp: FittedTable) -> tuple[int, Array]:
+    """Number of the symmetry in EULUMDAT, and the planes of the whole circle."""
+    if len(lamp.c) == 1:
+        return 1, lamp.c
+    return {90.0: 4, 180.0: 2, 360.0: 0}[float(lamp.c[-1])], lamp.table.c[:-1]
+
+
+def _step(angles: Array) -> float:
+    """The step of angles; 0 where there is more than one."""
+    steps = np.diff(angles)
+    return float(steps[0]) if np.allclose(steps, steps[0], rtol=1e-6) else 0.0
+
+
+def _rows(values: Iterable[float], digits: int) -> list[str]:
     """Numbers in lines that old programs can read."""
-    words = [f"{value:.6g}" for value in values]
+    words = [f"{value:.{digits}g}" for value in values]
     return [" ".join(words[first : first + 10]) for first in range(0, len(words), 10)]
 
 
@@ -140,13 +132,23 @@ def _written(lines: list[str], file: BinaryIO) -> bytes:
     return content
 
 
-def _deviation(table: IntensityTable, rays: LeavingRays, optic: Optic) -> Deviation:
-    """How far the flux of the table, as read again, is from that of the rays."""
-    out = float(rays.flux.sum())
-    off = abs(table.lumens / (_LUMENS * out) - 1)
-    noise = 1 / math.sqrt(len(rays.flux))
-    note = (
-        f"of {len(rays.flux)} rays, {_LUMENS * out:.1f} lm of {_LUMENS:g} lm leave the "
-        f"{optic.body_called}; the nadir is {'+z' if optic.onwards > 0 else '−z'}"
-    )
-    return Deviation("flux off by", off, f"of it, scatter about {noise:.1g}", note)
+def _deviation(table: IntensityTable, light: FarLight, lumens: float, design: Design) -> Deviation:
+    """How far the table, as read again, is from the light of the lens."""
+    optic = design.scene.optic
+    read = IntensityTable(table.c, table.gamma, table.candela / lumens)
+    error = error_of(read, light)
+    cell, pixel = light.cell, light.cell / light.finer
+    notes = [
+        f"averaged over cells of {cell:.2g}° ({100 * error.in_pixels:.2g} % over {pixel:.2g}°)",
+        f"uncertainty of the traced light {100 * light.uncertainty:.1g} %, without ray noise",
+        f"{len(table.c) - 1} × {len(table.gamma)} angles",
+        f"{lumens * light.flux:.4g} lm of {lumens:.4g} lm leave the {optic.body_called}",
+        f"the nadir is {'+z' if optic.onwards > 0 else '−z'}",
+    ]
+    if error.in_cells > _TOLERABLE:
+        notes.insert(
+            1,
+            f"more than {100 * _TOLERABLE:g} %: a file of {MOST_VALUES:,} intensities is too "
+            "coarse for the edges of this light",
+        )
+    return Deviation("intensity error", 100 * error.in_cells, "%", "; ".join(notes))

@@ -12,7 +12,7 @@ from workbench.measured.photometry.table import IntensityTable, table_of
 from workbench.measured.text import count, lines_of, number, readings, wrong_length
 from workbench.said import Said
 
-_MOST_ANGLES = 4096
+_MOST_ANGLES = 1 << 14
 _VERSIONS = "LM-63-1986", "IESNA91", "LM-63-1991", "LM-63-1995", "LM-63-2002", "LM-63-2019"
 # A first line that names a version; without one it is the text of a file of 1986.
 _VERSION = re.compile(r"^IES|LM-?63-?\d")

@@ -6,7 +6,7 @@ from workbench.measured.photometry.table import IntensityTable, table_of
 from workbench.measured.text import count, lines_of, number, wrong_length
 from workbench.said import Said
 
-_MOST_ANGLES = 4096
+_MOST_ANGLES = 1 << 14
 _MOST_LAMPS = 20
 _HEAD = 26  # lines before the sets of lamps
 _LAMP = 6  # lines of each
