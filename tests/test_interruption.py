@@ -10,10 +10,10 @@ from workbench.extended.blur import Blur
 from workbench.extended.deblur import spread_light
 from workbench.interruption import (
     Interrupted,
+    check_given_up,
     check_interruption,
     given_up_when,
     interrupted_when,
-    uninterrupted,
 )
 from workbench.optics.kernels.threads import run as run_parts
 
@@ -42,16 +42,16 @@ def test_long_work_ends_when_it_is_interrupted(scene, work):
     check_interruption()  # nothing is given up any more
 
 
-@pytest.mark.parametrize("ended", [interrupted_when, given_up_when])
-def test_kernels_end_between_two_parts(ended):
+def test_kernels_end_between_two_parts():
     done = []
-    with pytest.raises(Interrupted), ended(lambda: len(done) == 3):
+    with pytest.raises(Interrupted), given_up_when(lambda: len(done) == 3):
         run_parts(done.append, 9)
     assert done == [0, 1, 2]
 
 
-def test_what_is_needed_is_interrupted_only_when_it_is_given_up():
-    with interrupted_when(lambda: True), uninterrupted():
-        check_interruption()
-        with given_up_when(lambda: True), pytest.raises(Interrupted):
+def test_a_first_lens_is_found_though_its_run_is_to_end(scene):
+    with interrupted_when(lambda: True):
+        assert WORK["first lens"](scene) is not None
+        with pytest.raises(Interrupted):
             check_interruption()
+        check_given_up()

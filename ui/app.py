@@ -15,6 +15,7 @@ import workbench
 from ui.startup.display import why_no_window
 from workbench.library_threads import calm_library_threads
 from workbench.system_libraries import keep_shaders_in_memory
+from workbench.utf8_mode import restart_in_utf8_mode
 
 if TYPE_CHECKING:
     from PySide6.QtCore import QSettings
@@ -40,6 +41,8 @@ def main(arguments: list[str] | None = None) -> int:
     int
         Exit status: 0 closed, 1 no window can open here (2, wrong use, leaves by `SystemExit`).
     """
+    if arguments is None:
+        restart_in_utf8_mode()
     options = _parser().parse_args(arguments)
     if reason := why_no_window():
         print(f"{_PROGRAM}: {reason}", file=sys.stderr)

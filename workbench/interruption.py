@@ -35,15 +35,8 @@ def interrupted_when(asked_to_end: Callable[[], bool]) -> Iterator[None]:
 
 
 @contextmanager
-def uninterrupted() -> Iterator[None]:
-    """Let the work of this thread end only when it is given up: without it there is no result."""
-    with _answered(_asked_to_end, _never):
-        yield
-
-
-@contextmanager
 def given_up_when(given_up: Callable[[], bool]) -> Iterator[None]:
-    """Let the work of this thread end at once when that is true: nobody wants any of it."""
+    """Let the work of this thread end at once when that is true: the rest of it is not wanted."""
     with _answered(_given_up, given_up):
         yield
 
@@ -67,7 +60,7 @@ def check_given_up() -> None:
     Raises
     ------
     Interrupted
-        If nobody wants it any more.
+        If it is not wanted any more.
     """
     if _given_up.get()():
         raise Interrupted

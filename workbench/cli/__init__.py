@@ -18,6 +18,7 @@ from workbench.cli.streams import Streams
 from workbench.defects import unexpected
 from workbench.errors import Refused, RunFailed, visible
 from workbench.library_threads import calm_library_threads
+from workbench.utf8_mode import restart_in_utf8_mode
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -57,6 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def command() -> NoReturn:
     """Run the command of this process, and end the process with its exit status."""
+    restart_in_utf8_mode()
     collect_seldom()
     end(main())
 

@@ -18,7 +18,7 @@ from workbench.design.snapshot import Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
-from workbench.interruption import interrupted_when
+from workbench.interruption import given_up_when, interrupted_when
 from workbench.system_memory import keep_freed_memory
 
 
@@ -54,6 +54,8 @@ def design(
         try:
             with (
                 interrupted_when(lambda: interruption.asked > 0 or _is_over(deadline)),
+                # A first lens, at least the undesigned one, is written in any case.
+                given_up_when(lambda: _is_over(deadline) and run.history.result() is not None),
                 closing(Progress(session.scene, deadline)) as progress,
                 closing(iter(run)) as snapshots,
             ):

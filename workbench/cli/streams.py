@@ -2,9 +2,10 @@
 
 1. What is closed becomes the null device, before a file that is opened gets its number, into which
    a library could then print.
-2. What an old terminal's encoding lacks is written as an escape, as on standard error.
+2. What an old terminal's encoding lacks is written in plain characters; see `plain_text`.
 3. What breaks, or fills its disk, does not end the work: the first error is kept for the exit
-   status, and the rest goes to the null device, also what Python still flushes when it ends.
+   status, and the rest goes to the null device, also what Python still flushes when it ends. A
+   reader that leaves, as ``head`` does, is no error.
 """
 
 import io
@@ -14,6 +15,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from types import TracebackType
 from typing import Self, TextIO, cast
+
+from workbench.cli.plain_text import in_encoding
 
 
 class Streams:
@@ -38,9 +41,10 @@ class Streams:
 
     @property
     def failure(self) -> OSError | None:
-        """What has kept standard output from being taken, once it is flushed."""
+        """What has kept standard output from being written, once it is flushed."""
         self._output.flush()
-        return self._output.failure
+        failure = self._output.failure
+        return None if isinstance(failure, BrokenPipeError) else failure
 
 
 class _Outlet(io.TextIOBase):
@@ -61,11 +65,9 @@ class _Outlet(io.TextIOBase):
 
     def write(self, text: str) -> int:
         with self._keeping():
-            try:
-                self._stream.write(text)
-            except UnicodeEncodeError:
-                encoding = self._stream.encoding
-                self._stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
+            # A stream in memory has no encoding.
+            encoding = getattr(self._stream, "encoding", None)
+            self._stream.write(in_encoding(text, encoding) if encoding else text)
         return len(text)
 
     def flush(self) -> None:

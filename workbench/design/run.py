@@ -7,7 +7,6 @@ so both take effect within one iteration.
 import math
 import time
 from collections.abc import Generator, Mapping
-from contextlib import nullcontext
 from dataclasses import replace
 
 import torch
@@ -23,7 +22,6 @@ from workbench.design.snapshot import Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.interruption import uninterrupted
 from workbench.said import Said
 from workbench.scene import AutoNet, Optic, Scene
 
@@ -103,9 +101,7 @@ def run(
         for _ in range(most):
             resumed = time.perf_counter()
             try:
-                # Whoever stops a run gets a lens, at least the undesigned one.
-                with nullcontext() if iteration else uninterrupted():
-                    step = next(steps)
+                step = next(steps)
             except StopIteration as end:
                 ended: str = end.value
                 break

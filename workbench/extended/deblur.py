@@ -25,7 +25,7 @@ from workbench.arrays import AnyArray, Array
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 from workbench.watch import finished
 
 # Weights of the copies of image and light, and over-relaxation. Where steps are many, that of light
@@ -314,7 +314,7 @@ class _Search:
 
     def step(self, weight: float) -> None:
         """Come closer, with some weight of the copy of light."""
-        check_interruption()
+        check_given_up()
         if self._weight:
             self._away_light *= self._weight / weight  # it is scaled by the weight
         self._weight = weight

@@ -14,7 +14,7 @@ from workbench.arrays import Array
 from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.halves import doubled, halved
 from workbench.design.transport.push import mapped, push
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 from workbench.optics.kernels import threads
 
 # Light and target are first carried on grids of half as many cells along each axis, down to this.
@@ -77,7 +77,7 @@ class Transport:
         nearest, idle = math.inf, 0
         best = there
         for _ in range(rounds):
-            check_interruption()
+            check_given_up()
             before = step, step_back
             there, back, value, step, far = self._climb(there, back, source, target, value, step)
             back, there, value, step_back, far_back = self._climb(

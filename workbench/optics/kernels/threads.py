@@ -12,7 +12,7 @@ from functools import cache
 
 import torch
 
-from workbench.interruption import check_interruption
+from workbench.interruption import check_given_up
 
 # Handing a part to another thread takes some 50 µs: fewer rays than this are not worth it.
 _WORTH_A_THREAD = 8192
@@ -47,7 +47,7 @@ def run(work: Callable[[int], None], parts: int) -> None:
     Raises
     ------
     Interrupted
-        If the work of the caller's thread is to end, between two parts.
+        If the work of the caller's thread is given up, between two parts.
     """
     left = iter(range(parts))  # its next number is taken by one thread alone: Python's lock is held
 
@@ -59,7 +59,7 @@ def run(work: Callable[[int], None], parts: int) -> None:
     count = min(parts, torch.get_num_threads()) - 1
     others = [_pool(count).submit(take) for _ in range(count)]
     try:
-        take(check_interruption)
+        take(check_given_up)
     finally:
         for _ in left:  # none after a failure
             pass
