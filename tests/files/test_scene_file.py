@@ -135,3 +135,49 @@ def test_a_file_that_may_not_be_read_is_refused(tmp_path, monkeypatch, make_scen
     monkeypatch.setattr(type(path), "open", deny)
     with pytest.raises(Refused, match=r"scene.json: cannot be read: Permission denied$"):
         read_scene(path)
+
+
+@pytest.fixture
+def linked(tmp_path, scene_data):
+    """A scene in a folder of its own, with its image and lamp, and a link to it elsewhere."""
+    real = tmp_path / "real"
+    (real / "files").mkdir(parents=True)
+    for name in ("F.png", "lamp.ies"):
+        (real / "files" / name).touch()
+    scene_data["version"] = 2
+    scene_data["target"] = {"image": "files/F.png"}
+    lamp = {"kind": "photometric", "file": "files/lamp.ies", "position": [0, 0, -1]}
+    scene_data["source"] = lamp
+    (real / "scene.json").write_text(json.dumps(scene_data))
+    try:
+        (tmp_path / "link.json").symlink_to(real / "scene.json")
+    except OSError:
+        pytest.skip("no links can be made here")
+    return tmp_path
+
+
+def test_files_are_found_beside_the_scene_that_a_link_means(linked):
+    files = dict(read_scene(linked / "link.json").files())
+    assert sorted(files.values()) == [str(linked / "real/files" / n) for n in ("F.png", "lamp.ies")]
+
+
+def test_files_beside_the_link_come_first(linked):
+    (linked / "files").mkdir()
+    (linked / "files" / "F.png").touch()
+    files = dict(read_scene(linked / "link.json").files())
+    assert files["target.image"] == str(linked / "files/F.png")
+    assert str(linked / "real/files/lamp.ies") in files.values()
+
+
+def test_a_missing_file_is_named_beside_the_link(linked):
+    (linked / "real/files/F.png").unlink()
+    assert read_scene(linked / "link.json").image == str(linked / "files/F.png")
+
+
+def test_backslashes_separate_folders_too(linked, scene_data):
+    scene_data["target"] = {"image": "files\\F.png"}
+    path = linked / "real/windows.json"
+    path.write_text(json.dumps(scene_data))
+    assert read_scene(path).image == str(linked / "real/files/F.png")
+    (linked / "real" / "files\\F.png").touch()  # a name of its own, where names may have one
+    assert read_scene(path).image == str(linked / "real" / "files\\F.png")

@@ -66,11 +66,20 @@ def write_scene(scene: Scene, path: Path) -> None:
 
 
 def with_absolute_files(scene: Scene, path: Path) -> Scene:
-    """The scene of a file, with names of files that are found from every folder."""
-    # Not resolve(): a link stays a link, so that scene and image still lie side by side.
-    return scene.with_files(
-        {field: os.path.abspath(path.parent / name) for field, name in scene.files()}
-    )
+    """The scene of a file, with names of files that are found from every folder.
+
+    Where the scene file is a link, files beside the link come first, then those beside the file
+    that it means. A backslash may separate folders, as in scenes that were written on Windows.
+    """
+    return scene.with_files({field: _absolute(name, path) for field, name in scene.files()})
+
+
+def _absolute(name: str, path: Path) -> str:
+    # The link's own folder stays as it is named, so that scene and image still lie side by side.
+    folders = path.parent, Path(os.path.realpath(path)).parent
+    names = name, name.replace("\\", "/")
+    tried = [os.path.abspath(folder / each) for each in names for folder in folders]
+    return next(filter(os.path.exists, tried), tried[0])
 
 
 def with_portable_files(scene: Scene, path: Path) -> Scene:
