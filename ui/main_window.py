@@ -14,7 +14,7 @@ from ui.commands.language_choice import LANGUAGE, tell_of_language
 from ui.commands.pane_focus import PaneFocus
 from ui.commands.table import NEW
 from ui.commands.theme_choice import THEME, choose_theme
-from ui.document.document import ENDING, Document
+from ui.document.document import Document
 from ui.files.actions import Answer, FileActions
 from ui.files.chosen_files import ChosenFiles
 from ui.files.exporter import Exporter
@@ -28,7 +28,6 @@ from ui.manufacture.cutter import AskCutting
 from ui.notices.carried_lens import CarriedLens
 from ui.notices.target_image import TargetImage
 from ui.notices.unit_change import UnitChange
-from ui.panels.source import is_light_file
 from ui.run.lens_on_show import LensOnShow
 from ui.sweep.sweeps import Sweeps
 from ui.window.early_parts import EarlyParts
@@ -99,6 +98,7 @@ class MainWindow(QMainWindow):
         self._chosen = ChosenFiles(self.forms, dialogs, self.messages, self)
         lens, messages = self._lens, self.messages
         self.files = FileActions(document, lens, recent, messages, dialogs, self)
+        self.files.offer = self._chosen.offer
         recent_menu = self.commands.menus["Open &recent"]
         self._recent = RecentMenu(recent_menu, recent, self.files.open_recent)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
@@ -186,11 +186,7 @@ class MainWindow(QMainWindow):
         """A design or scene is opened; a file of light lights it; any other is the target image."""
         event.acceptProposedAction()
         path = Path(event.mimeData().urls()[0].toLocalFile())
-        if is_light_file(path):
-            self.forms.choose_light(path)
-        elif path.suffix.lower() not in (ENDING, ".json"):
-            self.forms.choose_image(path)
-        else:
+        if not self._chosen.take(path):
             self._open(path)
 
     def changeEvent(self, event: QEvent) -> None:

@@ -304,6 +304,22 @@ def test_a_dropped_image_becomes_the_target(window, tmp_path):
     np.testing.assert_allclose(window.document.session.target, np.eye(8))
 
 
+def test_a_picture_that_is_opened_is_offered_as_the_target(window, tmp_path, qtbot, monkeypatch):
+    image = tmp_path / "target.png"
+    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
+    monkeypatch.setattr(window.dialogs, "to_open", lambda *_: image)
+    before = window.document.session
+    window.commands["open"].trigger()
+    assert window.messages.text == "target.png is a picture, not a design."
+    assert window.document.session is before
+    (button,) = window.messages.buttons
+    assert button.text() == "Use as target"
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert window.document.session.scene.target.image == str(image)
+    assert window.document.undo_stack.count() == 1
+    assert window.messages.text == ""
+
+
 def test_a_dropped_design_is_opened(window, tmp_path):
     path = tmp_path / "other.json"
     path.write_text(small_session().scene.model_copy(update={"unit": "inch"}).to_json())

@@ -71,6 +71,7 @@ class FileActions(QObject):
         self._dialogs = dialogs
         self._window = window
         self.find_other: Callable[[Path], QWidget | None] = lambda path: None
+        self.offer: Callable[[Path], bool] = lambda path: False
         self.look: Callable[[], dict[str, Any] | None] = lambda: None
 
     def new(self, example: Example) -> bool:
@@ -81,11 +82,14 @@ class FileActions(QObject):
         self._messages.note(tr(example.look))
         return True
 
-    def begin(self, session: Session, name: str) -> None:
-        """Begin a new task, which can be undone; nothing is asked, since nothing is lost."""
+    def begin(self, session: Session, name: str) -> bool:
+        """Begin a new task, which can be undone; False if unsaved changes are to stay open."""
+        if not self.may_leave():
+            return False
         self._document.begin(session, name)
         self._messages.clear()
         self.opened.emit()
+        return True
 
     def choose_and_open(self) -> None:
         """Ask for a file and open it."""
@@ -98,12 +102,15 @@ class FileActions(QObject):
     def open(self, path: Path) -> bool:
         """Open a file, unless changes would be lost that should not; False if not opened.
 
-        A file that another window has open is shown there.
+        A file that another window has open is shown there. What is a picture or a file of light is
+        offered for the open design.
         """
         other = self.find_other(path)
         if other is not None:
             other.activateWindow()
             other.raise_()
+            return False
+        if self.offer(path):
             return False
         if not (self.may_leave() and self._attempt(lambda: self._document.open(path))):
             return False

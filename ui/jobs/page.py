@@ -19,6 +19,7 @@ from ui.files.dialogs import FileDialogs
 from ui.jobs.drawing import SideDrawing
 from ui.jobs.form import JobForm
 from ui.jobs.outlook import Outlook, ProspectFinder
+from ui.panels.editors import Refusal
 from ui.panels.source import light_files
 from ui.panels.target import image_files
 from ui.words import tr
@@ -39,7 +40,8 @@ class StartPage(QDialog):
     Attributes
     ----------
     begun : Signal(Session, str)
-        A job shall be designed: its design without a lens, and what it is called.
+        A job shall be designed: its design without a lens, and what it is called. Whoever takes
+        it accepts the page.
     open_asked, examples_asked : Signal()
         A person would rather open a file, or an example.
     """
@@ -54,6 +56,8 @@ class StartPage(QDialog):
         self._dialogs = dialogs
         self._session: Session | None = None  # of the job as it is now
         self._begins = False  # as soon as there is one
+        self._obstacle = ""  # why there is none
+        self._told = Refusal()
         self._finder = ProspectFinder(self)
         self._drawing, self._outlook = SideDrawing(), Outlook()
         self._jobs = QListWidget()
@@ -75,7 +79,7 @@ class StartPage(QDialog):
         self._lay_out()
         self._finder.ready.connect(self._take)
         self._finder.found.connect(self._outlook.show_prospect)
-        self._finder.failed.connect(self._outlook.refuse)
+        self._finder.failed.connect(self._refuse)
         self.finished.connect(self._close)
         self._jobs.currentRowChanged.connect(self._choose)
         self._jobs.setCurrentRow(0)
@@ -99,6 +103,8 @@ class StartPage(QDialog):
         self._begins = True
         if self._session is not None:
             self._end(self._session)
+        else:
+            self._tell()
 
     def _lay_out(self) -> None:
         aside = QWidget()
@@ -127,6 +133,7 @@ class StartPage(QDialog):
         buttons.rejected.connect(self.reject)
         whole = QVBoxLayout(self)
         whole.addLayout(line, 1)
+        whole.addWidget(self._told)
         whole.addWidget(buttons)
         for button in self.findChildren(QPushButton):
             button.setAutoDefault(button is self._begin)
@@ -138,7 +145,8 @@ class StartPage(QDialog):
 
     def _look(self) -> None:
         """Draw the job as it is now, and look for what can be expected of it."""
-        self._session, self._begins = None, False
+        self._session, self._begins, self._obstacle = None, False, ""
+        self._told.say("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
             return  # what is shown is of the answers before
@@ -153,8 +161,20 @@ class StartPage(QDialog):
             self._end(session)
 
     def _end(self, session: "Session") -> None:
+        self._begins = False
         self.begun.emit(session, tr(title_of(type(self.form.job))))
-        self.accept()
+
+    def _refuse(self, why: str) -> None:
+        self._obstacle = why
+        self._outlook.refuse(why)
+        if self._begins:
+            self._tell()
+
+    def _tell(self) -> None:
+        """Say beside the button why it does not begin, once that is known."""
+        if self._obstacle:
+            why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
+            self._told.say(f"\N{WARNING SIGN} {why}")
 
     def _choose_image(self) -> None:
         path = self._dialogs.to_open("image", tr("Picture"), image_files())

@@ -1,6 +1,7 @@
 """Opens the start page over a window, and takes its job into the window's design."""
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
@@ -8,6 +9,9 @@ from PySide6.QtWidgets import QWidget
 from ui.files.actions import FileActions
 from ui.files.dialogs import FileDialogs
 from ui.jobs.page import StartPage
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
 
 
 class Start(QObject):
@@ -49,7 +53,7 @@ class Start(QObject):
         if self.page is not None:
             return
         self.page = page = StartPage(self._dialogs, self._window)
-        page.begun.connect(self._files.begin)
+        page.begun.connect(self._begin)
         page.open_asked.connect(self._files.choose_and_open)
         page.examples_asked.connect(self._show_examples)
         page.finished.connect(self._forget)
@@ -60,6 +64,11 @@ class Start(QObject):
         """Close the page, if it is there."""
         if self.page is not None:
             self.page.reject()
+
+    def _begin(self, session: "Session", name: str) -> None:
+        """Take the job into the window; the page stays where that is not wanted after all."""
+        if self._files.begin(session, name) and self.page is not None:
+            self.page.accept()
 
     def _forget(self) -> None:
         self.page = None

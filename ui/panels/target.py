@@ -34,6 +34,11 @@ def image_files() -> str:
     return tr("Images ({endings});;All files (*)").format(endings=_ENDINGS)
 
 
+def is_image_file(path: Path) -> bool:
+    """Whether a file is an image, by its name."""
+    return f"*{path.suffix.lower()}" in _ENDINGS.split()
+
+
 class TargetPanel(PartPanel):
     """Bound to ``scene.target``.
 

@@ -1,13 +1,8 @@
 """Which light reaches an optic: run, cells and random rays agree."""
 
-import math
-
-import numpy as np
 import pytest
 import torch
 
-from tests.scenes import changed
-from workbench.analysis.cells.image import imaging
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan

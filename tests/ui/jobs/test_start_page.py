@@ -8,7 +8,8 @@ from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
-from tests.ui.hands import fill
+from tests.ui.hands import fill, move_screen
+from ui.files.actions import Answer
 from ui.jobs.page import StartPage
 from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
@@ -165,8 +166,41 @@ def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, 
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
     qtbot.waitUntil(lambda: "none-256.png" in page._outlook.text)
+    assert not page._told.isVisible()
     page.begin()
     assert page.isVisible() and window.document.session is before
+    assert page._told.isVisible() and "none-256.png" in page._told.text()
+    chooser = row_of(page, "target.builtin").chooser
+    chooser.setCurrentIndex(chooser.findData("ring"))
+    chooser.activated.emit(chooser.currentIndex())
+    assert not page._told.isVisible()
+
+
+def test_a_file_that_is_missing_is_said_also_when_begin_was_pressed_before(page, qtbot):
+    page.form.choose_image(Path("/nowhere/none-256.png"))
+    page.begin()
+    qtbot.waitUntil(lambda: "none-256.png" in page._told.text())
+    assert page.isVisible()
+
+
+@pytest.mark.parametrize("answer", [Answer.CANCEL, Answer.DISCARD])
+def test_a_job_replaces_unsaved_work_only_after_a_question(
+    window, page, qtbot, monkeypatch, answer
+):
+    move_screen(window.document, 7)
+    before, asked = window.document.session, []
+
+    def ask(question):
+        asked.append(question)
+        return answer
+
+    monkeypatch.setattr(window.files, "ask", ask)
+    with qtbot.waitSignal(page.begun):
+        page.begin()
+    assert asked == ["Save the changes to small?"]
+    kept = answer is Answer.CANCEL
+    assert (window.document.session is before) is kept
+    assert (window.start_page.page is page) is kept
 
 
 def test_escape_changes_nothing(window, page, qtbot):
