@@ -51,7 +51,7 @@ class SweepDialog(QDialog):
     Parameters
     ----------
     design : Callable
-        Gives the file of the open design, or what it would be called, and the design.
+        Gives the file of the open design, a name alone where it has none, and the design.
     window : QWidget
         The dialog stands over it.
 
@@ -99,10 +99,11 @@ class SweepDialog(QDialog):
         self._offer()
 
     def show_design(self) -> None:
-        """Offer the fields of the open design, and a folder beside its file."""
+        """Offer the fields of the open design, and a folder beside its file if it has one."""
         path, session = self._design()
         self.form.show_scene(session.scene)
-        if not self.folder.text():
+        # Of a design without a file a person says where its sweep goes.
+        if not self.folder.text() and path.is_absolute():
             self.folder.setText(str(path.with_name(f"{path.stem}-sweep").absolute()))
 
     def changeEvent(self, event: QEvent) -> None:
@@ -123,6 +124,11 @@ class SweepDialog(QDialog):
             points = points_of([self._design()], self.form.variations())
         except Refused as refused:
             self.told.setText(f"\N{WARNING SIGN} {error_text(refused)}")
+            return
+        if not self.folder.text().strip():
+            self._choose_folder()
+        if not self.folder.text().strip():
+            self.told.setText("\N{WARNING SIGN} " + tr("Choose a folder for the designs."))
             return
         self._sweep = sweep = Sweep(points, Path(self.folder.text()).expanduser())
         self._rows.clear()
@@ -147,6 +153,7 @@ class SweepDialog(QDialog):
 
     def _folder_line(self) -> QHBoxLayout:
         self.folder.setAccessibleName(tr("Folder"))
+        self.folder.setPlaceholderText(tr("Asked for at the start"))
         choose = QToolButton()
         choose.setText("…")
         choose.setAccessibleName(tr("Choose the folder"))

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QStandardPaths
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ui.document.document import Document
@@ -47,9 +47,7 @@ class Sweeps(QObject):
         self.dialog.activateWindow()
 
     def _design(self) -> "tuple[Path, Session]":
-        path = self._document.suggested_path
-        documents = QStandardPaths.StandardLocation.DocumentsLocation
-        return Path(QStandardPaths.writableLocation(documents)) / path, self._document.session
+        return self._document.suggested_path, self._document.session
 
     def close(self) -> None:
         """Leave a sweep that is under way; safe to call twice."""

@@ -5,7 +5,7 @@ import time
 import pytest
 from matplotlib.colors import to_hex
 from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from workbench.files.session import read_session
 from workbench.interruption import check_interruption
@@ -175,3 +175,25 @@ def test_a_window_that_closes_leaves_its_sweep(dialog, window, workers):
     window.discard_and_close()
     assert not dialog._background.running
     assert isinstance(dialog.begin, QPushButton)
+
+
+def test_a_design_without_a_file_is_swept_only_into_a_folder_that_is_chosen(
+    window, workers, qtbot, tmp_path, monkeypatch
+):
+    window.commands["sweep"].trigger()
+    dialog = window.sweeps.dialog
+    choose(dialog, 0, "run.seed", "1")
+    assert dialog.folder.text() == ""
+    chosen = [str(tmp_path / "mine"), ""]
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: chosen.pop())
+    dialog.toggle()
+    assert "Choose a folder" in dialog.told.text() and not dialog._background.busy
+    dialog.toggle()
+    qtbot.waitUntil(lambda: len(dialog._rows) == 1, timeout=60_000)
+    assert (tmp_path / "mine").is_dir()
+
+
+def test_a_sweep_of_a_saved_design_is_offered_beside_its_file(window, workers, tmp_path):
+    window.document.save(tmp_path / "lens.freeform")
+    window.commands["sweep"].trigger()
+    assert window.sweeps.dialog.folder.text() == str(tmp_path / "lens-sweep")
