@@ -82,9 +82,11 @@ def sun_plate(window: MainWindow) -> None:
 
     def look() -> None:
         (dialog,) = window.findChildren(CutterDialog)
-        dialog.fields["tool_radius"].setText("1.5")
+        dialog.fields.lines["tool_radius"].setText("1.5")
         dialog.simulate()
         until(dialog.look.isEnabled, "the cut")
+        dialog.trace()
+        until(dialog.look.isEnabled, "light through the cut")
         pictures.append(dialog.grab())
         dialog.reject()
 

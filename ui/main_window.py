@@ -102,7 +102,7 @@ class MainWindow(QMainWindow):
         recent_menu = self.commands.menus["Open &recent"]
         self._recent = RecentMenu(recent_menu, recent, self.files.open_recent)
         self.exporter = Exporter(document, lens, messages, dialogs, self)
-        self.exporter.ask_cutting = AskCutting(self)
+        self.exporter.ask_cutting = AskCutting(self, settings)
         self.reporter = Reporter(document, lens, messages, dialogs, self)
         self.sweeps = Sweeps(document, self._open, self)
         self.start_page = Start(self.files, self._show_gallery, dialogs, self)

@@ -14,11 +14,12 @@ from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
 from ui.words import tr
-from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.formats import GCODE, Format, formats_for
 from workbench.files.export.mesh_unit import MILLIMETRES, SCENE_UNIT, mesh_unit_of
+from workbench.interruption import Interrupted
 
 if TYPE_CHECKING:
+    from workbench.files.export.cut_plan import CutPlan
     from workbench.files.export.write import Written
     from workbench.files.session import Session
 
@@ -29,7 +30,8 @@ class Exporter(QObject):
     Attributes
     ----------
     ask_cutting : callable
-        Asks how the lens of a session is cut, for G-code; None if it shall not be.
+        Asks how the lens of a session is cut, for G-code, and simulates the cut; None if the lens
+        shall not be cut.
     """
 
     def __init__(
@@ -45,8 +47,10 @@ class Exporter(QObject):
         self._lens = lens
         self._messages = messages
         self._dialogs = dialogs
-        self.ask_cutting: Callable[[Session], Cutting | None] = lambda session: PLAIN
+        self.ask_cutting: Callable[[Session], CutPlan | None] = lambda session: None
         self._background = Background("export", self)
+        self._begun = ""
+        self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
             lambda _, error: messages.warn(sentence_of(error, tr("export")))
@@ -66,16 +70,16 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(tr(NO_LENS))
             return
-        cutting = self.ask_cutting(session)
-        if cutting is not None:
+        plan = self.ask_cutting(session)
+        if plan is not None:
             title, name = tr("Cut {lens}").format(lens=self._lens.text), self._document.name
             endings = {_filter(GCODE): GCODE.endings[0]}
             path = self._dialogs.to_save("export", title, name, endings)
             if path is not None:
-                self.export(path, cutting)
+                self.export(path, plan)
 
     def export(
-        self, path: Path, cutting: Cutting | None = None, mesh_unit: str = MILLIMETRES
+        self, path: Path, plan: "CutPlan | None" = None, mesh_unit: str = MILLIMETRES
     ) -> None:
         """Write a file; how a face is cut is asked for, where that counts and is not known."""
         if self._background.busy:
@@ -85,13 +89,14 @@ class Exporter(QObject):
         if session is None:
             self._messages.note(tr(NO_LENS))
             return
-        if cutting is None and path.name.lower().endswith(GCODE.endings):
-            cutting = self.ask_cutting(session)
-            if cutting is None:
+        if plan is None and path.name.lower().endswith(GCODE.endings):
+            plan = self.ask_cutting(session)
+            if plan is None:
                 return
-        self._messages.note(tr("{name} is being written…").format(name=path.name), lasts=True)
-        work = partial(_write, session, path, cutting or PLAIN, mesh_unit)
-        self._background.begin(work, self._lens.text)
+        self._begun = tr("{name} is being written…").format(name=path.name)
+        offers = [] if plan is None else [(tr("Cancel"), self._background.stop)]
+        self._messages.note(self._begun, *offers, lasts=True)
+        self._background.begin(partial(_write, session, path, plan, mesh_unit), self._lens.text)
 
     def ask_for_name(self) -> Path | None:
         """Ask for a file; a name without an ending gets that of the chosen format."""
@@ -113,17 +118,39 @@ class Exporter(QObject):
         """Let the file under way be written. Safe to call twice."""
         self._background.close()
 
-    def _tell(self, lens: str, written: "Written") -> None:
-        self._messages.done(f"{written.sentence}; {lens}")
+    def _show_progress(self, _: object, percent: int) -> None:
+        self._messages.amend(self._begun, f"{self._begun} {percent} %")
+
+    def _tell(self, lens: str, written: "Written | None") -> None:
+        self._messages.done(
+            tr("No file is written.") if written is None else f"{written.sentence}; {lens}"
+        )
 
 
 def _write(
-    session: "Session", path: Path, cutting: Cutting, mesh_unit: str, task: Task
+    session: "Session", path: Path, plan: "CutPlan | None", mesh_unit: str, task: Task
 ) -> "Written":
+    """Write a file, a percent after the other.
+
+    Raises
+    ------
+    Interrupted
+        If the work is stopped; then nothing is written.
+    """
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
-    (written,) = export(session, [path], cutting=cutting, mesh_unit=mesh_unit)
+    told = 0
+
+    def watch(done: float) -> None:
+        nonlocal told
+        if task.stopped:
+            raise Interrupted
+        if round(100 * done) > told:
+            told = round(100 * done)
+            task.report(told)
+
+    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, watch=watch)
     return written
 
 

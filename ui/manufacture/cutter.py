@@ -1,60 +1,38 @@
-"""Asks how a face is cut by a ball cutter, and tells what the cut would leave."""
+"""Asks how a face is cut by a ball cutter, and simulates the cut before it can be written.
+
+The simulation follows the fields: each change begins it anew after a moment. Only a cut whose
+cutter fits can be written.
+"""
 
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSettings, Qt, QTimer
 from PySide6.QtWidgets import (
-    QCheckBox,
     QDialog,
     QDialogButtonBox,
-    QFormLayout,
     QHBoxLayout,
-    QLabel,
-    QLineEdit,
+    QProgressBar,
+    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
+from ui.manufacture.cut_fields import CutFields, keep_cutting, kept_cutting
 from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
-from workbench.errors import Refused
-from workbench.files.export.cutting import PLAIN, Cutting
+from workbench.files.export.cutting import Cutting
 from workbench.powers import written
-from workbench.quantity import read_number
 
 if TYPE_CHECKING:
+    from workbench.files.export.cut_plan import CutPlan
     from workbench.files.session import Session
 
 RAYS = 1_000_000
 """Through the cut; some ten seconds."""
-_FEED = "mm/min"
-_LENGTHS = later(
-    {
-        "tool_radius": (
-            "Tool radius",
-            "a radius that fits",
-            "Radius of the ball. Left empty: that of the design task, or one that fits everywhere.",
-        ),
-        "scallop": (
-            "Ridges",
-            later("fine"),
-            (
-                "How high ridges between neighbouring cuts may be. Left empty: 1e-4 of "
-                "the larger half-width, or higher where that takes more moves than a "
-                "program can have."
-            ),
-        ),
-        "rim": ("Clamping rim", "0", "Width of stock around the lens, to hold it by."),
-        "safe_height": (
-            "Travel height",
-            "the ball's diameter",
-            "How far over its highest cut the cutter travels.",
-        ),
-    }
-)
+_REST_MS = 400  # after the last key before the cut is simulated
 _NEGLIGIBLE = 0.01  # a cut into the face of this part of the ridges' height is rounding
 _ABOUT = later(
     "A finishing pass of a ball cutter as G-code in millimetres (GRBL, "
@@ -64,22 +42,20 @@ _ABOUT = later(
 
 
 class AskCutting:
-    """Asks how a lens is cut, and begins with the last answer."""
+    """Asks how a lens is cut, and begins with the last answer, also after another start."""
 
-    def __init__(self, window: QWidget) -> None:
-        self._window = window
-        self._last: tuple[str, Cutting] | None = None  # unit and answer
+    def __init__(self, window: QWidget, settings: QSettings) -> None:
+        self._window, self._settings = window, settings
 
-    def __call__(self, session: "Session") -> Cutting | None:
+    def __call__(self, session: "Session") -> "CutPlan | None":
         """The answer; None if the lens shall not be cut."""
         unit = session.scene.unit
-        last = self._last[1] if self._last is not None and self._last[0] == unit else PLAIN
-        dialog = CutterDialog(session, last, self._window)
+        dialog = CutterDialog(session, kept_cutting(self._settings, unit), self._window)
         try:
-            if not dialog.exec():
+            if not dialog.exec() or dialog.plan is None:
                 return None
-            self._last = unit, dialog.cutting()
-            return self._last[1]
+            keep_cutting(self._settings, unit, dialog.plan.cutting)
+            return dialog.plan
         finally:
             dialog.deleteLater()
 
@@ -95,158 +71,202 @@ class CutterDialog(QDialog):
         What the fields hold at first.
     window : QWidget
         The dialog stands over it.
+
+    Attributes
+    ----------
+    fields : CutFields
+        How the face is cut.
+    plan : CutPlan or None
+        The cut that the fields describe, once it has been simulated and the cutter fits.
     """
 
     def __init__(self, session: "Session", begin_with: Cutting, window: QWidget) -> None:
         super().__init__(window)
         self.setWindowTitle(tr("Ball cutter"))
         self._session, self._unit = session, session.scene.unit
-        self.fields = {name: QLineEdit() for name in _LENGTHS}
-        form = QFormLayout()
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        for name, (title, empty, tip) in _LENGTHS.items():
-            value = getattr(begin_with, name)
-            self.fields[name].setText(f"{value:g}" if value else "")
-            self._add(form, name, tr(title), tr(empty), tr(tip), self._unit)
-        self.fields["feed"] = QLineEdit(f"{begin_with.feed:g}")
-        self._add(
-            form, "feed", tr("Feed"), "600", tr("How fast the cutter moves while it cuts."), _FEED
-        )
-        self.mould = QCheckBox(tr("Cut a mould of the face"))
-        self.mould.setToolTip(
-            tr("The negative: hollows become humps, turned over about the y axis.")
-        )
-        self.mould.setChecked(begin_with.negative)
-        form.addRow("", self.mould)
+        self.plan: CutPlan | None = None
+        self._fitting = 0.0
+        self.fields = CutFields(self._unit, begin_with)
+        self.fields.changed.connect(self._follow)
         self.found = WrappedLabel()
         self.found.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.found.setAccessibleName(tr("What the cut leaves"))
         self.found.setMinimumHeight(4 * self.fontMetrics().lineSpacing())
         self.found.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 100)
+        self.stop = QPushButton(tr("Stop"))
+        self.stop.setToolTip(tr("Stop the simulation; a change of a field begins it anew"))
+        self.stop.clicked.connect(self._stop)
+        self.fit = QPushButton()
+        self.fit.clicked.connect(self._take_fitting)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.write = buttons.addButton(tr("&Write G-code…"), QDialogButtonBox.ButtonRole.AcceptRole)
-        self.look = buttons.addButton(
-            tr("&Simulate and trace"), QDialogButtonBox.ButtonRole.ActionRole
-        )
+        self.look = buttons.addButton(tr("&Trace light"), QDialogButtonBox.ButtonRole.ActionRole)
         self.look.setToolTip(
-            tr(
-                "Simulate the cut and trace light through what it leaves, beside the "
-                "lens as designed"
-            )
+            tr("Trace light through what the cut leaves, beside the lens as designed")
         )
-        self.look.clicked.connect(self.simulate)
-        self.look.setDefault(True)
+        self.look.clicked.connect(self.trace)
         buttons.accepted.connect(self._accept)
         buttons.rejected.connect(self.reject)
+        working = QHBoxLayout()
+        working.addWidget(self.bar, 1)
+        working.addWidget(self.stop)
+        working.addWidget(self.fit)
         column = QVBoxLayout(self)
         column.addWidget(WrappedLabel(tr(_ABOUT)))
-        column.addLayout(form)
+        column.addWidget(self.fields)
         column.addWidget(self.found)
+        column.addLayout(working)
         column.addWidget(buttons)
         self.setMinimumWidth(46 * self.fontMetrics().averageCharWidth() + 120)
         self._goes_on = False  # whether the keyboard was at the button
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self.simulate)
         self._background = Background("simulate the cut", self)
-        self._background.progressed.connect(lambda _, said: self.found.setText(said))
+        self._background.progressed.connect(self._show_progress)
         self._background.done.connect(self._tell)
         self._background.failed.connect(
-            lambda _, error: self._tell(None, sentence_of(error, tr("simulation of the cut")))
+            lambda _, error: self._tell_failure(sentence_of(error, tr("simulation of the cut")))
         )
-        self.finished.connect(self._background.close)
-
-    def cutting(self) -> Cutting:
-        """What the fields say.
-
-        Raises
-        ------
-        ValueError, Refused
-            If one of them is no length, or they do not go together.
-        """
-        read = {name: self._number(name) for name in self.fields}
-        feed, rim = read.pop("feed") or PLAIN.feed, read.pop("rim") or PLAIN.rim
-        return Cutting(**read, rim=rim, feed=feed, negative=self.mould.isChecked())
+        self.finished.connect(self._close)
+        self.simulate()
 
     def simulate(self) -> None:
-        """Simulate the cut in a thread, and trace what it leaves."""
-        cutting = self._asked()
-        if cutting is not None:
+        """Simulate the cut in a thread; with its verdict it can be written, or not."""
+        self._forget()
+        try:
+            cutting = self.fields.cutting()
+        except ValueError as error:
+            self._end(f"\N{WARNING SIGN} {error}")
+            return
+        self._begin(tr("Simulating the cut: {percent} %"))
+        self._background.begin(partial(_plan, self._session, cutting))
+
+    def trace(self) -> None:
+        """Trace light through what the cut leaves, in a thread."""
+        if self.plan is not None:
             self._goes_on = self.look.hasFocus()
             self.look.setEnabled(False)
-            self.found.setText(tr("Simulating the cut…"))
-            self._background.begin(partial(_look, self._session, cutting))
+            self._begin(tr("Tracing: {percent} %"))
+            self._background.begin(partial(_trace, self._session, self.plan))
 
-    def _add(
-        self, form: QFormLayout, name: str, title: str, empty: str, tip: str, unit: str
-    ) -> None:
-        field = self.fields[name]
-        field.setPlaceholderText(empty)
-        field.setToolTip(f"<p>{tip}</p>")
-        field.setAccessibleName(title)
-        line = QHBoxLayout()
-        line.addWidget(field, 1)
-        line.addWidget(QLabel(unit))
-        form.addRow(title, line)
+    def _follow(self) -> None:
+        """Simulate what the fields say now, in a moment."""
+        self._background.cancel()
+        self._forget()
+        self._end("")
+        self._rest.start()
 
-    def _number(self, name: str) -> float | None:
-        text = self.fields[name].text().strip()
-        if not text:
-            return None
-        value = float(read_number(text, _FEED if name == "feed" else self._unit))
-        if value < 0 or (value == 0 and name != "rim"):
-            title = self.fields[name].accessibleName()
-            allowed = tr("{value:g}; a number above 0, or nothing").format(value=value)
-            raise ValueError(f"{title}: {allowed}")
-        return value
+    def _forget(self) -> None:
+        self._rest.stop()
+        self.plan = None
+        self.write.setEnabled(False)
+        self.look.setEnabled(False)
+        self.fit.hide()
 
-    def _asked(self) -> Cutting | None:
-        """What the fields say; None where that is refused, and then why."""
-        try:
-            return self.cutting()
-        except (ValueError, Refused) as error:
-            self.found.setText(f"\N{WARNING SIGN} {error}")
-            return None
+    def _begin(self, words: str) -> None:
+        self.bar.setFormat(words.replace("{percent} %", "%p %"))
+        self.bar.setValue(0)
+        self.bar.show()
+        self.stop.show()
+
+    def _end(self, text: str) -> None:
+        self.bar.hide()
+        self.stop.hide()
+        self.found.setText(text)
+
+    def _stop(self) -> None:
+        self._background.stop()
+
+    def _show_progress(self, _: object, done: float) -> None:
+        self.bar.setValue(round(100 * done))
+
+    def _tell(self, _: None, found: "CutPlan | str | None") -> None:
+        """Show a verdict, or the errors that were traced."""
+        if found is None:
+            stopped = tr("Stopped: the cut is not simulated.")
+            self._end(stopped if self.plan is None else _words(self.plan, self._unit))
+        elif isinstance(found, str):
+            assert self.plan is not None
+            self._end(f"{_words(self.plan, self._unit)}\n{found}")
+        else:
+            self._judge(found)
+        self._allow_trace()
+
+    def _tell_failure(self, reason: str) -> None:
+        verdict = "" if self.plan is None else f"{_words(self.plan, self._unit)}\n"
+        self._end(f"{verdict}\N{WARNING SIGN} {reason}")
+        self._allow_trace()
+
+    def _allow_trace(self) -> None:
+        self.look.setEnabled(self.plan is not None and not self.plan.cutting.negative)
+        if self._goes_on:  # disabled, the button gave the keyboard to another one
+            self.look.setFocus()
+            self._goes_on = False
+
+    def _judge(self, plan: "CutPlan") -> None:
+        refusal = plan.refusal(self._unit)
+        if refusal is None:
+            self.plan = plan
+            self.write.setEnabled(True)
+            self.write.setDefault(True)
+            self._end(_words(plan, self._unit))
+            return
+        self._end(f"\N{WARNING SIGN} {tr(refusal.reason)}")
+        self._fitting = plan.fitting_radius
+        self.fit.setText(tr("Use {radius}").format(radius=written(self._fitting, self._unit, 2)))
+        self.fit.show()
+
+    def _take_fitting(self) -> None:
+        """Cut by a ball that fits."""
+        self.fields.lines["tool_radius"].setText(f"{self._fitting:.2g}")
+        self.simulate()
 
     def _accept(self) -> None:
-        if self._asked() is not None:
+        if self.plan is not None:
             self.accept()
 
-    def _tell(self, _: object, said: str) -> None:
-        self.look.setEnabled(True)
-        if self._goes_on:  # disabled, it gave the keyboard to Cancel, which Return would press
-            self.look.setFocus()
-        self.found.setText(said)
+    def _close(self) -> None:
+        self._rest.stop()
+        self._background.close()
 
 
-def _look(session: "Session", cutting: Cutting, task: Task) -> str | None:
-    """Meant for the thread: what a cut leaves, in words; None if the work was left."""
-    from workbench.analysis.cut_lens import tracing_cut  # late: take long to import
-    from workbench.design.session import result_of
-    from workbench.files.export.design import Design
-    from workbench.files.export.gcode import planning
-
-    result, unit = result_of(session), session.scene.unit
-    plan = task.follow(planning(Design(session.scene, result, cutting=cutting)))
-    if plan is None:
-        return None
+def _words(plan: "CutPlan", unit: str) -> str:
+    """What a cut leaves."""
     cut_off, left, _ = plan.remains
     deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(cut_off, unit, 2))
     whole = cut_off < _NEGLIGIBLE * left
-    lines = [
-        tr(
-            "Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, "
-            "as ridges or where the ball does not fit."
-        ).format(
-            radius=written(plan.raster.radius, unit),
-            size=plan.raster.tip.size,
-            left=written(left, unit, 2),
-            deep=tr("Nothing is cut too deep") if whole else deep,
-        )
-    ]
-    if cutting.negative:
-        return lines[0]
-    task.report(f"{lines[0]}\n{tr('Tracing…')}")
-    found = task.follow(
-        tracing_cut(session.scene, result.state.heights, session.target, plan.raster, RAYS)
+    found = tr(
+        "Radius {radius}, {size:,} moves. {deep}; up to {left} of material is left standing, "
+        "as ridges or where the ball does not fit."
+    ).format(
+        radius=written(plan.raster.radius, unit),
+        size=plan.raster.tip.size,
+        left=written(left, unit, 2),
+        deep=tr("Nothing is cut too deep") if whole else deep,
     )
+    return f"\N{CHECK MARK} {tr('The cutter fits.')} {found}"
+
+
+def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
+    """Meant for the thread: the simulated cut; None if the work was stopped."""
+    from workbench.design.session import result_of  # late: take long to import
+    from workbench.files.export.design import Design
+    from workbench.files.export.gcode import planning
+
+    design = Design(session.scene, result_of(session), cutting=cutting)
+    return task.follow(planning(design), task.report)
+
+
+def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
+    """Meant for the thread: errors of the lens as cut, in words; None if the work was stopped."""
+    from workbench.analysis.cut_lens import tracing_cut  # late: takes long to import
+    from workbench.design.session import result_of
+
+    heights = result_of(session).state.heights
+    steps = tracing_cut(session.scene, heights, session.target, plan.raster, RAYS)
+    found = task.follow(steps, task.report)
     if found is None:
         return None
-    return "\n".join([*lines, f"{tr(found.sentence)} {tr('Polishing takes ridges away.')}"])
+    return f"{tr(found.sentence)} {tr('Polishing takes ridges away.')}"

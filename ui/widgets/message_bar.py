@@ -86,6 +86,12 @@ class MessageBar(QFrame):
         self.note(text, lasts=True)
         self._done = True
 
+    def amend(self, beginning: str, text: str) -> None:
+        """Go on with a message that begins so, as with progress, unless another stands there."""
+        if beginning and self.text.startswith(beginning):
+            self._text.setText(text)
+            self.setAccessibleName(text)
+
     def withdraw(self, text: str) -> None:
         """Take a message back, unless another one stands there by now."""
         if text and text == self.text:

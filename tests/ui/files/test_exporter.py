@@ -1,5 +1,6 @@
 """Exports from the window: written beside it, told with their measured error."""
 
+import itertools
 import re
 import threading
 from types import SimpleNamespace
@@ -9,7 +10,11 @@ import trimesh
 from PySide6.QtCore import QTimer
 
 from tests.ui.hands import accept_as
+from workbench.files.export.cutting import Cutting
+from workbench.files.export.design import Design
 from workbench.files.export.formats import formats_for
+from workbench.files.export.gcode import planning
+from workbench.watch import finished
 
 
 @pytest.fixture
@@ -47,7 +52,7 @@ def held(monkeypatch):
     """An export that goes on until it is let."""
     release = threading.Event()
 
-    def write(session, path, cutting, mesh_unit, task):
+    def write(session, path, plan, mesh_unit, task):
         assert release.wait(30)
         return SimpleNamespace(sentence="written")
 
@@ -69,6 +74,32 @@ def test_the_window_stays_responsive_and_exports_one_file_at_a_time(window, held
     timer.stop()
     held.set()
     qtbot.waitUntil(lambda: window.messages.text.startswith("written; the lens on show"))
+
+
+def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
+    window, designed, tmp_path, qtbot, monkeypatch
+):
+    cutting = Cutting(0.2, 0.002)
+    plan = finished(planning(Design(designed.scene, designed.result, cutting=cutting)))
+    begun = threading.Event()
+
+    def endless(design, file):
+        for part in itertools.chain([0.4], itertools.repeat(0.5)):
+            yield part
+            begun.set()
+
+    with monkeypatch.context() as changed:
+        changed.setattr("workbench.files.export.gcode.writing", endless)
+        path = tmp_path / "lens.nc"
+        window.exporter.export(path, plan)
+        qtbot.waitUntil(lambda: "50" in window.messages.text and begun.is_set())
+        (cancel,) = window.messages.buttons
+        cancel.click()
+        qtbot.waitUntil(lambda: window.messages.text == "No file is written.")
+        assert list(tmp_path.glob("*lens*")) == []
+    window.exporter.export(path, plan)
+    qtbot.waitUntil(lambda: str(path) in window.messages.text)
+    assert path.read_text().endswith("M5\nM30\n")
 
 
 def test_closing_waits_for_an_export(window, held, tmp_path):

@@ -1,120 +1,217 @@
-"""How a face is cut, asked in the window."""
+"""How a face is cut, asked in the window, with the verdict before anything is written."""
+
+import threading
 
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from tests.ui.hands import fill
+from ui.manufacture.cut_fields import CutFields, keep_cutting, kept_cutting
 from ui.manufacture.cutter import AskCutting, CutterDialog
 from workbench.files.export.cutting import PLAIN, Cutting
 
+COARSE = Cutting(tool_radius=0.2, scallop=0.002)
+
 
 @pytest.fixture
-def dialog(designed, qtbot, window):
-    found = CutterDialog(designed, PLAIN, window)
+def open_dialog(designed, qtbot, window):
+    shown = []
+
+    def make(cutting=COARSE):
+        found = CutterDialog(designed, cutting, window)
+        shown.append(found)
+        qtbot.addWidget(found)
+        with qtbot.waitExposed(found):
+            found.show()
+        return found
+
+    yield make
+    for each in shown:
+        each.reject()
+
+
+@pytest.fixture
+def dialog(open_dialog):
+    return open_dialog()
+
+
+@pytest.fixture
+def fields(qtbot):
+    found = CutFields("cm", PLAIN)
     qtbot.addWidget(found)
-    with qtbot.waitExposed(found):
-        found.show()
-    yield found
-    found.reject()
+    found.show()
+    return found
 
 
-def answer(act):
-    """Do something to the dialog that is about to open."""
+@pytest.fixture
+def held(monkeypatch):
+    """Plans that do not end, and what becomes of them."""
+    left = threading.Event()
+
+    def endless(*_):
+        try:
+            while True:
+                yield 0.4
+        finally:
+            left.set()
+
+    monkeypatch.setattr("workbench.files.export.gcode.planning", endless)
+    return left
+
+
+def answer(act, when=lambda dialog: True):
+    """Do something to the dialog that is about to open, as soon as it is ready for that."""
 
     def now():
-        act(next(w for w in QApplication.topLevelWidgets() if isinstance(w, CutterDialog)))
+        shown = [w for w in QApplication.topLevelWidgets() if isinstance(w, CutterDialog)]
+        if shown and shown[-1].isVisible() and when(shown[-1]):
+            act(shown[-1])
+        else:
+            QTimer.singleShot(50, now)
 
-    QTimer.singleShot(300, now)
-
-
-def test_empty_fields_leave_it_to_the_program(dialog):
-    assert dialog.cutting() == PLAIN
-
-
-def test_fields_take_units(dialog, qtbot):
-    fill(qtbot, dialog.fields["tool_radius"], "1.5 mm", key=None)  # the scene is in cm
-    fill(qtbot, dialog.fields["scallop"], "20 µm", key=None)
-    fill(qtbot, dialog.fields["feed"], "900", key=None)
-    dialog.mould.click()
-    assert dialog.cutting() == Cutting(0.15, 0.002, feed=900.0, negative=True)
+    QTimer.singleShot(50, now)
 
 
-@pytest.mark.parametrize(
-    ("name", "text", "why"),
-    [("tool_radius", "0", "above 0"), ("rim", "-1", "above 0"), ("feed", "x", "not a number")],
-)
-def test_impossible_input_is_reported_and_the_dialog_stays(dialog, qtbot, name, text, why):
-    fill(qtbot, dialog.fields[name], text, key=None)
-    dialog.write.click()
-    assert why in dialog.found.text() and dialog.isVisible()
+def fits(dialog):
+    return dialog.write.isEnabled()
 
 
-def test_ridges_and_both_errors_are_shown(dialog, qtbot, monkeypatch):
+class TestFields:
+    def test_defaults_leave_it_to_the_program(self, fields):
+        assert fields.cutting() == PLAIN
+
+    def test_they_take_units(self, fields, qtbot):
+        for name, text in (
+            ("tool_radius", "1.5 mm"),
+            ("scallop", "20 µm"),
+            ("feed", "900"),
+            ("plunge_feed", "90"),
+            ("spindle_speed", "12000"),
+            ("dwell", "2.5"),
+        ):
+            fill(qtbot, fields.lines[name], text, key=None)
+        fields.mould.click()
+        assert fields.cutting() == Cutting(0.15, 0.002, 0.0, None, 900, 90, 12_000, 2.5, True)
+
+    def test_an_empty_one_has_its_default(self, fields, qtbot):
+        fields.lines["feed"].clear()
+        assert fields.cutting() == PLAIN
+
+    @pytest.mark.parametrize(
+        ("name", "text", "why"),
+        [
+            ("tool_radius", "0", "Tool radius: 0; a length above 0"),
+            ("rim", "-1", "Clamping rim: -1; a length of 0 or more"),
+            ("feed", "x", "Feed: 'x' is not a number"),
+            ("spindle_speed", "0", "Spindle speed: 0 rpm; from 1 to 200,000 rpm"),
+        ],
+    )
+    def test_impossible_input_is_refused_with_what_is_allowed(self, fields, qtbot, name, text, why):
+        fill(qtbot, fields.lines[name], text, key=None)
+        with pytest.raises(ValueError, match=why):
+            fields.cutting()
+
+
+def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
+    assert not dialog.write.isEnabled() and dialog.bar.isVisible()
+    qtbot.waitUntil(lambda: fits(dialog))
+    assert "The cutter fits. Radius 0.2 cm" in dialog.found.text()
+    assert "Nothing is cut too deep; up to 0.0019 cm of material is left" in dialog.found.text()
+    assert not dialog.bar.isVisible()
+
+
+def test_a_change_of_a_field_asks_for_another_verdict(dialog, qtbot):
+    qtbot.waitUntil(lambda: fits(dialog))
+    fill(qtbot, dialog.fields.lines["scallop"], "0.004", key=None)
+    assert not dialog.write.isEnabled() and dialog.found.text() == ""
+    qtbot.waitUntil(lambda: fits(dialog))
+    assert "up to 0.0037 cm" in dialog.found.text()
+    fill(qtbot, dialog.fields.lines["dwell"], "-1", key=None)
+    qtbot.waitUntil(lambda: "Dwell: -1 s; from 0 to 600 s" in dialog.found.text())
+    assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
+
+
+def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
+    open_dialog, qtbot, monkeypatch
+):
+    monkeypatch.setattr("workbench.files.export.cut_plan._LEFT", -1.0)
+    dialog = open_dialog()
+    qtbot.waitUntil(dialog.fit.isVisible)
+    assert "a ball cutter of 0.2 cm does not fit: it leaves" in dialog.found.text()
+    assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
+    dialog._accept()
+    assert dialog.isVisible()
+    monkeypatch.undo()
+    dialog.fit.click()
+    qtbot.waitUntil(lambda: fits(dialog))
+    assert dialog.plan.cutting.tool_radius == float(dialog.fields.lines["tool_radius"].text())
+
+
+def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, qtbot):
+    dialog = open_dialog()
+    qtbot.waitUntil(lambda: dialog.bar.value() == 40)
+    assert "Simulating the cut" in dialog.bar.format()
+    dialog.stop.click()
+    qtbot.waitUntil(lambda: "Stopped" in dialog.found.text())
+    assert held.is_set() and not dialog.write.isEnabled()
+
+
+def test_closing_ends_the_simulation(held, open_dialog, qtbot):
+    dialog = open_dialog()
+    qtbot.waitUntil(lambda: dialog.bar.value() == 40)
+    dialog.reject()  # waits for the thread
+    assert held.is_set() and not dialog._background.running
+
+
+def test_both_errors_are_shown(dialog, qtbot, monkeypatch):
     monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
-    fill(qtbot, dialog.fields["tool_radius"], "0.2", key=None)
-    fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
-    dialog.look.click()
+    qtbot.waitUntil(dialog.look.isEnabled)
+    dialog.look.setFocus()
+    qtbot.keyClick(dialog.look, Qt.Key.Key_Space)
     assert not dialog.look.isEnabled()
     qtbot.waitUntil(dialog.look.isEnabled)
     assert "Radius 0.2 cm" in dialog.found.text()
-    assert "Nothing is cut too deep; up to 0.0019 cm of material is left" in dialog.found.text()
     assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
+    assert dialog.write.isEnabled()
 
 
-def test_the_keyboard_is_back_at_the_button_after_a_simulation(dialog, qtbot, monkeypatch):
-    monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
-    fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
-    with qtbot.waitActive(dialog):
-        dialog.activateWindow()
-    dialog.look.setFocus()
-    qtbot.waitUntil(dialog.look.hasFocus)
-    qtbot.keyClick(dialog.look, Qt.Key.Key_Space)
-    assert not dialog.look.hasFocus()
-    qtbot.waitUntil(dialog.look.isEnabled)
-    assert dialog.look.hasFocus()
+def test_what_was_chosen_is_kept_for_each_unit(settings):
+    chosen = Cutting(0.3, feed=900.0, spindle_speed=8_000.0, negative=True)
+    keep_cutting(settings, "cm", chosen)
+    assert kept_cutting(settings, "cm") == chosen
+    assert kept_cutting(settings, "mm") == PLAIN
+    settings.setValue("cutting/cm", '{"feed": -1}')
+    assert kept_cutting(settings, "cm") == PLAIN
 
 
-def test_closing_leaves_the_trace_of_a_cut(dialog, qtbot, monkeypatch):
-    begun, left = [], []
-
-    def endless(*_):
-        begun.append(True)
-        try:
-            while True:
-                yield 0.0
-        finally:
-            left.append(True)
-
-    monkeypatch.setattr("workbench.analysis.cut_lens.tracing_cut", endless)
-    fill(qtbot, dialog.fields["scallop"], "0.002", key=None)
-    dialog.look.click()
-    qtbot.waitUntil(lambda: bool(begun) and "Tracing" in dialog.found.text())
-    dialog.reject()  # waits for the thread
-    assert left and not dialog._background.running
-
-
-def test_the_last_answer_is_what_the_next_begins_with(designed, window):
-    ask = AskCutting(window)
-    answer(lambda dialog: (dialog.fields["tool_radius"].setText("0.3"), dialog._accept()))
-    assert ask(designed) == Cutting(0.3)
+def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):
+    keep_cutting(settings, "cm", COARSE)
+    ask = AskCutting(window, settings)
+    answer(lambda dialog: dialog.fields.lines["feed"].setText("700"))
+    answer(lambda dialog: (dialog.simulate(), answer(CutterDialog._accept, fits)), fits)
+    plan = ask(designed)
+    assert plan.cutting == Cutting(0.2, 0.002, feed=700.0)
     answer(lambda dialog: dialog.reject())
     assert ask(designed) is None
-    answer(lambda dialog: dialog._accept())
-    assert ask(designed) == Cutting(0.3)
+    answer(CutterDialog._accept, fits)
+    assert ask(designed).cutting == plan.cutting
 
 
-def test_the_pane_and_the_menu_lead_to_g_code(display, open_window, designed, qtbot, tmp_path):
+def test_the_pane_and_the_menu_lead_to_g_code(
+    display, open_window, designed, settings, qtbot, tmp_path
+):
+    keep_cutting(settings, designed.scene.unit, Cutting(0.3, 0.003))
     window = open_window(designed)
     window.build()
     written = tmp_path / "lens.nc"
     window.exporter._dialogs.to_save = lambda *_: written
     window.workspace.show_dock("manufacture")
     pane = window.loaded.production.manufacture
-    answer(lambda dialog: (dialog.fields["tool_radius"].setText("0.3"), dialog._accept()))
+    answer(CutterDialog._accept, fits)
     button = next(b for b in pane.findChildren(QPushButton) if b.text() == "Ball cutter…")
     button.click()
     qtbot.waitUntil(lambda: not window.exporter._background.busy)
-    assert "ball cutter of radius 3.0000" in written.read_text()
+    assert "(ball cutter: radius 3.0000)" in written.read_text()
     assert str(written) in window.messages.text
     assert window.commands["cut"].isEnabled()

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from workbench.errors import Refused
+from workbench.files.export.cutting import Cutting
 from workbench.geometry.tool_path import Raster, Remains
 from workbench.powers import written
 from workbench.said import Said
@@ -16,6 +17,8 @@ class CutPlan(NamedTuple):
 
     Attributes
     ----------
+    cutting : Cutting
+        What was asked for.
     raster : Raster
         The cuts, scene units.
     scallop : float
@@ -28,6 +31,7 @@ class CutPlan(NamedTuple):
         Radius of a ball that fits everywhere, scene units.
     """
 
+    cutting: Cutting
     raster: Raster
     scallop: float
     remains: Remains

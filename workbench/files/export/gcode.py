@@ -64,7 +64,7 @@ def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
         f"cutter radius {written(radius, design.unit)}, ridges up to "
         f"{written(left, design.unit, 2)}, cut into the face up to "
         f"{written(max(cut_off, 0), design.unit, 2)}; a finishing pass in mm, zero at the top of "
-        f"the face, spindle {design.cutting.spindle_speed:g} rpm",
+        f"the face, spindle {plan.cutting.spindle_speed:g} rpm",
     )
 
 
@@ -93,15 +93,15 @@ def planning(design: Design) -> Steps[CutPlan]:
 
 def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     """Find the cuts by one cutter."""
-    mm = 1e3 * design.metres
+    mm, top = 1e3 * design.metres, float(face.heights.max())
     fine = max(_FINE * max(design.net.half_width), _LEAST_RIDGES / mm)
     scallop = design.cutting.scallop or face.finest(radius, min(fine, radius / 2), _MOST)
     raster = yield from within(face.rastering(radius, scallop, _MOST), lambda done: 0.8 * done)
-    raster = _rounded(raster, mm)
+    raster = _rounded(raster, mm, top)
     remains = yield from within(face.left(raster), lambda done: 0.8 + 0.2 * done)
     if _looks_up(design) < 0:  # the face lies turned over about y
         remains = remains._replace(place=(-remains.place[0], remains.place[1]))
-    return CutPlan(raster, scallop, remains, float(face.heights.max()), face.fitting_radius)
+    return CutPlan(design.cutting, raster, scallop, remains, top, face.fitting_radius)
 
 
 def _looks_up(design: Design) -> int:
@@ -114,26 +114,27 @@ def _from(begin: float, done: float) -> float:
     return begin + (1 - begin) * done
 
 
-def _rounded(raster: Raster, millimetres: float) -> Raster:
-    """The numbers that a program has, in scene units."""
-    x, y, tip = (
-        np.round(each * millimetres, _DIGITS) / millimetres
-        for each in (raster.x, raster.y, raster.tip)
-    )
-    return Raster(x, y, tip, raster.radius)
+def _rounded(raster: Raster, millimetres: float, top: float) -> Raster:
+    """The numbers that a program has, in scene units; tips are rounded up, away from the face.
+
+    Zero of the program is at the top.
+    """
+    step = 10.0**-_DIGITS / millimetres
+    x, y = np.round(raster.x / step) * step, np.round(raster.y / step) * step
+    return Raster(x, y, top + np.ceil((raster.tip - top) / step) * step, raster.radius)
 
 
 def _heights(design: Design, plan: CutPlan) -> tuple[float, float]:
     """How high the cutter travels, and its highest cut, mm over the zero of the program."""
     raster, mm = plan.raster, 1e3 * design.metres
-    clear = design.cutting.safe_height or 2 * raster.radius
+    clear = plan.cutting.safe_height or 2 * raster.radius
     highest = float(raster.tip.max()) - plan.top
     return mm * (highest + clear), mm * highest
 
 
 def _header(design: Design, plan: CutPlan) -> Iterator[str]:
     """What the program is, and how it begins: no line has 80 characters, which GRBL cannot take."""
-    cutting, raster, mm = design.cutting, plan.raster, 1e3 * design.metres
+    cutting, raster, mm = plan.cutting, plan.raster, 1e3 * design.metres
     width, height = (2 * mm * (r + cutting.rim) for r in design.net.half_width)
     deep = mm * (plan.top - float(raster.tip.min()))
     safe, highest = _heights(design, plan)
@@ -165,7 +166,7 @@ def _cuts(design: Design, plan: CutPlan, row: int) -> Iterator[str]:
     x = (mm * plan.raster.x)[::turn].tolist()
     z = (mm * (plan.raster.tip[:, row] - plan.top))[::turn].tolist()
     y = mm * float(plan.raster.y[row])
-    feed = f" F{design.cutting.feed:g}" if row == 0 else ""
+    feed = f" F{plan.cutting.feed:g}" if row == 0 else ""
     for at, deep in zip(x, z, strict=True):
         yield f"G1 X{at:.5f} Y{y:.5f} Z{deep:.5f}{feed}"
         feed = ""

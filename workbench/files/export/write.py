@@ -71,7 +71,8 @@ def export(
     mesh_unit : str
         Unit of lengths in STL, OBJ, PLY and 3MF files, or "scene" for that of the scene.
     plan : CutPlan, optional
-        The cuts of this lens, where they have been planned and simulated before.
+        The cuts of this lens, where they have been planned and simulated before; it has a
+        ``cutting`` of its own.
     watch : callable
         Is told which part of a file is done, where it takes long.
 
