@@ -353,6 +353,18 @@ def test_16_bits_with_zero_as_white_are_read(tmp_path, order):
     np.testing.assert_allclose(read_image(path), 1 - levels / 65535)
 
 
+def test_16_bits_of_a_pgm_are_shades(tmp_path):
+    levels = np.array([[0, 1, 40_000], [65_535, 7, 512]], np.uint16)
+    found = read_picture(saved(tmp_path, Image.fromarray(levels), "a.pgm"), tone=SRGB)
+    np.testing.assert_allclose(found.light, SRGB.light(levels / 65535))
+
+
+@pytest.mark.parametrize("length", [4, 8, 12, 40])
+def test_the_beginning_of_a_tiff_is_no_image(tmp_path, length):
+    (tmp_path / "a.tif").write_bytes((b"II*\0" + bytes(60))[:length])
+    assert "not an image" in refusal(tmp_path / "a.tif")
+
+
 def tiff(levels, order):
     """An uncompressed TIFF of 16 bits in which zero is white."""
     rows, columns = levels.shape

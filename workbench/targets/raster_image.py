@@ -127,7 +127,9 @@ def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
 
 def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Tone, list[Said]]:
     """How light is read from a strip of an image, what its values mean, and remarks."""
-    if image.mode in ("I", "F"):  # 32 bits a pixel
+    # Pillow reads 16 bits of a PGM as 32, from 0 to 65535.
+    is_deep = image.mode.startswith("I;16") or (image.mode == "I" and image.format == "PPM")
+    if image.mode in ("I", "F") and not is_deep:  # 32 bits a pixel
         if is_negative:
             raise UnusablePicture(
                 Said("has 32 bits a pixel with zero as white; save it with zero as black")
@@ -137,7 +139,7 @@ def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Ton
         return lambda strip: grey_of_lab(np.asarray(strip.getchannel("L"))), tone, []
     colour = Colour.of(image, tone)
     remarks = [*colour.remarks]
-    if image.mode.startswith("I;16"):
+    if is_deep:
 
         def deep(strip: Image.Image) -> Array:
             stored = np.asarray(strip) / 65535.0
@@ -193,11 +195,14 @@ def _with_black_as_zero(beginning: bytes, file: BinaryIO) -> BytesIO | None:
         return None
     file.seek(0)
     content = bytearray(file.read())
-    (place,) = struct.unpack_from(f"{order}I", content, 4)
-    (count,) = struct.unpack_from(f"{order}H", content, place)
-    for entry in range(place + 2, place + 2 + 12 * count, 12):
-        tag, _, _, value = struct.unpack_from(f"{order}HHIH", content, entry)
-        if (tag, value) == (_PHOTOMETRIC, _WHITE_IS_ZERO):
-            struct.pack_into(f"{order}H", content, entry + 8, _BLACK_IS_ZERO)
-            return BytesIO(content)
+    try:
+        (place,) = struct.unpack_from(f"{order}I", content, 4)
+        (count,) = struct.unpack_from(f"{order}H", content, place)
+        for entry in range(place + 2, place + 2 + 12 * count, 12):
+            tag, _, _, value = struct.unpack_from(f"{order}HHIH", content, entry)
+            if (tag, value) == (_PHOTOMETRIC, _WHITE_IS_ZERO):
+                struct.pack_into(f"{order}H", content, entry + 8, _BLACK_IS_ZERO)
+                return BytesIO(content)
+    except struct.error:  # it is cut off
+        pass
     return None
