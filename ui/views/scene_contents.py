@@ -112,6 +112,8 @@ class SceneContents:
             by_weight=look.by_weight,
         )
         self.nets.begin(plotter, session.scene.optic, dark=dark)
+        if self.handles is not None:
+            self.handles.close()
         self.handles = SourceHandles(plotter, dark=dark)
         self._dots = Dots(plotter, _SPOT)
         self._dots.colour(_SPOTS[dark])
@@ -148,5 +150,7 @@ class SceneContents:
 
     def close(self) -> None:
         """Let go of what VTK holds."""
+        if self.handles is not None:
+            self.handles.close()
         self.picture = self.handles = self.sight = self._dots = None
         self.nets.close()

@@ -1,5 +1,10 @@
-"""Handles of a point source or a grid of them, by which it is moved and widened."""
+"""Handles of a point source or a grid of them, by which it is moved and widened.
 
+Handles of a source that is small in the picture stand beside it, so that the source itself is left
+to be moved. They follow the camera: each rendering places them anew.
+"""
+
+import weakref
 from typing import Any, Literal
 
 import numpy as np
@@ -15,6 +20,7 @@ Handle = Literal["middle"] | int
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
 _PICK_DISTANCE = 14.0  # pixels; farther away nothing is picked
+_BESIDE = 3 * _PICK_DISTANCE  # pixels from the middle to a handle of a corner, at least
 _INSIDE = (9, 9)  # places of a grid, along x and y, that are as good as its middle
 
 
@@ -33,15 +39,23 @@ class SourceHandles:
         self._dots = Dots(plotter, _SIZE, round=False)
         self._sight = Sight(plotter)
         self._source: Source | None = None
+        self._renderer, handles = plotter.renderer, weakref.ref(self)
+
+        def follow(*_: object) -> None:
+            if (present := handles()) is not None:
+                present._place()
+
+        self._observer = self._renderer.AddObserver("StartEvent", follow)
         self.recolour(dark)
 
     def show(self, source: Source | None) -> None:
         """Show the handles of a source; collimated light has none."""
         self._source = source
-        if source is None or source.place is None:
-            self._dots.place(np.zeros((0, 3)))
-        else:
-            self._dots.place(np.vstack([source.corners, source.place]))
+        self._place()
+
+    def close(self) -> None:
+        """Follow the camera no more."""
+        self._renderer.RemoveObserver(self._observer)
 
     def recolour(self, dark: bool) -> None:
         """Change between the dark and the light ground."""
@@ -52,10 +66,29 @@ class SourceHandles:
         source = self._source
         if source is None:
             return None
-        corner = self._nearest(source.corners, x, y)
+        corner = self._nearest(self._beside(source), x, y)
         if corner is not None:
             return corner
         return None if self._nearest(source.seen(_INSIDE), x, y) is None else "middle"
+
+    def _place(self) -> None:
+        source = self._source
+        if source is None or source.place is None:
+            self._dots.place(np.zeros((0, 3)))
+        else:
+            self._dots.place(np.vstack([self._beside(source), source.place]))
+
+    def _beside(self, source: Source) -> Array:
+        """Places of the handles of the corners, shape (n, 3): no nearer than `_BESIDE`."""
+        corners = source.corners
+        if source.place is None or not len(corners):
+            return corners
+        place = np.array(source.place)
+        *seen, middle = self._sight.pixels(np.vstack([corners, place]))
+        away = np.linalg.norm(np.array(seen) - middle, axis=1)
+        # A corner that is seen on the middle itself leads nowhere.
+        times = np.where(away > 0, np.maximum(1, _BESIDE / np.maximum(away, 1e-9)), 1)
+        return np.asarray(place + times[:, None] * (corners - place))
 
     def _nearest(self, points: Array, x: float, y: float) -> int | None:
         if not len(points):

@@ -331,6 +331,19 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     assert "to scale" in tools.said[-1]
 
 
+def test_a_small_source_is_moved_by_any_of_its_corners_and_keeps_its_size(make_tools, drag, qtbot):
+    tools = make_tools({"source": {**GRID, "half_width": [0.02, 0.02]}})
+    view, corner = tools.view, (0.02, 0.02, -3.0)
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    held = drag(view, seen_at(view, corner))
+    held.move(seen_at(view, (0.52, 0.02, -3.0)) - seen_at(view, corner))
+    held.release()
+    source = tools.document.session.scene.source
+    assert source.half_width == (0.02, 0.02)
+    assert source.center == (pytest.approx(0.5, abs=0.05), pytest.approx(0, abs=0.05), -3.0)
+
+
 def test_keys_without_a_tool_move_the_camera(tools, qtbot):
     view, camera = tools.view, tools.view._plotter.camera
     fitted, scale = camera.position, camera.parallel_scale
