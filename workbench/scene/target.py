@@ -106,7 +106,8 @@ class ImageTarget(Finish):
             "Brightness",
             "What a pixel value means. A monitor shows half of the largest value as a fifth of "
             "the light: a photograph looks as it does there only where that is undone (sRGB). "
-            "As stored, the value itself is the light: half of it is half the light.",
+            "As stored, the value itself is the light: half of it is half the light. "
+            "A colour profile in the file counts in place of this.",
         ),
     ] = "linear"
     fit: Annotated[

@@ -70,7 +70,7 @@ class Colour(NamedTuple):
         """Colours of an image: as it says itself, else of a tone."""
         plain = cls.plain(tone)
         try:
-            found, name = _stated(image)
+            found, statement = _stated(image)
         except Exception as error:  # whatever a damaged profile makes its readers stumble over
             broken = Said(
                 "has a colour profile that cannot be used ({why}); "
@@ -81,9 +81,8 @@ class Colour(NamedTuple):
         if found is None or found.is_like(plain):
             return plain
         stated = Said(
-            "states the brightness of its values itself ({name}); "
-            "“Brightness” (target.tone) does not count",
-            name=name,
+            "has {statement}, which counts in place of “Brightness” (target.tone)",
+            statement=statement,
         )
         return found._replace(remarks=(stated,))
 
@@ -137,14 +136,14 @@ def _light_of(stored: npt.NDArray[np.uint8], tone: Tone) -> Array:
 
 
 def _stated(image: Image.Image) -> tuple[Colour | None, str]:
-    """What an image says of its colours, and the name of that; None where it says nothing."""
+    """What an image says of its colours, and by what; None where it says nothing."""
     info = image.info
     if content := info.get("icc_profile"):
         return _of_profile(image, content)
     if image.format != "PNG":
         return None, ""
     if "srgb" in info:
-        return Colour.plain(SRGB), "sRGB"
+        return Colour.plain(SRGB), Said("a chunk sRGB")
     if (gamma := info.get("gamma")) is None:
         return None, ""
     if not 0 < gamma < 100:
@@ -154,7 +153,9 @@ def _stated(image: Image.Image) -> tuple[Colour | None, str]:
         x_white, y_white, *rest = info["chromaticity"]
         primaries = list(zip(rest[::2], rest[1::2], strict=True))
         weights = luminance_weights(primaries, (x_white, y_white))
-    return Colour.plain(Tone.power(1 / gamma), weights), f"gAMA {gamma:.4g}"
+    return Colour.plain(Tone.power(1 / gamma), weights), Said(
+        "a chunk gAMA of {gamma:.4g}", gamma=gamma
+    )
 
 
 def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
@@ -162,6 +163,7 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
 
     profile = ImageCms.getOpenProfile(BytesIO(content))
     name = " ".join((profile.profile.profile_description or "").split()) or "ICC"
+    statement = Said("the colour profile “{name}”", name=name)
     space = profile.profile.xcolor_space.strip()
     is_grey = image.mode in ("1", "L", "LA", "La") or image.mode.startswith("I;16")
     fits = {
@@ -174,14 +176,14 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
     if space == "GRAY":
         ramp = Image.fromarray(np.arange(65536, dtype=np.uint16).reshape(256, 256))
         light = _deep(_to_light(profile, "I;16"), ramp).ravel()
-        return Colour.plain(_rising(light)), name
+        return Colour.plain(_rising(light)), statement
     if space == "CMYK":
-        return _transformed(_to_light(profile, "CMYK"), "CMYK"), name
+        return _transformed(_to_light(profile, "CMYK"), "CMYK"), statement
     transform = _to_light(profile, "RGB")
     core = profile.profile
     intent = ImageCms.Intent.RELATIVE_COLORIMETRIC
     if not core.is_matrix_shaper or any((core.clut or {}).get(intent, ())[:1]):
-        return _transformed(transform, "RGB"), name
+        return _transformed(transform, "RGB"), statement
     colorants = core.red_colorant, core.green_colorant, core.blue_colorant
     weights = np.array([_TO_D65 @ np.array(each[0]) for each in colorants if each is not None])
     if weights.shape != (3,):
@@ -192,7 +194,7 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
     tones = [_rising(light) for light in _deep(transform, Image.fromarray(ramps))]
     values = np.linspace(0.0, 1.0, 256)
     greys = Tone.measured(weights @ np.array([tone.light(values) for tone in tones]))
-    return Colour(greys, tones, weights), name
+    return Colour(greys, tones, weights), statement
 
 
 def _transformed(transform: "ImageCmsTransform", mode: str) -> Colour:
