@@ -5,7 +5,7 @@ import torch
 
 from tests.accounts import account_of
 from workbench.jobs.mirror import MirrorJob
-from workbench.optics.account import LOSSES, Account, words_for
+from workbench.optics.account import LOSSES, Account, UnbalancedAccount, words_for
 from workbench.optics.plan import Plan
 
 COLLIMATED = {"kind": "collimated", "rays": [64, 48]}
@@ -148,3 +148,31 @@ def test_a_coating_is_the_cure_of_reflection_by_a_face(make_scene, lost):
     heights = torch.full((12, 10), 0.5, dtype=torch.float64)
     traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
     assert traced.account.lost[lost] == 0
+
+
+def test_an_account_that_adds_up_stays_as_it_is():
+    account = Account(0.7, {"off_screen": 0.1, "left_side": 0.2})
+    assert account.settled() is account
+
+
+def test_the_error_of_samples_is_no_loss():
+    """Where samples have 0.1 % more light than there is, no share is negative."""
+    settled = Account(0.801, {"off_screen": 0.2, "left_side": -0.001}).settled()
+    assert min(settled.lost.values()) == 0
+    assert settled.on_screen == pytest.approx(0.801 / 1.001)
+    emitted, *parts = settled.to_data().values()
+    assert sum(parts) == pytest.approx(emitted, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("on_screen", "lost"),
+    [
+        (1.1326, {"off_screen": 0.0038, "missed_mirror": -0.1364}),
+        (3.326, {"off_screen": 0.179, "left_side": -2.505}),
+        (0.5, {"off_screen": 0.2}),
+        (float("nan"), {"off_screen": 0.2}),
+    ],
+)
+def test_light_that_does_not_add_up_is_a_defect(on_screen, lost):
+    with pytest.raises(UnbalancedAccount, match="does not add up: emitted 1, on_screen"):
+        Account(on_screen, lost).settled()

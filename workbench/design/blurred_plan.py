@@ -83,8 +83,8 @@ class BlurredPlan:
             self._blurring[margin] = self._made(margin, sharp.device)
         # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
         image = self._blurring[margin].image(sharp.float()).clamp_min(0)
-        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
-        on_screen = min(seen, account.arrived)
+        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x]
+        on_screen = seen.sum(dtype=torch.float64).item()
         lost = {**account.lost, "off_screen": account.arrived - on_screen}
         return Light(image, Account(on_screen, lost))
 

@@ -98,11 +98,19 @@ class LensState:
             Paper's loss, one number.
         account : Account
             Where the light goes.
+
+        Raises
+        ------
+        UnbalancedAccount
+            If it does not add up; see `workbench.optics.account.Account.settled`.
         """
+        settled = account.settled()
         irradiance = _copy(flux)
         irradiance /= pixel_measure
+        if settled.on_screen != account.on_screen:
+            irradiance *= settled.on_screen / account.on_screen
         copies = FaceArrays({face: _sealed(_copy(each)) for face, each in heights.items()})
-        return cls(copies, _sealed(irradiance), loss.item(), account)
+        return cls(copies, _sealed(irradiance), loss.item(), settled)
 
     def scaled(self, factor: float, densities: Sequence[float]) -> Self:
         """The same lens with lengths in another unit.

@@ -5,7 +5,8 @@ an element finds it. Dock, report, figures and files take all they say of it fro
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 from workbench.said import Said
 from workbench.scene import AnyReceiver, Lens, Mirror, Scene
@@ -43,6 +44,25 @@ def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str,
             for name, loss in LOSSES.items()
         },
     }
+
+
+# Shares of a run are at least as exact as this: sums over samples stand for integrals. The worst of
+# 198 scenes over the extremes of all fields was 1.3e-3 off, with 32 cells along each axis.
+_SAMPLING = 5e-3
+
+
+class UnbalancedAccount(Exception):
+    """An account that no light can have: a defect of this program.
+
+    Parameters
+    ----------
+    account : Account
+        The account.
+    """
+
+    def __init__(self, account: "Account") -> None:
+        figures = ", ".join(f"{name} {flux:.6g}" for name, flux in account.to_data().items())
+        super().__init__(f"the light account does not add up: {figures}")
 
 
 @dataclass(frozen=True)
@@ -84,6 +104,28 @@ class Account:
     def arrived(self) -> float:
         """Flux of rays that came to the screen's plane, on the screen or beside it."""
         return self.on_screen + self.lost["off_screen"]
+
+    def settled(self) -> Self:
+        """The account of an evaluation, all of whose shares are from 0 to 1.
+
+        Losses that are found as the rest have the error of the sum over samples. Where a rest is
+        negative, the samples have that much more light than there is, and all are scaled down.
+
+        Raises
+        ------
+        UnbalancedAccount
+            If shares are out of bounds, or their sum is not 1, by more than that error.
+        """
+        parts = {"on_screen": self.on_screen, **self.lost}
+        total, counted = sum(parts.values()), sum(max(flux, 0.0) for flux in parts.values())
+        off = max(abs(total - self.emitted), counted - self.emitted)
+        if not off <= _SAMPLING * self.emitted:
+            raise UnbalancedAccount(self)
+        if min(parts.values()) >= 0:
+            return self
+        scale = self.emitted / counted
+        settled = {name: max(flux, 0.0) * scale for name, flux in parts.items()}
+        return replace(self, on_screen=settled.pop("on_screen"), lost=settled)
 
     def parts_in(self, scene: Scene) -> Mapping[str, float]:
         """Flux on the receiver, and of each loss that there can be in a scene, by name."""

@@ -177,7 +177,7 @@ class BeamPlan:
             if tracer.mirrored[axis]:
                 image, landed, cut = image + image.flip(1 - axis), 2 * landed, 2 * cut
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
-        lost["off_screen"] += max(landed - on_screen, 0.0)
+        lost["off_screen"] += landed - on_screen
         lost[self._beside] += cut
         # Of a cell of which some rays are refracted, the rest stands for all.
         lost["total_reflection"] += account.on_screen - landed - cut

@@ -13,6 +13,8 @@ from workbench.geometry.outlines import Outline
 _EVEN = 1e-6
 # Beyond a crowd, places go with this power of even ones: of these, two thirds are within.
 _POWER, _CORE = 15, 2 / 3
+# Points at less than so many half-widths are near: even cells before them would be too large.
+_NEAR = 0.25
 
 
 class Crowd(NamedTuple):
@@ -24,10 +26,14 @@ class Crowd(NamedTuple):
         Of that part, half-widths from the middle of the aperture.
     half : float
         Its half, half-widths; 1 where corners are even all the way.
+    fading : bool
+        Whether they become fewer as the light of a point does, in proportion to the distance; else
+        there are hardly any beyond.
     """
 
     middle: float = 0.0
     half: float = 1.0
+    fading: bool = False
 
     @classmethod
     def of(cls, half: float, middle: float) -> Self:
@@ -35,11 +41,20 @@ class Crowd(NamedTuple):
         wider = half / _CORE
         return cls(middle, wider) if wider + abs(middle) < 1 else cls()
 
+    @classmethod
+    def about(cls, half: float, middle: float) -> Self:
+        """A crowd about the foot of a point that is so far away; even where that is not near."""
+        return cls(middle, half, fading=True) if half < _NEAR else cls()
+
     def __call__(self, part: Array) -> Array:
         """Places for even parts of the way from one side of the aperture to the other."""
         if self.half == 1:
             return part
         even = 2 * part - 1
+        if self.fading:
+            low, high = (math.asinh((end - self.middle) / self.half) for end in (-1, 1))
+            away = np.sinh((low + high) / 2 + (high - low) / 2 * even)
+            return np.asarray((1 + self.middle + self.half * away) / 2).clip(0, 1)
         beyond = 1 - self.half - self.middle * np.sign(even)
         place = self.middle + even * (self.half + beyond * even ** (_POWER - 1))
         return np.asarray((1 + place) / 2)

@@ -102,8 +102,6 @@ class Emitter(Protocol):
 
 def _collimated(source: CollimatedSource, optic: Optic, samples: Samples | None) -> Emitter:
     straight = source.along_axis
-    if isinstance(samples, Corners):
-        samples = where_lit(samples, source, optic)
     return (CollimatedEmitter if straight else DirectionEmitter)(source, optic, samples)
 
 
@@ -127,4 +125,6 @@ def emitter_of(source: Source, optic: Optic, samples: Samples | None = None) -> 
         Rays along x and y that are wanted in place of the source's own. A source whose
         rays are drawn at random keeps them.
     """
+    if isinstance(samples, Corners):
+        samples = where_lit(samples, source, optic)
     return row_of(_EMITTERS, source)(source, optic, samples)

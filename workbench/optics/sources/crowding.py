@@ -1,17 +1,25 @@
-"""Samples of a face where the light of a narrow beam is.
+"""Samples of a face where the light of a narrow beam or of a near source is.
 
-Even cells of a lens that is many times as wide as the beam would each hold a large part of it: the
-sum over their corners may be several times its light. So corners lie within the beam, evenly, and
-become fewer beyond.
+Even cells of a lens that is many times as wide as the light on it would each hold a large part of
+it: the sum over their corners may be several times the light. So corners lie within a beam, evenly,
+and become fewer beyond; and about the foot of a near source they are as close as its light changes.
 """
 
 import math
+from typing import NamedTuple, Self
 
 import numpy as np
 
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.samples import Corners, Crowd
-from workbench.scene import CollimatedSource, Optic
+from workbench.scene import (
+    AreaSource,
+    CollimatedSource,
+    LightOfPoints,
+    Optic,
+    PhotometricSource,
+    Source,
+)
 
 # Radii of a beam within which its corners are even: e^(−2 · 2.5²) of its brightness is at the end.
 _RADII = 2.5
@@ -19,8 +27,33 @@ _RADII = 2.5
 _MOVES = 0.2
 
 
-def where_lit(corners: Corners, source: CollimatedSource, optic: Optic) -> Corners:
-    """Corners of cells where light is: those of a beam crowd there, others stay.
+class _Face(NamedTuple):
+    """The first freeform face of an optic.
+
+    Attributes
+    ----------
+    depth : float
+        How far it is behind the aperture.
+    moves : float
+        How far it may come from there.
+    inside : float
+        Refractive index of what is before it.
+    """
+
+    depth: float
+    moves: float
+    inside: float
+
+    @classmethod
+    def of(cls, optic: Optic) -> Self:
+        face = next(iter(freeform_nets(optic)))
+        low, high = optic.range_of(face) or (-_MOVES * max(optic.half_width),) * 2
+        depth = float(optic.place_of(face, 0.0, 0.0)) - optic.front_z
+        return cls(depth, max(abs(low), abs(high)), optic.index if face == optic.face else 1.0)
+
+
+def where_lit(corners: Corners, source: Source, optic: Optic) -> Corners:
+    """Corners of cells where light is.
 
     Parameters
     ----------
@@ -29,25 +62,35 @@ def where_lit(corners: Corners, source: CollimatedSource, optic: Optic) -> Corne
     source, optic
         The light, and the optic whose first freeform face is sampled.
     """
-    if math.isinf(source.profile.radius):
+    face = _Face.of(optic)
+    if isinstance(source, CollimatedSource):
+        if math.isinf(source.profile.radius):
+            return corners
+        x, y = (_of_beam(source, optic, face, axis) for axis in (0, 1))
+    elif isinstance(source, (AreaSource, LightOfPoints, PhotometricSource)):
+        x, y = (_of_points(source, optic, face, axis) for axis in (0, 1))
+    else:
         return corners
-    x, y = (_crowd(source, optic, axis) for axis in (0, 1))
     return corners._replace(crowd_x=x, crowd_y=y)
 
 
-def _crowd(source: CollimatedSource, optic: Optic, axis: int) -> Crowd:
-    """Where a beam is on the first freeform face along an axis."""
-    face, inside = next(iter(freeform_nets(optic))), 1.0
-    place = float(optic.place_of(face, 0.0, 0.0))
-    if face == optic.face:  # behind a flat entrance face, if it is that of a lens
-        inside = optic.index
-    half, depth = optic.half_width[axis], place - optic.front_z
-    rim = np.linspace(0, 2 * math.pi, 8, endpoint=False)
+def _of_beam(source: CollimatedSource, optic: Optic, face: _Face, axis: int) -> Crowd:
+    """Where a beam is on a face along an axis."""
+    half, rim = optic.half_width[axis], np.linspace(0, 2 * math.pi, 8, endpoint=False)
     ways = source.directions(np.append(0.0, np.cos(rim)), np.append(0.0, np.sin(rim)))
-    slopes = ways[:, axis] / np.sqrt(inside**2 - 1 + ways[:, 2] ** 2)
+    slopes = ways[:, axis] / np.sqrt(face.inside**2 - 1 + ways[:, 2] ** 2)
     shadow = source.profile.radius / float(ways[:, 2].min())
-    low, high = optic.range_of(face) or (-_MOVES * max(optic.half_width),) * 2
-    moved = float(np.abs(slopes).max()) * max(abs(low), abs(high))
-    middle = depth * float(slopes[0])
-    spread = abs(depth) * float(np.abs(slopes - slopes[0]).max())
+    moved = float(np.abs(slopes).max()) * face.moves
+    spread = abs(face.depth) * float(np.abs(slopes - slopes[0]).max())
+    middle = face.depth * float(slopes[0])
     return Crowd.of((_RADII * shadow + spread + moved) / half, middle / half)
+
+
+def _of_points(
+    source: AreaSource | LightOfPoints | PhotometricSource, optic: Optic, face: _Face, axis: int
+) -> Crowd:
+    """Where the light of points is on a face along an axis."""
+    half, place = optic.half_width[axis], source.place
+    away = (optic.front_z - place[2]) * face.inside + face.depth
+    wide = max((abs(corner[axis] - place[axis]) for corner in source.corners), default=0.0)
+    return Crowd.about((away + wide) / half, min(max(place[axis] / half, -1.0), 1.0))

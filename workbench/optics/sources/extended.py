@@ -35,7 +35,7 @@ class ExtendedEmitter(ABC):
     by_area = True
     outline: Outline
     aspect: float = 1.0
-    many = Corners(64, 64, 64)
+    many: Corners = Corners(64, 64, 64)
     """Cells and origins that tell how much light meets the lens, where rays are drawn at random."""
 
     def __init__(self, optic: Optic, rays: int, samples: Samples | None) -> None:
