@@ -8,6 +8,7 @@ from scipy.interpolate import RegularGridInterpolator
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES, Cells
+from workbench.analysis.tracing.sources.near import near_places
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
@@ -19,8 +20,8 @@ from workbench.scene import Optic, PhotometricSource
 class PhotometricLight(Unspread):
     """Light of one point, of which rays through the entrance face are drawn; a `LightSource`.
 
-    What goes elsewhere is one ray of each batch that misses the face. The parameters are those of
-    `light_source`.
+    What goes elsewhere is one ray of each batch that misses the face. From a point that is near,
+    rays go to places that are as dense as its light. The parameters are those of `light_source`.
     """
 
     beside = 0.0
@@ -29,7 +30,7 @@ class PhotometricLight(Unspread):
         self, source: PhotometricSource, optic: Optic, pose: Pose, rays: int, seed: int
     ) -> None:
         r_x, r_y = optic.half_width
-        self._outline, self._beside = outline_of(optic), 2 * r_x
+        self._outline, self._half_width, self._beside = outline_of(optic), (r_x, r_y), 2 * r_x
         self._point = pose.to_lens(np.array([source.position]), optic.front_z)[0]
         # Directions as the lens sees them, into those of the file.
         turned = file_axes(source.rotation)
@@ -42,19 +43,26 @@ class PhotometricLight(Unspread):
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count + BATCHES
         self.origins, self.emitted = 1, table.lumens
-        # Each ray stands for so much of the face, in all batches together.
-        self._area = self._outline.area / self._cells.count
+        self._near = -self._point[2] < max(r_x, r_y)
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays that begin on the entrance face; see `RandomSource.batch`."""
         missing = self.emitted / BATCHES
         for a, b in self._cells.batch(number):
-            rays = self.through(0, *self._outline.evenly(a, b))
-            rays.flux[:] *= self._area
+            x, y, area = self._places(a, b)
+            rays = self.through(0, x, y)
+            # Each ray stands for so much of the face, in all batches together.
+            rays.flux[:] *= area / self._cells.count
             missing -= float(rays.flux.sum())
             yield rays
         beside = np.array([[self._beside, 0.0, 0.0]])
         yield TracedRays(beside, np.array([[0.0, 0.0, 1.0]]), np.array([max(missing, 0.0)]))
+
+    def _places(self, a: Array, b: Array) -> tuple[Array, Array, Array | float]:
+        """Places for pairs that fill a square evenly, and areas whose mean is that of the face."""
+        if self._near:
+            return near_places(a, b, self._point[None], self._half_width)
+        return *self._outline.evenly(a, b), self._outline.area
 
     def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
