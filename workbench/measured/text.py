@@ -1,6 +1,8 @@
-"""Text of measured light: any encoding, line ends of any system, decimal points or commas."""
+"""Text of measured light: UTF-8, UTF-16 or Latin-1, any line ends, decimal points or commas."""
 
+import codecs
 import re
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -10,25 +12,85 @@ from workbench.said import Said
 _GAPS = re.compile(r"[\s,;]+")
 _SPACES = re.compile(r"[\s;]+")
 _END = "\x1a"  # which old programs write behind a text
+_FORTRAN = re.compile("(?<=[0-9.])[dD](?=[-+0-9])")  # of an exponent
+_NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*([eEdD][-+]?\d+)?")
+_THOUSANDS = {mark: re.compile(rf"[-+]?[1-9]\d{{0,2}}({re.escape(mark)}\d{{3}})+") for mark in ",."}
+_FEW = 0.05  # part of numbers that have a mark of thousands, where none has a decimal mark
+_MARKS = {
+    codecs.BOM_UTF32_LE: "utf-32",
+    codecs.BOM_UTF32_BE: "utf-32",
+    codecs.BOM_UTF16_LE: "utf-16",
+    codecs.BOM_UTF16_BE: "utf-16",
+}
+# Bytes that tell the order of bytes, and parts of zeros in bytes of letters and beside these.
+_BEGINNING, _MANY_ZEROS, _FEW_ZEROS = 1 << 12, 0.7, 0.2
 _QUOTED = 20  # characters of a word that is wrong
 
 
-def lines_of(content: bytes) -> list[str]:
-    """Lines of a text in UTF-8 or, where it is none, in Latin-1; without spaces around them."""
+def decoded(content: bytes) -> str:
+    """Text in UTF-8 or UTF-16, with a mark of the byte order or without; else in Latin-1."""
+    encoding = encoding_of(content)
+    if encoding is not None:
+        return content.decode(encoding, errors="replace")
     try:
-        text = content.decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    text = text.replace("\r\n", "\n").replace("\r", "\n").rstrip(_END + "\0\n\t ")
-    return [line.strip() for line in text.split("\n")]
+        return content.decode("latin-1")
+
+
+def encoding_of(content: bytes) -> str | None:
+    """Which UTF-16 or UTF-32 a text is in, by its mark or its zeros; None for other texts."""
+    for mark, encoding in _MARKS.items():
+        if content.startswith(mark):
+            return encoding
+    beginning = np.frombuffer(content[:_BEGINNING], np.uint8)
+    even, odd = (
+        float((beginning[first::2] == 0).mean()) if len(beginning) > 3 else 0.0 for first in (0, 1)
+    )
+    if even > _MANY_ZEROS and odd < _FEW_ZEROS:
+        return "utf-16-be"
+    return "utf-16-le" if odd > _MANY_ZEROS and even < _FEW_ZEROS else None
+
+
+def lines_of(content: bytes) -> list[str]:
+    """Lines of a text, without spaces around them; see `decoded`."""
+    text = decoded(content).replace("\r\n", "\n").replace("\r", "\n")
+    text = text.partition(_END)[0].rstrip("\0\n\t ").replace("\u2212", "-")
+    return [line.strip().strip("\0") for line in text.split("\n")]
 
 
 def readings(text: str) -> tuple[list[str], ...]:
-    """Words that may be numbers: with commas between them, and with commas as decimal points."""
+    """Words that may be numbers: with commas between them, as decimal points, or in thousands."""
     apart = [word for word in _GAPS.split(text) if word]
     if "," not in text:
         return (apart,)
-    return apart, [word.replace(",", ".") for word in _SPACES.split(text) if word]
+    words = [word for word in _SPACES.split(text) if word]
+    return apart, with_points(words), [word.replace(",", ".") for word in words]
+
+
+def with_points(words: Sequence[str]) -> list[str]:
+    """Numbers with decimal points, of words with decimal commas or with marks of thousands.
+
+    A mark stands for thousands where the other mark follows it in a number; or where it always has
+    groups of three digits behind it, and few numbers have it.
+    """
+    numbers = [word for word in words if _NUMBER.fullmatch(word)]
+    thousands = ""
+    for mark, other in (",.", ".,"):
+        marked = [word for word in numbers if mark in word]
+        if any(mark in word and word.rfind(mark) < word.find(other) for word in numbers):
+            thousands = mark
+            break
+        if not marked or not all(_THOUSANDS[mark].fullmatch(word) for word in marked):
+            continue
+        others = sum(other in word for word in numbers)
+        if len(marked) < (others or _FEW * len(numbers)):
+            thousands = mark
+            break
+    return [
+        word.replace(thousands, "").replace(",", ".") if _NUMBER.fullmatch(word) else word
+        for word in words
+    ]
 
 
 def number(word: str) -> float:
@@ -40,7 +102,7 @@ def number(word: str) -> float:
         With what is wrong, if it is none.
     """
     try:
-        value = float(word)
+        value = float(_FORTRAN.sub("e", word) if "_" not in word else "")
     except ValueError:
         raise ValueError(
             Said("{word!r} stands where a number is needed", word=word[:_QUOTED])
@@ -71,6 +133,23 @@ def count(word: str, least: int, most: int) -> int:
             )
         )
     return int(value)
+
+
+def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Said, ...]]:
+    """Words without text behind as many as are needed, and a remark on that text.
+
+    Further numbers stay: they do not belong to the file that its header describes.
+    """
+    if len(words) <= needed:
+        return words, ()
+    try:
+        number(words[needed])
+    except ValueError:
+        text = " ".join(words[needed:])[:_QUOTED]
+        return words[:needed], (
+            Said("text behind the last number is ignored: {text!r}", text=text),
+        )
+    return words, ()
 
 
 def wrong_length(found: int, needed: int) -> Said:

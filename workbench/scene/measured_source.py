@@ -142,8 +142,9 @@ class PhotometricSource(MeasuredSource):
         about(
             "File",
             "Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir "
-            "looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene "
-            "file's folder.",
+            "looks along +z, C0 along +x and C90 along −y; the beam axis of types A and B along "
+            "+z, V upwards along +y and H to the right along −x. A relative path starts at the "
+            "scene file's folder.",
             min_length=1,
         ),
     ]

@@ -1,23 +1,28 @@
 """IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
 
 Numbers run on over lines and are known by their order: the ten that say how the light was measured,
-three of the ballast, angles γ, angles C, and the intensities plane by plane.
+three of the ballast, vertical angles, horizontal angles, and the intensities plane by plane.
 """
 
 import re
+from dataclasses import replace
 
 import numpy as np
 
-from workbench.measured.photometry.table import IntensityTable, table_of
-from workbench.measured.text import count, lines_of, number, readings, wrong_length
+from workbench.measured.photometry.beam_angles import TYPES, type_c_of
+from workbench.measured.photometry.table import IntensityTable, possible, table_of
+from workbench.measured.text import count, lines_of, number, readings, trailing, wrong_length
 from workbench.said import Said
 
 _MOST_ANGLES = 1 << 14
-_VERSIONS = "LM-63-1986", "IESNA91", "LM-63-1991", "LM-63-1995", "LM-63-2002", "LM-63-2019"
-# A first line that names a version; without one it is the text of a file of 1986.
-_VERSION = re.compile(r"^IES|LM-?63-?\d")
-_TYPE_C = 1
-_TYPES = {1: "C", 2: "B", 3: "A"}
+_YEARS = {"86": 1986, "91": 1991, "95": 1995, "02": 2002, "19": 2019}
+# A first line that names a version; any other one is prose of a file of 1986.
+_STANDARD = re.compile(r"^(ANSI/?)?(IESNA|IES)?[:/]?LM-?63-?(\d*)")
+_SHORT = re.compile(r"^(IESNA|IES):?(\d{4}|\d{2})$")
+_TILT = re.compile(r"^TILT\s*=\s*(.*)$", re.IGNORECASE)
+# Up to this year, the ballast-lamp photometric factor multiplies intensities; later it is another
+# number.
+_WITH_LAMP_FACTOR = 1991
 
 
 def read_ies(content: bytes) -> IntensityTable:
@@ -29,51 +34,67 @@ def read_ies(content: bytes) -> IntensityTable:
         With what is wrong.
     """
     lines = lines_of(content)
-    version = lines[0].replace(" ", "").upper()
-    said = _VERSION.search(version)
-    if said and not any(known in version for known in _VERSIONS):
-        raise ValueError(
-            Said(
-                "it says to be of version {found!r}; known are {known}",
-                found=lines[0][:30],
-                known=", ".join(_VERSIONS),
-            )
-        )
-    tilt = next((k for k, line in enumerate(lines) if line.upper().startswith("TILT=")), None)
+    year = _year(next((line for line in lines if line), ""))
+    tilts = (
+        match and (k, match[1].strip(" \"'"))
+        for k, line in enumerate(lines)
+        for match in (_TILT.match(line),)
+    )
+    tilt, given = next(filter(None, tilts), (None, ""))
     if tilt is None:
         raise ValueError(Said("it has no line that begins with TILT=, as each IES file has"))
-    given = lines[tilt].partition("=")[2].strip().upper()
-    if given not in ("NONE", "INCLUDE"):
+    if given.upper() not in ("NONE", "INCLUDE"):
         raise ValueError(
             Said(
-                "its TILT is in another file, {file!r}; NONE or INCLUDE is needed", file=given[:30]
+                "its TILT is in another file, {file!r}; NONE or INCLUDE is needed",
+                file=given.upper()[:30],
             )
         )
     text = "\n".join(lines[tilt + 1 :])
     refused = None
     for words in readings(text):
         try:
-            return _table(words, given == "INCLUDE")
+            return _table(words, given.upper() == "INCLUDE", year)
         except ValueError as error:
             refused = refused or error
     raise refused or ValueError(Said("it ends behind its TILT"))
 
 
-def _table(words: list[str], tilted: bool) -> IntensityTable:
+def _year(first: str) -> int:
+    """Year of the standard by which a file with this first line is written."""
+    line = first.replace(" ", "").upper()
+    if (match := _STANDARD.match(line)) and match[3]:
+        year = match[3]
+    elif match := _SHORT.match(line):
+        year = match[2] if match[2][-2:] in _YEARS else "1986"
+    else:
+        return 1986
+    known = _YEARS.get(year[-2:])
+    if known is None or year not in (str(known), str(known)[2:]):
+        raise ValueError(
+            Said(
+                "it says to be of version {found!r}; known are {known}",
+                found=first[:30],
+                known=", ".join(f"LM-63-{each}" for each in _YEARS.values()),
+            )
+        )
+    return known
+
+
+def _table(words: list[str], tilted: bool, year: int) -> IntensityTable:
     words = words[_length_of_tilt(words) :] if tilted else words
     if len(words) < 13:
         raise ValueError(
             Said("it is cut off: {n} of 13 numbers stand before its angles", n=len(words))
         )
     multiplier = number(words[2])
-    n_gamma, n_c = (count(word, 1, _MOST_ANGLES) for word in words[3:5])
-    kind = count(words[5], 1, 3)
-    if kind != _TYPE_C:
-        raise ValueError(
-            Said("it is of photometric type {found}; type C is needed", found=_TYPES[kind])
-        )
+    n_v, n_h = (count(word, 1, _MOST_ANGLES) for word in words[3:5])
+    kind = TYPES[count(words[5], 1, 3)]
     factor = multiplier * number(words[10])  # of the ballast
-    needed = 13 + n_gamma + n_c + n_gamma * n_c
+    if year <= _WITH_LAMP_FACTOR:
+        factor *= number(words[11])
+    needed = 13 + n_v + n_h + n_v * n_h
+    words, remarks = trailing(words, needed)
     if len(words) != needed:
         raise ValueError(
             Said(
@@ -84,8 +105,11 @@ def _table(words: list[str], tilted: bool) -> IntensityTable:
             )
         )
     numbers = np.array([number(word) for word in words[13:]])
-    gamma, c, candela = np.split(numbers, [n_gamma, n_gamma + n_c])
-    return table_of(c, gamma, factor * candela.reshape(n_c, n_gamma))
+    v, h, values = np.split(numbers, [n_v, n_v + n_h])
+    with np.errstate(all="ignore"):
+        candela, negative = possible(factor * values.reshape(n_h, n_v))
+    table = table_of(h, v, candela) if kind == "C" else type_c_of(kind, h, v, candela)
+    return replace(table, remarks=remarks + negative)
 
 
 def _length_of_tilt(words: list[str]) -> int:

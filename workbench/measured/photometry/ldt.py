@@ -1,9 +1,25 @@
-"""EULUMDAT (.ldt): a line for each value, in a fixed order."""
+"""EULUMDAT (.ldt): a line for each value, in a fixed order.
+
+Programs differ in what they write of direct ratios of rooms (left empty, or several in a line) and
+of planes (all, or only those that have intensities). The one reading that fits the number of values
+in the file is taken.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from workbench.measured.photometry.table import IntensityTable, table_of
-from workbench.measured.text import count, lines_of, number, wrong_length
+from workbench.measured.photometry.table import IntensityTable, possible, table_of
+from workbench.measured.text import (
+    count,
+    lines_of,
+    number,
+    trailing,
+    with_points,
+    wrong_length,
+)
 from workbench.said import Said
 
 _MOST_ANGLES = 1 << 14
@@ -12,6 +28,9 @@ _HEAD = 26  # lines before the sets of lamps
 _LAMP = 6  # lines of each
 _RATIOS = 10  # direct ratios of rooms
 _SYMMETRY, _PLANES, _ANGLES, _FACTOR, _LAMPS = 2, 3, 5, 23, 25  # their lines, from 0
+_NUMBERS = (2, 3, 4, 5, 6, *range(12, 26))  # lines of the head that hold numbers
+_FLUX = 2  # line of a set of lamps
+_COMMENT = re.compile(r"\s*(?:[;#]|//).*$")
 
 
 def read_ldt(content: bytes) -> IntensityTable:
@@ -22,7 +41,7 @@ def read_ldt(content: bytes) -> IntensityTable:
     ValueError
         With what is wrong.
     """
-    lines = [line.replace(",", ".") for line in lines_of(content)]
+    lines = _with_points(lines_of(content))
     if len(lines) <= _HEAD:
         raise ValueError(
             Said(
@@ -36,27 +55,75 @@ def read_ldt(content: bytes) -> IntensityTable:
     lamps = count(lines[_LAMPS], 1, _MOST_LAMPS)
     rest = lines[_HEAD + _LAMP * lamps :]
     # Further sets are lamps that it may have instead.
-    lumens = _value(lines, _HEAD + 2)
-    stored = _stored(symmetry, n_c)
-    words = [word for line in rest for word in line.split()]
-    needed = _RATIOS + n_c + n_gamma + len(stored) * n_gamma
+    lumens = _value(lines, _HEAD + _FLUX)
+    # They are given per 1000 lm of the lamps. A factor of 0 is a line that was left empty.
+    factor = (_value(lines, _FACTOR) or 1.0) * (lumens or 1000.0) / 1000
+    refused = None
+    for words, listed in _possible_readings(rest, symmetry, n_c):
+        try:
+            return _table(words, symmetry, (n_c, listed), n_gamma, factor)
+        except ValueError as error:
+            refused = refused or error
+    raise refused or ValueError(Said("it is cut off within {part}", part=Said("its lamps")))
+
+
+def _with_points(lines: list[str]) -> list[str]:
+    """Lines of which those that hold numbers have decimal points and no comments."""
+    known = {k for k in _NUMBERS if k < len(lines)}
+    lamps = lines[_LAMPS] if len(lines) > _LAMPS else ""
+    sets = int(lamps) if lamps.isdecimal() and len(lamps) < 3 else 1
+    first = _HEAD + _LAMP * sets
+    known |= set(range(_HEAD + _FLUX, min(first, len(lines)), _LAMP))
+    known |= set(range(first, len(lines)))
+    split = [(_COMMENT.sub("", lines[k]) or lines[k]).split() for k in sorted(known)]
+    words = iter(with_points([word for line in split for word in line]))
+    for k, line in zip(sorted(known), split, strict=True):
+        lines[k] = " ".join(next(words) for _ in line)
+    return lines
+
+
+def _possible_readings(rest: list[str], symmetry: int, n_c: int) -> Iterator[tuple[list[str], int]]:
+    """Words of the planes, the angles and the intensities, and how many planes are listed."""
+    by_lines = [word for line in rest[_RATIOS:] for word in line.split()]
+    by_words = [word for line in rest for word in line.split()][_RATIOS:]
+    stored = _count_stored(symmetry, n_c)
+    for words in (by_words, by_lines):
+        for listed in dict.fromkeys((n_c, stored)):
+            yield words, listed
+
+
+def _table(
+    words: list[str], symmetry: int, planes: tuple[int, int], n_gamma: int, factor: float
+) -> IntensityTable:
+    n_c, listed = planes
+    stored = _count_stored(symmetry, n_c)
+    needed = listed + n_gamma + stored * n_gamma
+    words, remarks = trailing(words, needed)
     if len(words) != needed:
         raise ValueError(
             Said(
                 "{problem}: its header makes {needed} numbers behind the lamps, and there are "
                 "{found}",
                 problem=wrong_length(len(words), needed),
-                needed=needed,
-                found=len(words),
+                needed=needed + _RATIOS,
+                found=len(words) + _RATIOS,
             )
         )
-    numbers = np.array([number(word) for word in words[_RATIOS:]])
-    c, gamma, values = np.split(numbers, [n_c, n_c + n_gamma])
-    # They are given per 1000 lm of the lamps. A factor of 0 is a line that was left empty.
-    factor = (_value(lines, _FACTOR) or 1.0) * (lumens or 1000.0) / 1000
-    planes = factor * values.reshape(len(stored), n_gamma)
-    c = c[stored]
-    return table_of(np.where(c >= 270, c - 360, c) if symmetry == 3 else c, gamma, planes)
+    numbers = np.array([number(word) for word in words])
+    c, gamma, values = np.split(numbers, [listed, listed + n_gamma])
+    with np.errstate(all="ignore"):
+        candela, negative = possible(factor * values.reshape(stored, n_gamma))
+    c = c if listed == stored else c[_stored(symmetry, n_c)]
+    if symmetry == 3 and c[0] >= 270:  # from C270 by C0 to C90
+        c = np.where(c >= 270, c - 360, c)
+    if symmetry == 1:
+        c = c[:1]
+    return replace(table_of(c, gamma, candela), remarks=remarks + negative)
+
+
+def _count_stored(symmetry: int, n_c: int) -> int:
+    """Number of planes of C with intensities in the file."""
+    return len(_stored(symmetry, n_c))
 
 
 def _stored(symmetry: int, n_c: int) -> list[int]:

@@ -8,6 +8,10 @@ import numpy as np
 from workbench.arrays import Array, Index
 from workbench.said import Said
 
+# Negative intensities over the largest one that measuring and rounding may leave.
+_ROUNDED = 0.005
+# Largest intensities of lamps, cd; the trace in float32 fails beyond 1e-38 and 1e38.
+_DIMMEST, _BRIGHTEST = 1e-20, 1e20
 _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 
 
@@ -26,11 +30,19 @@ class IntensityTable:
         Degrees, ascending, within 0 to 180.
     candela : ndarray, shape (n_c, n_g)
         Finite, not negative, not all zero; the first and the last row are the same plane.
+    remarks : tuple of Said
+        What is odd about the file, though it can be read.
     """
 
     c: Array
     gamma: Array
     candela: Array
+    remarks: tuple[Said, ...] = ()
+
+    @property
+    def note(self) -> str:
+        """All remarks together; empty where there is none."""
+        return "; ".join(str(remark) for remark in self.remarks)
 
     @cached_property
     def lumens(self) -> float:
@@ -49,8 +61,8 @@ class IntensityTable:
         x, y, z = np.moveaxis(direction, -1, 0)
         gamma = np.degrees(np.arctan2(np.hypot(x, y), z))
         c = np.degrees(np.arctan2(-y, x)) % 360.0
-        i, in_c = _between(self.c, c)
-        j, in_gamma = _between(self.gamma, gamma)
+        i, in_c = between(self.c, c)
+        j, in_gamma = between(self.gamma, gamma)
         table = self.candela
         low = (1 - in_gamma) * table[i, j] + in_gamma * table[i, j + 1]
         high = (1 - in_gamma) * table[i + 1, j] + in_gamma * table[i + 1, j + 1]
@@ -114,18 +126,55 @@ def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
                 last=gamma[-1],
             )
         )
-    if candela.min() < 0:
+    return IntensityTable(*all_around(c, candela, gamma))
+
+
+def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
+    """Intensities that a lamp can have, of those of a file.
+
+    Parameters
+    ----------
+    candela : ndarray
+        Intensities, cd.
+
+    Returns
+    -------
+    ndarray, and tuple of Said
+        The intensities, of which small negative ones are 0; and a remark on these.
+
+    Raises
+    ------
+    ValueError
+        If there is no light, or intensities are negative, or beyond all lamps.
+    """
+    largest, least = float(candela.max()), float(candela.min())
+    if -_ROUNDED * largest > least:
         raise ValueError(
-            Said("it has an intensity of {least:g} cd; none can be negative", least=candela.min())
+            Said("it has an intensity of {least:g} cd; none can be negative", least=least)
         )
-    around, planes = all_around(c, candela)
-    table = IntensityTable(around, gamma, planes)
-    if not 0 < table.lumens < np.inf:
+    if not largest > 0:
         raise ValueError(Said("it gives no light: all its intensities are 0"))
-    return table
+    if not _DIMMEST <= largest <= _BRIGHTEST:
+        raise ValueError(
+            Said(
+                "its largest intensity is {largest:.3g} cd; from {least:g} to {most:g} cd can be "
+                "used",
+                largest=largest,
+                least=_DIMMEST,
+                most=_BRIGHTEST,
+            )
+        )
+    if least >= 0:
+        return candela, ()
+    remark = Said(
+        "intensities below 0 count as 0: {count}, the least is {least:g} cd",
+        count=int((candela < 0).sum()),
+        least=least,
+    )
+    return np.maximum(candela, 0.0), (remark,)
 
 
-def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
+def all_around(c: Array, candela: Array, gamma: Array) -> tuple[Array, Array, Array]:
     """Planes from 0° to 360°, of those that stand for their mirror images as well.
 
     Parameters
@@ -135,6 +184,13 @@ def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
         one or without.
     candela : ndarray, shape (n, n_g)
         The planes.
+    gamma : ndarray, shape (n_g,)
+        Their angles.
+
+    Returns
+    -------
+    tuple of ndarray
+        Planes, angles, and intensities, as of `IntensityTable`.
 
     Raises
     ------
@@ -142,13 +198,13 @@ def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
         If the angles are none of these.
     """
     if len(c) == 1:
-        return np.array([0.0, 360.0]), np.repeat(candela, 2, axis=0)
+        return np.array([0.0, 360.0]), gamma, np.repeat(candela, 2, axis=0)
     if (c[0], c[-1]) == (0, 90):
         c, candela = _mirrored(c, candela)
     if c[-1] - c[0] == 180 and c[0] in (-90, 0, 90):
         c, candela = _mirrored(c, candela)
-    if c[0] == 0 and 180 < c[-1] < 360:
-        c, candela = np.append(c, 360.0), np.vstack([candela, candela[:1]])
+    if 180 < c[-1] - c[0] < 360 and (c[0] == 0 or 360 - c[-1] + c[0] <= 2 * np.diff(c).max()):
+        c, candela = np.append(c, c[0] + 360.0), np.vstack([candela, candela[:1]])
     if c[-1] - c[0] != 360:
         raise ValueError(
             Said(
@@ -159,10 +215,14 @@ def all_around(c: Array, candela: Array) -> tuple[Array, Array]:
         )
     turned = c[:-1] % 360  # the last plane is the first one
     order = np.argsort(turned)
-    if turned[order[0]] != 0:
-        raise ValueError(Said("it has no plane C0"))
+    if turned[order[0]] != 0:  # C0 is between the last plane and the first one
+        first, last = order[0], order[-1]
+        part = (360 - turned[last]) / (360 - turned[last] + turned[first])
+        between_them = (1 - part) * candela[last] + part * candela[first]
+        turned, candela = np.append(turned, 0.0), np.vstack([candela[:-1], between_them])
+        order = np.argsort(turned)
     around = np.append(order, order[0])
-    return np.append(turned[order], 360.0), candela[around]
+    return np.append(turned[order], 360.0), gamma, candela[around]
 
 
 def _mirrored(c: Array, candela: Array) -> tuple[Array, Array]:
@@ -170,7 +230,7 @@ def _mirrored(c: Array, candela: Array) -> tuple[Array, Array]:
     return np.append(c, 2 * c[-1] - c[-2::-1]), np.vstack([candela, candela[-2::-1]])
 
 
-def _between(angles: Array, values: Array) -> tuple[Index, Array]:
+def between(angles: Array, values: Array) -> tuple[Index, Array]:
     """The interval that each value is in, and how far it is through it, in 0 to 1."""
     index = np.clip(np.searchsorted(angles, values, side="right") - 1, 0, len(angles) - 2)
     part = (values - angles[index]) / (angles[index + 1] - angles[index])

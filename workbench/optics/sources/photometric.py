@@ -48,7 +48,11 @@ class PhotometricEmitter:
         table = intensity_of(source)
         pattern = TurnedTable(table, source.matrix)
         self.origins = Origins(
-            np.array([source.position]), False, np.array([1 / table.lumens]), pattern=pattern
+            np.array([source.position]),
+            False,
+            np.array([1 / table.lumens]),
+            pattern=pattern,
+            note=table.note,
         )
 
     beside = 0.0
