@@ -170,7 +170,7 @@ class RayFileSource(MeasuredSource):
     """A lamp whose rays stand in a ray file, as they were measured or simulated."""
 
     model_config = ConfigDict(title="Ray file")
-    endings = (".tm25ray", ".dat", ".csv")
+    endings = (".tm25ray", ".dat", ".csv", ".txt")
 
     kind: Literal["ray_file"]
     file: Annotated[
@@ -178,9 +178,9 @@ class RayFileSource(MeasuredSource):
         FILE,
         about(
             "File",
-            "Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with "
-            "the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's "
-            "folder.",
+            "Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv, .txt)"
+            " with the columns x, y, z, l, m, n and flux. A relative path starts at the scene "
+            "file's folder.",
             min_length=1,
         ),
     ]

@@ -1,4 +1,4 @@
-"""Measured rays: IES TM-25 (.tm25ray), OpticStudio (.dat), text (.csv)."""
+"""Measured rays: IES TM-25 (.tm25ray), OpticStudio (.dat), text (.csv, .txt)."""
 
 from workbench.measured.rays.rayset import MOST_RAYS, RaySet
 from workbench.measured.rays.read import ENDINGS, read_rays

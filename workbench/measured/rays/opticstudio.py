@@ -1,16 +1,19 @@
 """Rays of OpticStudio (.dat): binary, or as text.
 
 Binary: a header of 208 bytes and 7 numbers a ray, 8 with wavelengths in µm, as float32 in little
-endian. Text: a line with the number of rays and of the unit, and one with 7 numbers for each ray.
+endian. Text: a line with the number of rays and of the unit, which some programs fill up with zeros
+to as many columns as rays have, and one with 7 numbers for each ray.
 """
 
+import codecs
+import re
 from typing import BinaryIO
 
 import numpy as np
 
 from workbench.measured.rays.chunks import records, size_of
 from workbench.measured.rays.rayset import Columns, RaySet, gathered
-from workbench.measured.rays.table import read_below
+from workbench.measured.rays.table import in_utf8, read_below, read_csv
 from workbench.measured.text import count
 from workbench.said import Said
 
@@ -49,12 +52,45 @@ def read_dat(file: BinaryIO) -> RaySet:
     content = file.read(HEADER.itemsize)
     if len(content) >= 4 and np.frombuffer(content[:4], "<i4")[0] == IDENTIFIER:
         return _binary(file, content, size)
-    head = content.split(b"\n")[0].split(b"\r")[0]
-    words = head.decode("latin-1").split()
-    if len(words) != 2 or not all(word.isdecimal() for word in words):
-        raise ValueError(Said("it begins neither like a binary source file nor like one of text"))
-    rays, unit = count(words[0], 0, 1 << 40), UNITS[count(words[1], 0, 4)]
-    file.seek(len(head))
+    with in_utf8(file) as text:
+        start, counted = _beginning(text)
+        if counted is None:
+            raise ValueError(
+                Said("it begins neither like a binary source file nor like one of text")
+            )
+        return _below(text, start, *counted)
+
+
+def read_text(file: BinaryIO) -> RaySet:
+    """Read rays of an open text that may begin like one of OpticStudio; raises as `read_dat`."""
+    with in_utf8(file) as text:
+        start, counted = _beginning(text)
+        return read_csv(text) if counted is None else _below(text, start, *counted)
+
+
+def _beginning(file: BinaryIO) -> tuple[int, tuple[int, str] | None]:
+    """Where the first line that is not empty ends, and what it counts; see `_counted`."""
+    file.seek(0)
+    beginning = file.read(HEADER.itemsize)
+    text = beginning.removeprefix(codecs.BOM_UTF8).lstrip()
+    head = text.split(b"\n")[0].split(b"\r")[0]
+    return len(beginning) - len(text) + len(head), _counted(head)
+
+
+def _counted(head: bytes) -> tuple[int, str] | None:
+    """Number of rays and unit of a first line, which may be filled up with zeros; None without."""
+    try:
+        rays, unit, *zeros = (float(word) for word in re.split(rb"[\s,;]+", head.strip(b" \t,;")))
+    except ValueError:
+        return None
+    if any(zeros) or not (rays.is_integer() and unit.is_integer() and rays >= 0 and unit >= 0):
+        return None
+    return int(rays), UNITS[count(f"{unit:g}", 0, len(UNITS) - 1)]
+
+
+def _below(file: BinaryIO, start: int, rays: int, unit: str) -> RaySet:
+    """Read so many rays from below a first line."""
+    file.seek(start)
     found = read_below(file, unit)
     if found.in_file != rays:
         raise ValueError(

@@ -5,9 +5,8 @@ from pathlib import PurePath
 from typing import BinaryIO
 
 from workbench.errors import Refused
-from workbench.measured.rays.opticstudio import read_dat
+from workbench.measured.rays.opticstudio import read_dat, read_text
 from workbench.measured.rays.rayset import RaySet
-from workbench.measured.rays.table import read_csv
 from workbench.measured.rays.tm25 import read_tm25
 from workbench.measured.text import problem_in
 from workbench.said import Said
@@ -15,7 +14,8 @@ from workbench.said import Said
 _READERS: Mapping[str, Callable[[BinaryIO], RaySet]] = {
     ".tm25ray": read_tm25,
     ".dat": read_dat,
-    ".csv": read_csv,
+    ".csv": read_text,
+    ".txt": read_text,
 }
 ENDINGS = tuple(_READERS)
 """Endings of the names of ray files."""

@@ -2,12 +2,16 @@
 
 Columns are apart by commas, by semicolons, tabs or spaces; decimal commas go with all of these but
 the first. A line of titles may stand above, with the unit of length in brackets: "x [mm]".
+Text is in UTF-8, Latin-1 or UTF-16.
 """
 
+import codecs
 import io
 import re
+import tempfile
 from collections.abc import Iterator
-from typing import BinaryIO
+from contextlib import contextmanager
+from typing import BinaryIO, cast
 
 import numpy as np
 
@@ -15,15 +19,37 @@ from workbench import units
 from workbench.errors import shown
 from workbench.measured.rays.chunks import size_of
 from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+from workbench.measured.text import encoding_of
 from workbench.said import Said
 
 _AT_ONCE = 1 << 24  # bytes
 _UNIT = re.compile(r"\[\s*(\w+)\s*\]|\(\s*(\w+)\s*\)")
 _LONGEST_LINE = 1 << 12
+# Marks and spaces beside the columns of a line.
+_BESIDE = b" \t,;"
+_MARKS_AT_END = re.compile(rb"[ \t,;]+(?=\n|$)")
+
+
+@contextmanager
+def in_utf8(file: BinaryIO) -> Iterator[BinaryIO]:
+    """The file itself, at its beginning; or a copy in UTF-8 of a text in UTF-16."""
+    size_of(file)
+    encoding = encoding_of(file.read(_LONGEST_LINE))
+    file.seek(0)
+    if encoding is None:
+        yield file
+        return
+    decoder = codecs.getincrementaldecoder(encoding)("replace")
+    with tempfile.TemporaryFile() as copy:
+        while content := file.read(_AT_ONCE):
+            copy.write(decoder.decode(content).encode())
+        copy.write(decoder.decode(b"", final=True).encode())
+        copy.seek(0)
+        yield cast(BinaryIO, copy)
 
 
 def read_csv(file: BinaryIO) -> RaySet:
-    """Read rays of an open file.
+    """Read rays of an open file in UTF-8 or Latin-1.
 
     Raises
     ------
@@ -56,7 +82,7 @@ def read_below(file: BinaryIO, unit: str | None) -> RaySet:
     start = file.tell()
     size = size_of(file)
     file.seek(start)
-    sample = re.split(rb"[\r\n]+", file.read(_LONGEST_LINE).strip())[0]
+    sample = re.split(rb"[\r\n]+", file.read(_LONGEST_LINE).strip())[0].strip(_BESIDE)
     if not sample:
         raise ValueError(Said("it has no rays"))
     separator, comma = _marks(sample)
@@ -75,9 +101,8 @@ def _named(unit: str) -> str | None:
 
 def _marks(line: bytes) -> tuple[bytes, bool]:
     """What stands between columns, nothing for spaces, and whether commas are decimal points."""
-    for mark in (b";", b"\t"):
-        if mark in line:
-            return mark, b"," in line
+    if b";" in line:
+        return b";", b"," in line
     if b"," in line and len(line.split()) in (7, 8) and not re.search(rb",\s", line):
         return b"", True
     return (b",", False) if b"," in line else (b"", False)
@@ -103,6 +128,8 @@ def _numbers(content: bytes, separator: bytes, comma: bool, width: int, line: in
     if b"\0" in content:
         raise ValueError(Said("it is no text"))
     content = content.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    if separator:  # a mark at the end of lines begins no column
+        content = _MARKS_AT_END.sub(b"", content)
     if comma:
         content = content.replace(b",", b".")
     delimiter = separator.decode() or None
