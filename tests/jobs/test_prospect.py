@@ -9,10 +9,13 @@ import pytest
 from workbench.design.task import begin
 from workbench.extended.diffraction import diffraction
 from workbench.jobs import JOBS
+from workbench.jobs.estimate import estimating
+from workbench.jobs.experiment import Experiment
 from workbench.jobs.far_field import StreetLight
 from workbench.jobs.led import LedRectangle
+from workbench.jobs.mirror import MirrorJob
 from workbench.jobs.proposals import blur_widths
-from workbench.jobs.prospect import prospecting
+from workbench.jobs.prospect import _estimated, _light_of, prospecting
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 from workbench.jobs.wall_washer import WallWasher
@@ -51,6 +54,16 @@ def figures_at_once(job):
         steps.close()
 
 
+@pytest.fixture
+def no_estimate(monkeypatch):
+    """Bounds alone are asked for."""
+
+    def none(session):
+        yield from ()
+
+    monkeypatch.setattr("workbench.jobs.prospect.estimating", none)
+
+
 def test_the_blur_is_that_of_the_sun_through_a_pinhole():
     scene = SunPlate().scene()
     wide = (500.0 - scene.lens.leaving_z) * math.radians(0.533)
@@ -65,7 +78,7 @@ def test_diffraction_grows_with_the_root_of_the_distance():
 
 
 @pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)
-def test_each_job_can_be_begun_as_it_is(kind):
+def test_each_job_can_be_begun_as_it_is(kind, no_estimate):
     answers = EVEN if "target" in kind.model_fields else {}
     session = session_of(kind().with_answers(answers))
     assert session.scene.optic.known_shape is not None
@@ -77,22 +90,60 @@ def test_each_job_can_be_begun_as_it_is(kind):
     assert not slope.warns
 
 
-def test_the_picture_at_best_is_blurred_by_the_lamp():
+def test_the_picture_at_best_is_blurred_by_the_lamp(no_estimate):
     job = Torch().with_answers({"target": {"builtin": "tophat"}, "lamp_size": [4.0, 4.0]})
     session = session_of(job)
     image, wanted = (each / each.sum() for each in (prospect(session).picture, session.target))
     assert np.abs(image - wanted).max() > 0.1 * wanted.max()
 
 
-def test_light_that_no_lens_can_bring_into_the_picture_is_said():
+def test_light_that_no_lens_can_bring_into_the_picture_is_said(no_estimate):
     shape = {"builtin": "rectangle", "width": 0.05, "height": 0.05}
-    small = LedRectangle().with_answers({"target": shape, "lamp_size": [4.0, 4.0]})
-    said = figures(small)
-    assert said["Étendue"].warns and "%" in said["Étendue"].value
-    assert said["Error at best"].warns
-    assert said["Error at best"].meaning.startswith("A guess")  # the LED is near
-    large = figures(LedRectangle().with_answers({"lamp_size": [0.1, 0.1]}))
-    assert not large["Étendue"].warns
+    far = {"lamp_size": [4.0, 4.0], "lamp_distance": 60.0, "size": [30.0, 30.0]}
+    said = figures(Torch().with_answers({"target": shape} | far))
+    assert said["Light at best"].warns and said["Error at best"].warns
+    assert "%" in said["Error at best"].value
+
+
+def test_an_error_of_no_bound_is_not_known(no_estimate):
+    """An LED of 1 mm, 10 mm before its lens, and 500 × 200 mm at 100 mm: 24 % and 11 % came."""
+    wide = {"distance": 100.0, "image_size": [500.0, 200.0]}
+    for job in (LedRectangle().with_answers(EVEN | wide), LedRectangle().with_answers(EVEN)):
+        said = figures(job)
+        assert said["Error at best"].value == "not known"
+        assert not any("allows it" in figure.value for figure in said.values())
+    sharp = figures(MirrorJob().with_answers(EVEN))
+    assert sharp["Error at best"].value == "not known"
+
+
+def test_light_at_best_is_what_a_face_reflects_least_of():
+    """Of a plate at normal incidence, by Fresnel's equations at both faces."""
+    session = session_of(SunPlate().with_answers(EVEN))
+    n = session.scene.lens.index
+    through = (1 - ((n - 1) / (n + 1)) ** 2) ** 2
+    assert _light_of(session.scene).leaves == pytest.approx(through, abs=1e-3)
+    assert _light_of(MirrorJob().with_answers(EVEN).scene()).leaves == pytest.approx(1)
+
+
+def test_an_estimate_is_that_of_a_coarse_design():
+    small = {"target": {"builtin": "tophat"}, "size": [20.0, 20.0], "image_size": [20.0, 20.0]}
+    session = session_of(MirrorJob().with_answers(small))
+    parts = []
+    estimate = finished(estimating(session), parts.append)
+    assert parts == sorted(parts) and parts[0] >= 0 and parts[-1] <= 1
+    assert 0.95 < estimate.light <= 0.98 and estimate.coarse_error < 0.05
+    assert estimate.error(0.0) == estimate.coarse_error
+    assert estimate.error(0.04) == pytest.approx(math.hypot(estimate.coarse_error, 0.05))
+
+
+def test_designs_by_other_methods_are_not_estimated(no_estimate):
+    said = figures(Experiment(name="tophat-none-zeros", method="paper"))
+    assert said["Estimate"].value == "not known" and "automatic" in said["Estimate"].meaning
+
+
+def test_a_task_whose_light_does_not_arrive_is_not_promised_anything():
+    said = _estimated(Torch().with_answers(EVEN).scene(), None, 0.0)
+    assert said.warns and said.value == "not known"
 
 
 def test_a_turn_that_no_face_can_make_is_said():

@@ -34,12 +34,15 @@ class ProspectFinder(QObject):
         The job can be begun: this is its design.
     found : Signal(Prospect)
         What can be expected of it.
+    progressed : Signal(float)
+        The part of its estimate that is done.
     failed : Signal(str)
         Why it cannot be begun.
     """
 
     ready = Signal(object)
     found = Signal(object)
+    progressed = Signal(float)
     failed = Signal(str)
 
     def __init__(self, parent: QObject) -> None:
@@ -55,14 +58,23 @@ class ProspectFinder(QObject):
         """Leave what was looked at, and look at this one."""
         self._background.begin(partial(_find, job))
 
+    def leave(self) -> None:
+        """Look at nothing any more."""
+        self._background.cancel()
+
     def close(self) -> None:
         """End the search and wait for its thread; safe to call twice."""
         self._background.close()
 
-    def _pass_on(self, _: object, begun: "tuple[Session, Prospect]") -> None:
-        session, first = begun
-        self.ready.emit(session)
-        self.found.emit(first)
+    def _pass_on(self, _: object, reported: "Session | Prospect | float") -> None:
+        from workbench.jobs.prospect import Prospect  # late: takes long to import
+
+        if isinstance(reported, float):
+            self.progressed.emit(reported)
+        elif isinstance(reported, Prospect):
+            self.found.emit(reported)
+        else:
+            self.ready.emit(reported)
 
     def _tell(self, _: object, found: "Prospect | None") -> None:
         if found is not None:
@@ -75,9 +87,10 @@ def _find(job: "Job", task: Task) -> "Prospect | None":
     from workbench.jobs.prospect import prospecting
 
     session = begin(job.scene(), Path.cwd())
-    steps = prospecting(session)
-    task.report((session, next(steps)))
-    return task.follow(steps)
+    task.report(session)
+    return task.follow(
+        prospecting(session), lambda step: None if step is None else task.report(step)
+    )
 
 
 class Outlook(QWidget):
@@ -116,9 +129,21 @@ class Outlook(QWidget):
         return "\n".join(label.text() for label in labels)
 
     def wait(self) -> None:
-        """Say that figures are being found; what is shown is of the job before."""
-        self._state.say(tr("Computing what can be expected…"))
+        """Say that figures are being found, and mark those that are of the answers before."""
+        self.outdate()
+        computing = tr("Computing what can be expected…")
+        self._state.say(f"{computing} {self._state.text()}".strip())
+
+    def outdate(self) -> None:
+        """Mark all figures as those of the answers before."""
+        for label in self._labels:
+            label.setEnabled(False)
+        self._state.say(tr("The figures are of the answers before.") if self._labels else "")
         self._at_best.clear()
+
+    def show_progress(self, part: float) -> None:
+        """Say how far the estimate is."""
+        self._state.say(tr("Estimating… {part:.0f} %").format(part=100 * part))
 
     def refuse(self, why: str) -> None:
         """Say why there is nothing to be expected."""

@@ -79,6 +79,7 @@ class StartPage(QDialog):
         self._lay_out()
         self._finder.ready.connect(self._take)
         self._finder.found.connect(self._outlook.show_prospect)
+        self._finder.progressed.connect(self._outlook.show_progress)
         self._finder.failed.connect(self._refuse)
         self.finished.connect(self._close)
         self._jobs.currentRowChanged.connect(self._choose)
@@ -149,7 +150,9 @@ class StartPage(QDialog):
         self._told.say("")
         self._begin.setEnabled(not self.form.refused)
         if self.form.refused:
-            return  # what is shown is of the answers before
+            self._finder.leave()
+            self._outlook.outdate()
+            return
         self._drawing.show_view(side_view(self.form.job.scene()))
         self._outlook.wait()
         self._finder.look(self.form.job)

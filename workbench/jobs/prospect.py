@@ -12,6 +12,7 @@ from workbench.design.needs import grazed
 from workbench.design.session import Session
 from workbench.extended.bound import Bound, percent
 from workbench.extended.diffraction import diffraction
+from workbench.jobs.estimate import Estimate, estimating
 from workbench.jobs.proposals import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes
 from workbench.powers import written
@@ -63,7 +64,7 @@ class Prospect:
     figures: tuple[Figure, ...]
 
 
-def prospecting(session: Session) -> Generator[Prospect | None, None, Prospect]:
+def prospecting(session: Session) -> Generator[Prospect | float | None, None, Prospect]:
     """Find what can be expected of a task, step by step, so that one can leave it.
 
     Parameters
@@ -73,16 +74,56 @@ def prospecting(session: Session) -> Generator[Prospect | None, None, Prospect]:
 
     Yields
     ------
-    Prospect or None
-        At first what is known at once.
+    Prospect, float or None
+        What is known: at first what is known at once. Between, the part of the estimate that is
+        done.
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
-    begin = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene)
-    yield Prospect(None, (*begin, _proposal(session)))
+    light = _light_of(scene)
+    known = *_resolved(scene), _steepness(scene, slopes), *_slant(scene), *_caught(scene, light)
+    pending = Figure(
+        Said("Estimate"), Said("estimating…"), Said("By a coarse design of this task.")
+    )
+    yield Prospect(None, (pending, *known, _proposal(session)))
+    estimate = yield from estimating(session)
     bound = Bound(scene, session.target)
-    picture = (yield from bound.finding()).image.clip(min=0) if bound.known else session.target
-    return Prospect(picture, (*begin, *_light(bound), _proposal(session)))
+    if not bound.known:
+        picture, least = session.target, 0.0
+    else:
+        deblurred = yield from bound.finding()
+        picture, least = deblurred.image.clip(min=0), deblurred.error
+    figures = (
+        _estimated(scene, estimate, least),
+        _light_at_best(bound, light),
+        _error_at_best(bound, slopes),
+        *known,
+        _proposal(session),
+    )
+    return Prospect(picture, figures)
+
+
+def _estimated(scene: Scene, estimate: Estimate | None, least: float) -> Figure:
+    """What the design will reach."""
+    name = Said("Estimate")
+    if estimate is None:
+        why = (
+            Said("No light arrives in a coarse design of this task.")
+            if scene.run.method == "auto"
+            else Said("Only designs by the automatic method are estimated.")
+        )
+        return Figure(name, Said("not known"), why, scene.run.method == "auto")
+    error = estimate.error(least)
+    value = Said(
+        "error {error}, {light:.0f} % of the light {place}",
+        error=percent(error),
+        light=100 * estimate.light,
+        place=Said(scene.receiver.place),
+    )
+    meaning = Said(
+        "By a coarse design of this task, with all losses of light and the size of the source."
+    )
+    return Figure(name, value, meaning, error > 10 * _BLACK)
 
 
 def _lit(session: Session) -> tuple[float, float, float, float]:
@@ -169,8 +210,15 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
     return (Figure(Said("Light on the screen"), slant, Said("{sentence}.", sentence=said), True),)
 
 
-def _caught(scene: Scene) -> tuple[Figure, ...]:
-    """How much light meets the optic at all; nothing is said where all of it does."""
+class _Light(NamedTuple):
+    """Parts of the light of a source: what meets the optic, and what can leave it at most."""
+
+    caught: float
+    leaves: float
+
+
+def _light_of(scene: Scene) -> _Light:
+    """Trace a flat face, which reflects the least light."""
     optic = scene.optic
     scene = scene.with_net((_NET, _NET))
     flat = {scene.optic.face: np.full(scene.optic.net_shape, optic.leaving_z)}
@@ -179,6 +227,24 @@ def _caught(scene: Scene) -> tuple[Figure, ...]:
         tally = added(tally, batch) if batch is not None else tally
     assert tally is not None  # all batches have been traced
     caught = 1 - tally.lost.get(f"missed_{optic.called}", 0.0) / tally.emitted
+    enters = caught - tally.lost.get("fresnel_entrance", 0.0) / tally.emitted
+    return _Light(caught, enters * (1 - _least_loss(scene)))
+
+
+def _least_loss(scene: Scene) -> float:
+    """The least part of the light that the face loses that the task shapes."""
+    lens, mirror = scene.lens, scene.mirror
+    if mirror is not None:
+        return 1 - mirror.reflectance
+    assert lens is not None  # a scene has one of them
+    if lens.coating is not None:
+        return lens.coating[1]
+    return 0.0 if lens.reflection == "none" else ((lens.index - 1) / (lens.index + 1)) ** 2
+
+
+def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
+    """How much light meets the optic at all; nothing is said where all of it does."""
+    optic, caught = scene.optic, light.caught
     if caught > _ALL:
         return ()
     return (
@@ -194,50 +260,44 @@ def _caught(scene: Scene) -> tuple[Figure, ...]:
     )
 
 
-def _light(bound: Bound) -> tuple[Figure, ...]:
-    """What the size of the source allows."""
-    if bound.scene.further_images or max(bound.blur.widths) == 0:
-        return ()
-    name, allows = Said("Étendue"), Said("allows it")
-    if bound.blur.within_a_pixel:
-        return (Figure(name, allows, Said("The light blurs less than a pixel.")),)
-    least = bound.relative_l2
-    most = min(bound.on_receiver, bound.on_target)
-    light = (
-        Figure(
-            name,
-            allows,
-            Said(
-                "All light that meets the {optic} can land where the picture is bright.",
-                optic=bound.scene.optic.called,
-            ),
+def _light_at_best(bound: Bound, light: _Light) -> Figure:
+    """The most light that can land where the picture is bright, by what is known for certain."""
+    etendue = min(bound.on_receiver, bound.on_target) if bound.certified else 1.0
+    meaning = Said("The rest misses the {optic} or is lost at its faces.", optic=_called(bound))
+    if etendue <= _ALL:
+        meaning = Said(
+            "No more can land where the picture is bright: the light's own image is larger."
         )
-        if most > _ALL
-        else Figure(
-            name,
-            Said("{part:.0f} % of the light", part=100 * most),
-            Said("No more can land where the picture is bright: the light's own image is larger."),
-            True,
-        )
+    return Figure(
+        Said("Light at best"),
+        Said("at most {part:.0f} %", part=100 * light.leaves * etendue),
+        meaning,
+        etendue <= _ALL,
     )
-    error = Figure(
-        Said("Error at best"),
-        percent(least),
-        _least_in_words(bound),
-        least > 10 * _BLACK,
-    )
-    return light, error
 
 
-def _least_in_words(bound: Bound) -> str:
-    """What the least error means."""
-    if bound.relative_l2 <= _BLACK:
-        return Said("The light is small enough for this picture.")
+def _error_at_best(bound: Bound, slopes: Slopes) -> Figure:
+    """What no lens can be below, where that is known."""
+    name, unknown = Said("Error at best"), Said("not known")
+    if not slopes.possible:
+        why = Said("The {optic} cannot turn all the light that far.", optic=_called(bound))
+        return Figure(name, unknown, why, True)
+    if max(bound.blur.widths) == 0 or bound.blur.within_a_pixel:
+        return Figure(name, unknown, Said("The size of the light sets no bound."))
+    if not bound.known:
+        return Figure(name, unknown, Said("Rays of a file need not come evenly from one place."))
     if not bound.one_blur:
-        return Said(
-            "A guess: a lamp so near is blurred less by the rim of the lens than by its middle."
-        )
-    return Said("No lens of this size can be below it; a smaller or farther lamp would help.")
+        why = Said("A lamp so near is blurred less by the rim of the lens than by its middle.")
+        return Figure(name, unknown, why)
+    least = bound.relative_l2
+    if least <= 0:
+        return Figure(name, unknown, Said("The light is small enough for this picture."))
+    why = Said("No lens of this size can be below it; a smaller or farther lamp would help.")
+    return Figure(name, percent(least), why, least > 10 * _BLACK)
+
+
+def _called(bound: Bound) -> str:
+    return bound.scene.optic.called
 
 
 def _proposal(session: Session) -> Figure:

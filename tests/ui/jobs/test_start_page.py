@@ -11,11 +11,12 @@ from PySide6.QtWidgets import QPushButton
 from tests.ui.hands import fill, move_screen
 from ui.files.actions import Answer
 from ui.jobs.page import StartPage
+from ui.panels.edits import Edit
 from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
+from workbench.jobs.mirror import MirrorJob
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
-from workbench.jobs.wall_washer import WallWasher
 from workbench.scene.kinds import title_of
 
 
@@ -152,10 +153,10 @@ def test_an_image_takes_the_aspect_of_a_picture_whose_name_is_typed(page, tmp_pa
 
 
 def test_figures_come_without_blocking_the_page(page, qtbot):
-    choose(page, WallWasher)  # its picture at best is found soon
+    choose(page, MirrorJob)  # it is estimated soon
     qtbot.waitUntil(lambda: "Error at best" in page._outlook.text, timeout=90_000)
     said = page._outlook.text
-    for name in ("Blur of the light", "Diffraction", "Largest slope", "Étendue", "Proposed"):
+    for name in ("Blur of the light", "Diffraction", "Largest slope", "Light at best", "Proposed"):
         assert name in said
     choose(page, Torch)
     assert "Computing" in page._outlook.text
@@ -239,3 +240,23 @@ def test_another_picture_is_for_the_same_viewer(page, tmp_path):
     Image.new("L", (20, 10), 255).save(tmp_path / "wide.png")
     page.form.choose_image(tmp_path / "wide.png")
     assert page.form.job.target.viewed_from == "front"
+
+
+def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
+    choose(page, SunPlate)
+    qtbot.waitUntil(lambda: "Largest slope" in page._outlook.text, timeout=90_000)
+    outlook, (label, *_) = page._outlook, page._outlook._labels
+    assert "estimating…" in outlook.text and label.isEnabled()
+    row = row_of(page, "distance")
+    row.edited.emit(Edit("distance", "distance", {"distance": 700.0}))
+    assert "The figures are of the answers before." in outlook.text
+    assert not label.isEnabled()
+    qtbot.waitUntil(lambda: "of the answers before" not in outlook.text, timeout=90_000)
+    assert all(label.isEnabled() for label in outlook._labels)
+    row.edited.emit(Edit("distance", "distance", {"distance": -1.0}))
+    assert page.form.refused and "The figures are of the answers before." in outlook.text
+
+
+def test_an_estimate_says_how_far_it_is(page):
+    page._outlook.show_progress(0.4)
+    assert "Estimating… 40 %" in page._outlook.text
