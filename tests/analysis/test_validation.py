@@ -1,5 +1,4 @@
 import math
-import os
 import tracemalloc
 
 import numpy as np
@@ -12,6 +11,7 @@ from workbench.analysis.tracing.sources import cells
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
+from workbench.library_threads import usable_threads
 from workbench.optics.plan import Plan
 from workbench.scene import BoxFilter
 
@@ -241,7 +241,7 @@ class TestRays:
         validate(scene, target, {"exit": np.full((12, 10), 0.5)}, 1)
         peak = tracemalloc.get_traced_memory()[1]
         tracemalloc.stop()
-        threads = min(os.cpu_count(), in_order._MOST_THREADS)
+        threads = min(usable_threads(), in_order._MOST_THREADS)
         assert peak < (threads + 2) * target.nbytes + 30e6  # those of a batch each, their sum
 
     def test_few_threads_hold_images_that_are_very_large(self, make_scene, monkeypatch):

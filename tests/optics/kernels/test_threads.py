@@ -22,7 +22,19 @@ def test_parts_cover_everything_once_and_evenly(items, parts):
 
 def test_few_rays_are_left_to_one_thread():
     assert threads.parts(1) == 1
-    assert threads.parts(10**9) == torch.get_num_threads()
+    assert threads.parts(10**9) > 1
+    assert threads.workers(1) == 1
+
+
+def test_parts_do_not_depend_on_the_number_of_threads(three_threads, monkeypatch):
+    """Their sums would be rounded otherwise: the same task would have another lens."""
+    with_three = threads.parts(50_000), threads.parts(10**9), threads.images(100)
+    monkeypatch.setattr(torch, "get_num_threads", lambda: 1)
+    assert (threads.parts(50_000), threads.parts(10**9), threads.images(100)) == with_three
+
+
+def test_large_images_have_fewer_parts():
+    assert threads.images(4096 * 4096) == 2 < threads.images(256 * 256)
 
 
 @pytest.mark.parametrize("lines", [1, 2, 100])

@@ -1,10 +1,11 @@
 """Work in threads whose outcomes are handed out in order, and which can be left at any time."""
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from threading import Event
 from typing import TypeVar
+
+from workbench.library_threads import usable_threads
 
 T = TypeVar("T")
 
@@ -26,9 +27,9 @@ def in_order(
     size : int
         Bytes of an outcome: fewer threads work where that is much.
     threads : int, optional
-        How many work; as many as there are cores by default.
+        How many work; as many as may be by default; see `usable_threads`.
     """
-    threads = min(threads or os.cpu_count() or 1, _MOST_THREADS, max(_LARGEST // size, 1))
+    threads = min(threads or usable_threads(), _MOST_THREADS, max(_LARGEST // size, 1))
     left = Event()
     with ThreadPoolExecutor(threads) as pool:
         try:

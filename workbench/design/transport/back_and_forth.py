@@ -109,7 +109,7 @@ class Transport:
     ) -> tuple[Array, Array, float, float, float]:
         """One step of a potential, then the best of the other for it, and of it for that."""
         missing = here - push(there, *mapped(other, *self._weights))
-        workers = threads.parts(missing.size)
+        workers = threads.workers(missing.size)
         amplitudes = dctn(missing, norm="ortho", workers=workers) / self._waves
         amplitudes[0, 0] = 0.0
         direction = idctn(amplitudes, norm="ortho", workers=workers, overwrite_x=True)

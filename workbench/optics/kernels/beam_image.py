@@ -23,7 +23,7 @@ from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.polygons import compile_drawing
 
-# Parts for each thread where a part needs no image of its own: rows take more time where light is.
+# Times as many parts where a part needs no image of its own: rows take more time where light is.
 _SHARES = 4
 # Grids of so few rows are drawn as one: what lies between them costs less than a call for each.
 _SMALL = 32
@@ -105,7 +105,8 @@ def _forward(
     """The image, the flux that lands on its plane, and what the way back needs."""
     n_x, n_y = pixels
     rows, columns = nodes.shape[1:]
-    at = threads.split(rows, nodes[0].size)
+    count = min(threads.parts(nodes[0].size), threads.images(n_x * n_y), rows)
+    at = threads.bounds(rows, count)
     parts = len(at) - 1
     parted = splits[::-1]  # along the first axis of the nodes, then along the second
     column, row = np.empty((2, rows, columns))
@@ -130,7 +131,7 @@ def _forward(
 
 
 def _finished(slivers: Array, steps: Array, landed: float) -> Array:
-    """The image of all threads."""
+    """The image of all parts."""
     image = slivers.sum(axis=0) - np.cumsum(steps.sum(axis=0)[:, :-1], axis=1)
     image[image < ROUNDING * landed] = 0.0
     return np.asarray(image)
@@ -141,7 +142,7 @@ def _forward_by_grids(
 ) -> tuple[Array, float]:
     """As `_forward`, one grid after the other: each stays within the cache of a processor."""
     n_x, n_y = pixels
-    at = threads.bounds(len(grids), min(torch.get_num_threads(), len(grids)))
+    at = threads.bounds(len(grids), min(threads.images(n_x * n_y), len(grids)))
     parts = len(at) - 1
     slivers, steps = np.zeros((parts, n_y, n_x)), np.zeros((parts, n_y, n_x + 1))
     landed = [0.0] * parts
@@ -171,7 +172,7 @@ def _back_by_grids(
     nodes: AnyArray, cotangent: Array, splits: Splits, grids: list[slice]
 ) -> AnyArray:
     """As `_back`; the triangles are made again, which is cheaper than to keep them all."""
-    at = threads.bounds(len(grids), min(torch.get_num_threads(), len(grids)))
+    at = threads.bounds(len(grids), min(threads.images(cotangent.size), len(grids)))
     right, result = _to_the_right(cotangent), np.empty_like(nodes)
 
     def work(part: int) -> None:

@@ -13,8 +13,8 @@ from workbench.optics.kernels.box_grids import Grids, add_grids, see_grids
 from workbench.optics.kernels.cell_image import Back, Splits, cell_image
 from workbench.optics.kernels.function import kind_of
 
-# Parts for each thread where a part needs no image of its own: none then waits long for another.
-_SHARES = 4
+# Parts where none needs an image of its own: no thread then waits long for another.
+_PARTS = 32
 
 
 def compiled_box_image(
@@ -42,7 +42,7 @@ def _draw(nodes: AnyArray, pixels: tuple[int, int], splits: Splits) -> tuple[Arr
 def _forward(nodes: AnyArray, pixels: tuple[int, int], grids: Grids) -> tuple[Array, float]:
     """The image, and the flux that lands on its plane."""
     n_x, n_y = pixels
-    at = _bounds(grids)
+    at = _bounds(grids, threads.images(4 * n_x * n_y))
     corners, landed = np.zeros((len(at) - 1, n_y + 1, n_x + 1, 4)), [0.0] * (len(at) - 1)
 
     def work(part: int) -> None:
@@ -55,7 +55,7 @@ def _forward(nodes: AnyArray, pixels: tuple[int, int], grids: Grids) -> tuple[Ar
 
 
 def _summed(corners: Array) -> Array:
-    """The image of what all threads have at corners of boxes; see `add_boxes`."""
+    """The image of what all parts have at corners of boxes; see `add_boxes`."""
     whole, by_x, by_y, by_both = np.moveaxis(corners.sum(axis=0), -1, 0)
     steps = whole - by_x - by_y + by_both
     steps[:, 1:] += (by_x - by_both)[:, :-1]
@@ -67,7 +67,7 @@ def _summed(corners: Array) -> Array:
 def _back(nodes: AnyArray, cotangent: Array, grids: Grids) -> AnyArray:
     """Cotangent of the nodes from that of the image."""
     sums, result = _sums(cotangent), np.empty_like(nodes)
-    at = _bounds(grids, _SHARES)
+    at = _bounds(grids, _PARTS)
 
     def work(part: int) -> None:
         see_grids(nodes, grids, at[part], at[part + 1], sums, result)
@@ -76,10 +76,10 @@ def _back(nodes: AnyArray, cotangent: Array, grids: Grids) -> AnyArray:
     return result
 
 
-def _bounds(grids: Grids, shares: int = 1) -> list[int]:
-    """Where the parts of some grids begin, for each thread so many, and where the last ends."""
+def _bounds(grids: Grids, parts: int) -> list[int]:
+    """Where so many parts of some grids begin, and where the last ends."""
     count = len(grids.behind)
-    return threads.bounds(count, min(shares * torch.get_num_threads(), count))
+    return threads.bounds(count, min(parts, count))
 
 
 def _sums(cotangent: Array) -> Array:

@@ -2,8 +2,9 @@
 
 Kernels are plain loops over a part of the rays; each part has an accumulator of its own. Compared
 with numba's parallel loops this needs no threading layer, compiles sooner, and lets two threads of
-Python trace at once. Parts are fixed by their number alone, so the same number of threads gives
-the same result, bit by bit.
+Python trace at once. How many parts there are depends on the work alone, never on the number of
+threads, and their accumulators are added in order: any number of threads gives the same result,
+bit by bit.
 """
 
 from collections.abc import Callable
@@ -17,10 +18,25 @@ from workbench.interruption import check_given_up
 # Handing a part to another thread takes some 50 µs: fewer rays than this are not worth it.
 _WORTH_A_THREAD = 8192
 
+# Parts at most. Each may have an accumulator of its own, which takes time to be added up.
+_PARTS = 8
+# Pixels of the images of all parts together, of which there are two in any case: memory.
+_PIXELS = 1 << 24
+
 
 def parts(rays: int) -> int:
-    """How many parts to make of so many rays: one for each of torch's threads, if it pays."""
-    return max(1, min(torch.get_num_threads(), rays // _WORTH_A_THREAD))
+    """How many parts to make of so many rays, as far as a part is worth a thread."""
+    return max(1, min(_PARTS, rays // _WORTH_A_THREAD))
+
+
+def workers(rays: int) -> int:
+    """How many threads to have for so many rays, where results do not depend on them."""
+    return min(parts(rays), torch.get_num_threads())
+
+
+def images(pixels: int) -> int:
+    """How many parts to make at most if each has an image of so many pixels."""
+    return min(_PARTS, max(2, _PIXELS // pixels))
 
 
 def bounds(items: int, parts: int) -> list[int]:
@@ -31,7 +47,7 @@ def bounds(items: int, parts: int) -> list[int]:
 def split(lines: int, rays: int, shares: int = 1) -> list[int]:
     """Where the parts of so many lines, with so many rays in all, begin; and where the last ends.
 
-    One part for each thread that pays, or ``shares`` of them, but none without a line.
+    As many as `parts`, or ``shares`` times as many, but none without a line.
     """
     return bounds(lines, min(parts(rays) * shares, max(1, lines)))
 
