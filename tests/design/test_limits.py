@@ -82,3 +82,10 @@ def test_a_surface_that_does_not_fit_is_cut_off_at_the_ends(limits_of, bowl):
     cut = limits.nearest(bowl)
     assert limits.hold(cut) and limits.nearest(cut) is cut
     assert cut.min() == 0.2 or cut.max() == 0.8
+
+
+def test_a_far_screen_does_not_make_the_lens_thick(limits_of):
+    """The lens before any design is as thick for a screen that is 1e9 away as for a far field."""
+    limits = limits_of({"lens.height_range": None, "screen.z": 1e9})
+    assert np.abs(limits.undesigned - 0.5).max() < 0.5
+    assert limits.upper.max() < 2000

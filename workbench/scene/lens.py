@@ -40,6 +40,9 @@ _RISE = 0.25
 _NEAR_RISE = 0.5
 # A receiver that is infinitely far counts as so many half-widths of the lens away.
 _FAR = 8.0
+# An automatic thickness takes at most so many half-widths: where it goes up to a screen that is 1e9
+# away, the undesigned lens was 250,000 thick, and its heights had too few digits for its shape.
+_THICKEST = 1000.0
 
 
 def _thinnest(data: dict[str, Any]) -> float:
@@ -364,6 +367,7 @@ class Lens(Optic):
             return lens
         if math.isinf(receiver_z):
             receiver_z = lens.highest + _FAR * max(self.half_width)
+        receiver_z = min(receiver_z, lens.highest + _THICKEST * max(self.half_width))
         thickness = (1 - part) * lens.highest + part * receiver_z - self.front_z
         return lens.model_copy(update={"max_thickness": thickness})
 

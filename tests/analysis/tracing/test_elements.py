@@ -11,6 +11,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import PlaneDetector
 from workbench.analysis.tracing.surfaces import FlatFace, SplineFace
 from workbench.geometry.outlines import Rectangle
+from workbench.geometry.surface import ControlNet
 
 UP = np.array([[0.0, 0.0, 1.0]])
 
@@ -158,3 +159,15 @@ def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
     detector.count(rays, flux, beside)
     assert flux.tolist() == [[1, 0, 0, 2], [1, 0, 0, 0]]
     assert beside.tolist() == [4, 6]
+
+
+def test_a_thick_lens_keeps_the_digits_of_its_shape(make_scene):
+    """Slopes of 1e-7 are found behind glass 250,000 thick, where heights have 3e-11 for a step."""
+    lens = make_scene({"lens.base.height": 0.5}).lens
+    net = ControlNet.of(lens)
+    heights = np.repeat(250_000 + 1e-7 * net.positions[0][:, None], lens.net_shape[1], axis=1)
+    at = np.linspace(-0.6, 0.6, 7)
+    _, slope, across = SplineFace(lens, heights, "left_side").shape_at(at, 0.3 * at)
+    widths = np.diff(net.positions[0]).min()
+    assert slope == pytest.approx(1e-7, abs=2 * 3e-11 / widths)
+    assert across == pytest.approx(0, abs=1e-16)

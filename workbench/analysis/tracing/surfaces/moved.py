@@ -37,7 +37,7 @@ class MovedFace(SplineFace):
         seen = self._seen(rays)
         # They may begin beside the face and come to it: they are followed from below it on.
         way = seen.direction / seen.direction[:, 2:]
-        ahead = (self._spline.lowest - seen.position[:, 2:]).clip(min=0)
+        ahead = (self._lowest - seen.position[:, 2:]).clip(min=0)
         found = super().meet(seen._replace(position=seen.position + ahead * way))
         found = self._inside(found)
         place = (found.position - self._middle) @ self._turn.T + self._middle + self._shift

@@ -49,7 +49,11 @@ class SplineFace:
             width = np.expand_dims(t[p + 1 : -1] - t[1 : -p - 1], 1 - axis)
             slopes = np.abs(np.diff(control_points, axis=axis)) * p / width
             steepest.append(float(slopes.max()))
-        heights = np.ascontiguousarray(control_points - optic.front_z, dtype=np.float64)
+        # Counted from a level of their own: of a lens that is thick for how much it bends light, a
+        # height from the front has no digits left for its shape.
+        middle = float(control_points.mean())
+        heights = np.ascontiguousarray(control_points - middle, dtype=np.float64)
+        self._level = middle - optic.front_z
         along_x, along_y = (_pieces(t, p) for t, p in zip(knots, net.degree, strict=True))
         r_x, r_y = optic.half_width
         self._spline = Spline(
@@ -72,7 +76,9 @@ class SplineFace:
         # Rays that do not meet it get the origin: memory as it comes might hold any number.
         position, normal = np.zeros_like(rays.position), np.zeros_like(rays.position)
         flux = np.empty_like(rays.flux)
-        missed = meet(self._spline, *rays, position, normal, flux)
+        place = rays.position - [0.0, 0.0, self._level]
+        missed = meet(self._spline, place, rays.direction, rays.flux, position, normal, flux)
+        position[:, 2] += np.where(flux > 0, self._level, 0.0)
         return Crossings(position, normal, flux, missed)
 
     def met_again(self, rays: TracedRays, onwards: int) -> Array:
@@ -104,7 +110,12 @@ class SplineFace:
         """Height and slopes along x and y at places, all of shape (m,)."""
         z, slope_x, slope_y = np.empty((3, len(x)))
         surface(self._spline, x, y, z, slope_x, slope_y)
-        return z, slope_x, slope_y
+        return z + self._level, slope_x, slope_y
+
+    @property
+    def _lowest(self) -> float:
+        """Height of the lowest control point."""
+        return self._level + self._spline.lowest
 
     def _inside(self, found: Crossings) -> Crossings:
         """Crossings without those beside the outline."""
@@ -122,7 +133,7 @@ class SplineFace:
 
     def _length_beside(self, place: Array, way: Array, onwards: int) -> Array:
         """How far rays go from the face until they are beside it or beyond all of it."""
-        far = self._spline.highest if onwards > 0 else self._spline.lowest
+        far = self._level + (self._spline.highest if onwards > 0 else self._spline.lowest)
         with np.errstate(divide="ignore", invalid="ignore"):
             to_end = np.where(onwards * way[:, 2] > 0, (far - place[:, 2]) / way[:, 2], np.inf)
             half = np.array([self._spline.r_x, self._spline.r_y])
@@ -154,7 +165,7 @@ class FrontFace(SplineFace):
     def meet(self, rays: TracedRays) -> Crossings:
         """Where rays from far below first meet it; see `TracedFace.meet`."""
         way = rays.direction / rays.direction[:, 2:]
-        back = (rays.position[:, 2:] - self._spline.lowest).clip(min=0)
+        back = (rays.position[:, 2:] - self._lowest).clip(min=0)
         # What comes in from beside, over the rim, meets no front.
         found = super().meet(rays._replace(position=rays.position - back * way))
         return self._inside(self._within(found, self._crossing(rays)))
