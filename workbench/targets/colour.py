@@ -31,6 +31,7 @@ _TO_D65 = np.array([-0.0282895, 1.0099416, 0.0210077])
 _D50 = (0.9642, 1.0, 0.8249)
 _ALIKE = 0.01  # of the largest value: nobody sees less
 _DEEP = 65535.0
+_HDR_VIDEO = 16, 18  # PQ and HLG, by ITU-T H.273
 _LAB_LIGHT, _LAB_STRAIGHT = 8.0, 903.3  # below that lightness, CIE 1976 is straight
 
 
@@ -140,6 +141,8 @@ def _stated(image: Image.Image) -> tuple[Colour | None, str]:
     info = image.info
     if content := info.get("icc_profile"):
         return _of_profile(image, content)
+    if info.get("nclx_profile", {}).get("transfer_characteristics") in _HDR_VIDEO:
+        raise ValueError("its values are those of HDR video")
     if image.format != "PNG":
         return None, ""
     if "srgb" in info:
