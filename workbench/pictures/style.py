@@ -1,11 +1,18 @@
 """Colours of a matplotlib figure's frame: ink and paper."""
 
+from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
 from matplotlib.figure import Figure
+
+from workbench.pictures.maps import SIGNED
+
+_ON_DARK = "signed on "  # name of colours about zero, before the colour of the ground
+_BELOW, _ABOVE = "#6fb7ff", "#ff8f73"  # their ends: as bright as each other
 
 
 def paint(figure: Figure, ink: str, paper: str) -> None:
-    """Recolour everything but the data.
+    """Recolour everything but the data; on a dark ground, values about zero are dark at zero.
 
     Parameters
     ----------
@@ -30,6 +37,13 @@ def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
         box = text.get_bbox_patch()
         if box is not None:
             box.set_facecolor(paper)
+    for image in axes.images:
+        before = image.get_cmap()
+        if before.name == SIGNED or before.name.startswith(_ON_DARK):
+            colours = _signed_on(paper)
+            if colours.name != before.name:
+                red, green, blue, alpha = before.get_bad().tolist()
+                image.set_cmap(colours.with_extremes(bad=(red, green, blue, alpha)))
     for spine in axes.spines.values():
         spine.set_edgecolor(ink)
     legend = axes.get_legend()
@@ -37,3 +51,10 @@ def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
         legend.get_frame().set(facecolor=paper, edgecolor=paper)
         for text in legend.get_texts():
             text.set_color(ink)
+
+
+def _signed_on(paper: str) -> Colormap:
+    """Colours about zero: white at zero on light paper, else the paper's own colour."""
+    if sum(to_rgb(paper)) > 1.5:
+        return colormaps[SIGNED]
+    return LinearSegmentedColormap.from_list(_ON_DARK + paper, [_BELOW, paper, _ABOVE])
