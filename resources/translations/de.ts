@@ -1445,6 +1445,11 @@
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
+            <source>The light of this design is still being traced. Try again in a moment.</source>
+            <translation>Das Licht dieses Entwurfs wird noch durchgerechnet. Gleich noch einmal versuchen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
             <source>checking…</source>
             <translation>Prüfung läuft …</translation>
         </message>
@@ -1452,6 +1457,11 @@
             <location filename="../../ui/check/check.py" />
             <source>checking… {part:.0f} %</source>
             <translation>Prüfung läuft … {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Check failed</source>
+            <translation>Prüfung fehlgeschlagen</translation>
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
@@ -1472,6 +1482,36 @@
             <location filename="../../ui/check/figures.py" />
             <source>F8 traces what is on show anew, with rays that its design never saw.</source>
             <translation>F8 rechnet das Gezeigte neu durch, mit Strahlen, die sein Entwurf nie gesehen hat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>check failed</source>
+            <translation>Prüfung fehlgeschlagen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells and random rays trace the same light by different means. Where they differ by more than noise and error bounds explain, one of them is wrong.</source>
+            <translation>Zellen und Zufallsstrahlen berechnen dasselbe Licht auf verschiedenen Wegen. Weichen sie stärker ab, als Rauschen und Fehlerschranken erklären, ist eines von beiden falsch.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>no deterministic figure</source>
+            <translation>kein deterministischer Wert</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The error is by random rays alone, whose noise is in the intervals below.</source>
+            <translation>Der Fehler stammt allein von Zufallsstrahlen, deren Rauschen in den Intervallen unten steht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>optimiser and check</source>
+            <translation>Optimierer und Prüfung</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The image and the efficiency of the design differ from the check by more than errors explain: the optimiser traces fewer rays.</source>
+            <translation>Bild und Wirkungsgrad des Entwurfs weichen von der Prüfung stärker ab, als Fehler erklären: der Optimierer rechnet weniger Strahlen.</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />
@@ -1955,6 +1995,26 @@
         </message>
         <message>
             <location filename="../../ui/files/chosen_files.py" />
+            <source>{name} is a file of light, not a design.</source>
+            <translation>{name} ist eine Lichtdatei, kein Entwurf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Use as light source</source>
+            <translation>Als Lichtquelle verwenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>{name} is a picture, not a design.</source>
+            <translation>{name} ist ein Bild, kein Entwurf.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Use as target</source>
+            <translation>Als Ziel verwenden</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
             <source>There is no picture on the clipboard.</source>
             <translation>In der Zwischenablage ist kein Bild.</translation>
         </message>
@@ -1990,8 +2050,23 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
             <source>Export {lens}</source>
             <translation>Exportieren: {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No file is written.</source>
+            <translation>Es wird keine Datei geschrieben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>{format} in {unit}</source>
+            <translation>{format} in {unit}</translation>
         </message>
         <message>
             <location filename="../../ui/files/gallery.py" />
@@ -2147,11 +2222,6 @@
             <location filename="../../ui/files/reporter.py" />
             <source>One report is still being written; ask for the next after it.</source>
             <translation>Ein Bericht wird noch geschrieben; den nächsten danach anfordern.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
         </message>
         <message>
             <location filename="../../ui/files/reporter.py" />
@@ -2404,6 +2474,16 @@
             <translation>Ermittle, was zu erwarten ist …</translation>
         </message>
         <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>The figures are of the answers before.</source>
+            <translation>Die Werte gehören zu den vorherigen Angaben.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Schätzung läuft … {part:.0f} %</translation>
+        </message>
+        <message>
             <location filename="../../ui/jobs/page.py" />
             <source>New design</source>
             <translation>Neuer Entwurf</translation>
@@ -2427,6 +2507,11 @@
             <location filename="../../ui/jobs/page.py" />
             <source>E&amp;xamples…</source>
             <translation>B&amp;eispiele …</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Beginn nicht möglich: {reason}</translation>
         </message>
         <message>
             <location filename="../../ui/jobs/page.py" />
@@ -2594,59 +2679,114 @@
             <translation>Gespeichert mit der Aufgabe, an der der Lauf arbeitet.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Tool radius</source>
             <translation>Werkzeugradius</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>a radius that fits</source>
             <translation>ein passender Radius</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
             <translation>Radius der Kugel. Leer: der der Aufgabe oder einer, der überall passt.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Ridges</source>
             <translation>Rillen</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
             <translation>Wie hoch Grate zwischen benachbarten Bahnen sein dürfen. Leer: 1e-4 der größeren Halbbreite, oder mehr, wo das mehr Bewegungen bräuchte, als ein Programm haben kann.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Clamping rim</source>
             <translation>Spannrand</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Width of stock around the lens, to hold it by.</source>
             <translation>Breite des Rohteils um die Linse herum, um es zu spannen.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Travel height</source>
             <translation>Verfahrhöhe</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>the ball's diameter</source>
             <translation>der Kugeldurchmesser</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>How far over its highest cut the cutter travels.</source>
             <translation>Wie weit über seinem höchsten Schnitt der Fräser verfährt.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>fine</source>
             <translation>fein</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Feed</source>
+            <translation>Vorschub</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How fast the cutter moves while it cuts.</source>
+            <translation>Wie schnell sich der Fräser beim Schneiden bewegt.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Plunge feed</source>
+            <translation>Eintauchvorschub</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How fast the cutter goes down into the stock.</source>
+            <translation>Wie schnell der Fräser in das Rohteil eintaucht.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Spindle speed</source>
+            <translation>Spindeldrehzahl</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Revolutions a minute, clockwise.</source>
+            <translation>Umdrehungen je Minute, im Uhrzeigersinn.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Dwell</source>
+            <translation>Verweilzeit</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How long the cutter waits above the stock until the spindle is at its speed.</source>
+            <translation>Wie lange der Fräser über dem Rohteil wartet, bis die Spindel ihre Drehzahl hat.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>From {least} to {most} {unit}.</source>
+            <translation>Von {least} bis {most} {unit}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Cut a mould of the face</source>
+            <translation>Eine Form der Fläche fräsen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>The negative: hollows become humps, turned over about the y axis.</source>
+            <translation>Das Negativ: Mulden werden Erhebungen, um die y-Achse gewendet.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2660,28 +2800,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed</source>
-            <translation>Vorschub</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>How fast the cutter moves while it cuts.</source>
-            <translation>Wie schnell sich der Fräser beim Schneiden bewegt.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut a mould of the face</source>
-            <translation>Eine Form der Fläche fräsen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>The negative: hollows become humps, turned over about the y axis.</source>
-            <translation>Das Negativ: Mulden werden Erhebungen, um die y-Achse gewendet.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>What the cut leaves</source>
             <translation>Was der Schnitt übrig lässt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stop</source>
+            <translation>Stopp</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stop the simulation; a change of a field begins it anew</source>
+            <translation>Die Simulation anhalten; eine Änderung eines Feldes beginnt sie neu</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2690,13 +2820,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>&amp;Simulate and trace</source>
-            <translation>Simu&amp;lieren und durchrechnen</translation>
+            <source>&amp;Trace light</source>
+            <translation>Licht &amp;durchrechnen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Simulate the cut and trace light through what it leaves, beside the lens as designed</source>
-            <translation>Den Schnitt simulieren und Licht durch das Ergebnis rechnen, neben der entworfenen Linse</translation>
+            <source>Trace light through what the cut leaves, beside the lens as designed</source>
+            <translation>Licht durch das rechnen, was der Schnitt übrig lässt, neben der Linse wie entworfen</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2705,13 +2835,23 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Simulating the cut…</source>
-            <translation>Schnitt wird simuliert …</translation>
+            <source>Simulating the cut: {percent} %</source>
+            <translation>Simulation des Schnitts: {percent} %</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>{value:g}; a number above 0, or nothing</source>
-            <translation>{value:g}; eine Zahl über 0 oder nichts</translation>
+            <source>Tracing: {percent} %</source>
+            <translation>Durchrechnung: {percent} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stopped: the cut is not simulated.</source>
+            <translation>Angehalten: der Schnitt ist nicht simuliert.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Use {radius}</source>
+            <translation>{radius} verwenden</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2730,8 +2870,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Tracing…</source>
-            <translation>Durchrechnung …</translation>
+            <source>The cutter fits.</source>
+            <translation>Der Fräser passt.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2959,6 +3099,11 @@
             <translation>Grenze: {label}</translation>
         </message>
         <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>{value:g}; a number above 0, or nothing</source>
+            <translation>{value:g}; eine Zahl über 0 oder nichts</translation>
+        </message>
+        <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>look at the face</source>
             <translation>Untersuchung der Fläche</translation>
@@ -3085,8 +3230,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/refused_fields.py" />
-            <source>{first}{others}. Correct it, or press Esc in the field, first.</source>
-            <translation>{first}{others}. Zuerst berichtigen oder im Feld Esc drücken.</translation>
+            <source>{first}{others}. Correct it, or press Esc, first.</source>
+            <translation>{first}{others}. Zuerst berichtigen oder Esc drücken.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
@@ -3115,6 +3260,11 @@
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
+            <source>wider height range</source>
+            <translation>breiterer Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
             <source>wider entrance range</source>
             <translation>weiterer Eintrittsbereich</translation>
         </message>
@@ -3122,6 +3272,11 @@
             <location filename="../../ui/notices/shortfall.py" />
             <source>The height range follows from the task now</source>
             <translation>Der Höhenbereich folgt jetzt aus der Aufgabe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>Der Höhenbereich ist jetzt {low:.3g} bis {high:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
@@ -3202,6 +3357,11 @@
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} von {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>refused {edit}</source>
+            <translation>abgelehnt: {edit}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3615,8 +3775,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/target.py" />
-            <source>The light that is wanted on the screen</source>
-            <translation>Das Licht, das auf dem Schirm gewünscht ist</translation>
+            <source>The light that is wanted on the screen, as its viewer sees it</source>
+            <translation>Das gewünschte Licht auf dem Schirm, wie es sein Betrachter sieht</translation>
         </message>
         <message>
             <location filename="../../ui/run/bound.py" />
@@ -3690,8 +3850,8 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Edits are followed no longer: a first result of this design takes more than {seconds:g} s here, time after time. Start designs it.</source>
-            <translation>Änderungen wird nicht mehr gefolgt: ein erstes Ergebnis dieses Entwurfs dauert hier immer wieder mehr als {seconds:g} s. Start entwirft ihn.</translation>
+            <source>Following: the first design takes long here; edits wait for a pause</source>
+            <translation>Folgen: der erste Entwurf dauert hier lange; Änderungen warten auf eine Pause</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
@@ -3720,13 +3880,13 @@
         </message>
         <message>
             <location filename="../../ui/run/kept.py" />
-            <source>Followed: {description}</source>
-            <translation>Gefolgt: {description}</translation>
+            <source>Run {number}: {description}</source>
+            <translation>Lauf {number}: {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept.py" />
-            <source>Run {number}: {description}</source>
-            <translation>Lauf {number}: {description}</translation>
+            <source>Followed {number}: {description}</source>
+            <translation>Gefolgt {number}: {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/lens_on_show.py" />
@@ -3887,6 +4047,11 @@
             <location filename="../../ui/run/status.py" />
             <source>at most {time} left</source>
             <translation>höchstens noch {time}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Outdated:</source>
+            <translation>Veraltet:</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4150,6 +4315,16 @@
         </message>
         <message>
             <location filename="../../ui/sweep/dialog.py" />
+            <source>Choose a folder for the designs.</source>
+            <translation>Einen Ordner für die Entwürfe wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Asked for at the start</source>
+            <translation>Wird beim Start erfragt</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
             <source>Choose the folder</source>
             <translation>Den Ordner wählen</translation>
         </message>
@@ -4157,11 +4332,6 @@
             <location filename="../../ui/sweep/dialog.py" />
             <source>sweep</source>
             <translation>Reihe</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Stop</source>
-            <translation>Stopp</translation>
         </message>
         <message>
             <location filename="../../ui/sweep/dialog.py" />
@@ -4654,6 +4824,11 @@
             <translation>Über ein Bild ziehen, um die Linie eines Schnitts zu zeichnen; Umschalt und Ziehen tut es auch</translation>
         </message>
         <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>{side}: mirror-inverted</source>
+            <translation>{side}: spiegelverkehrt</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/section_view.py" />
             <source>Where the screen is cut: along x or y through the place that is clicked in an image,
 or along a line that is drawn across one with Shift and drag.
@@ -4790,14 +4965,14 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{axis} bei {place}</translation>
         </message>
         <message>
+            <location filename="../../ui/widgets/veil.py" />
+            <source>Outdated: this is the design before the change</source>
+            <translation>Veraltet: das ist der Entwurf vor der Änderung</translation>
+        </message>
+        <message>
             <location filename="../../ui/window/early_parts.py" />
             <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
             <translation>Der Lauf wartet auf seine Rechenkerne: sie werden einmal nach der Installation übersetzt, etwa eine halbe Minute lang</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/loaded_parts.py" />
-            <source>Follow</source>
-            <translation>Folgen</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5356,8 +5531,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Half of the mirror's extent along x and y. All of it is lit.</source>
-            <translation>Die halbe Ausdehnung des Spiegels entlang x und y. Er ist ganz beleuchtet.</translation>
+            <source>Half of the mirror's extent along x and y. Light reaches it through this extent in the plane of its base.</source>
+            <translation>Halbe Ausdehnung des Spiegels entlang x und y. Licht erreicht ihn durch diese Ausdehnung in der Ebene seiner Grundform.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5656,8 +5831,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene file's folder.</source>
-            <translation>Stärke je Richtung, in einer Datei nach IES LM-63 (.ies) oder EULUMDAT (.ldt). Ihr Nadir zeigt nach +z, C0 nach +x und C90 nach −y. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y; the beam axis of types A and B along +z, V upwards along +y and H to the right along −x. A relative path starts at the scene file's folder.</source>
+            <translation>Richtungsabhängige Strahlstärke in einer Datei nach IES LM-63 (.ies) oder EULUMDAT (.ldt). Ihr Nadir zeigt entlang +z, C0 entlang +x und C90 entlang −y; die Strahlachse der Typen A und B entlang +z, V nach oben entlang +y und H nach rechts entlang −x. Ein relativer Pfad beginnt beim Ordner der Szenendatei.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5691,8 +5866,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
-            <translation>Strahlen in einer Datei nach IES TM-25 (.tm25ray), von OpticStudio (.dat) oder als Text (.csv) mit den Spalten x, y, z, l, m, n und flux. Ein relativer Pfad beginnt im Ordner der Szenendatei.</translation>
+            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv, .txt) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
+            <translation>Strahlen in einer Datei nach IES TM-25 (.tm25ray), von OpticStudio (.dat) oder als Text (.csv, .txt) mit den Spalten x, y, z, l, m, n und Lichtstrom. Ein relativer Pfad beginnt beim Ordner der Szenendatei.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5911,8 +6086,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light.</source>
-            <translation>Was ein Pixelwert bedeutet. Ein Monitor zeigt die Hälfte des größten Werts als ein Fünftel des Lichts: ein Foto sieht nur so aus wie dort, wenn das rückgängig gemacht wird (sRGB). Wie gespeichert ist der Wert selbst das Licht: die Hälfte ist halb so viel Licht.</translation>
+            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light. A colour profile in the file counts in place of this.</source>
+            <translation>Was ein Pixelwert bedeutet. Ein Monitor zeigt den halben Höchstwert als ein Fünftel des Lichts: eine Fotografie sieht nur dann aus wie dort, wenn das rückgängig gemacht wird (sRGB). Wie gespeichert heißt: der Wert selbst ist das Licht, halber Wert ist halbes Licht. Ein Farbprofil in der Datei gilt an dessen Stelle.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6023,6 +6198,26 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>Swap bright and dark.</source>
             <translation>Hell und dunkel vertauschen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Viewed from</source>
+            <translation>Betrachtet von</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The side of the receiver from which the picture reads the right way round. An opaque wall, a table, or a far field on a distant wall is viewed from the side of the light, a rear projection from behind the receiver. If it is left out, column 0 of the picture lies at −x: it then reads right from behind with a lens, from the side of the light with a mirror.</source>
+            <translation>Die Seite des Empfängers, von der aus das Bild richtig herum zu lesen ist. Eine undurchsichtige Wand, ein Tisch oder ein Fernfeld auf einer entfernten Wand wird von der Lichtseite betrachtet, eine Rückprojektion von hinter dem Empfänger. Ohne Angabe liegt Spalte 0 des Bildes bei −x: mit einer Linse ist es dann von hinten richtig zu lesen, mit einem Spiegel von der Lichtseite.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The side of the light</source>
+            <translation>Lichtseite</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Behind the receiver</source>
+            <translation>Hinter dem Empfänger</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6756,13 +6951,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>a source nearer to the axis lets it in</source>
-            <translation>eine Quelle näher an der Achse lässt es hinein</translation>
+            <source>an antireflection coating, a lower index or a source nearer to the axis lets it in</source>
+            <translation>eine Entspiegelung, ein kleinerer Brechungsindex oder eine Quelle näher an der Achse lässt es hinein</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>is reflected at the exit</source>
             <translation>wird am Austritt reflektiert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>an antireflection coating, {flatter}a lower index or a target that needs less bending lets it out</source>
+            <translation>eine Entspiegelung, {flatter}ein kleinerer Brechungsindex oder ein Ziel, das weniger Ablenkung braucht, lässt es hinaus</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7120,6 +7320,26 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>gescheitert: {why}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the check contradicts itself: {cells:.4g} % of the light on the receiver by cells, {rays:.4g} % by random rays; no figure of this check is reliable</source>
+            <translation>die Prüfung widerspricht sich: {cells:.4g} % des Lichts auf dem Empfänger über Zellen, {rays:.4g} % mit Zufallsstrahlen; kein Wert dieser Prüfung ist verlässlich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the check contradicts itself: the images by cells and by random rays are {apart:.3g} % apart, which noise and error bound do not explain; no figure of this check is reliable</source>
+            <translation>die Prüfung widerspricht sich: die Bilder über Zellen und mit Zufallsstrahlen liegen {apart:.3g} % auseinander, was Rauschen und Fehlerschranke nicht erklären; kein Wert dieser Prüfung ist verlässlich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the run finds {run:.4g} % of the light on the receiver, the check {check:.4g} %: use the figures of the check</source>
+            <translation>der Lauf findet {run:.4g} % des Lichts auf dem Empfänger, die Prüfung {check:.4g} %: die Werte der Prüfung verwenden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the image of the run is {apart:.3g} % off the image of the check: use the figures of the check</source>
+            <translation>das Bild des Laufs weicht um {apart:.3g} % vom Bild der Prüfung ab: die Werte der Prüfung verwenden</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>finer cells would take too long</source>
             <translation>feinere Zellen würden zu lange dauern</translation>
@@ -7201,13 +7421,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
-            <source>{light}, no dispersion known, {way}</source>
-            <translation>{light}, keine Dispersion bekannt, {way}</translation>
+            <source>{side}; {light}, no dispersion known, {way}</source>
+            <translation>{side}; {light}, keine Dispersion bekannt, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
-            <source>{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
-            <translation>{light}, {count} Wellenlängen von {first:g} bis {last:g} µm, {step} Pixel auseinander, {way}</translation>
+            <source>{side}; {light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
+            <translation>{side}; {light}, {count} Wellenlängen von {first:g} bis {last:g} µm, {step} Pixel auseinander, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
@@ -7331,6 +7551,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
+            <source>finer cells would take too long: ask for more rays</source>
+            <translation>feinere Zellen würden zu lange dauern: mehr Strahlen verlangen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
+            <translation>Zellen weichen um bis zu {bound:.2g} % ab, mehr als Zufallsstrahlen: mehr Strahlen verlangen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
             <source>so few rays of the file come to the screen that some of {parts} parts of them make no image: the check needs a file of more rays</source>
             <translation>es kommen so wenige Strahlen der Datei auf dem Schirm an, dass einige von {parts} Teilen davon kein Bild ergeben: die Prüfung braucht eine Datei mit mehr Strahlen</translation>
         </message>
@@ -7403,6 +7633,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
             <translation>Licht streift die ferne Seite des Fernfelds, {slant:.0f} Grad von der Senkrechten, wo das Bild weniger genau ist; drehen Sie das Fernfeld zum Spiegel, oder rücken Sie seine Mitte näher an die Achse</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the screen; target.viewed_from "front" turns it around</source>
+            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Schirm richtig zu lesen; target.viewed_from "front" dreht es um</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the far field; target.viewed_from "front" turns it around</source>
+            <translation>das Bild ist für Betrachter auf der Lichtseite spiegelverkehrt und von hinter dem Fernfeld richtig zu lesen; target.viewed_from "front" dreht es um</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
@@ -7541,6 +7781,31 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.height_range to a wider range</source>
+            <translation>lens.height_range auf einen breiteren Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set mirror.height_range to a wider range</source>
+            <translation>mirror.height_range auf einen breiteren Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.max_thickness to a larger thickness</source>
+            <translation>lens.max_thickness auf eine größere Dicke setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.entrance.height_range to a wider range</source>
+            <translation>lens.entrance.height_range auf einen breiteren Bereich setzen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
+            <translation>Die Eintrittsfläche füllt {part:.0f} % ihres automatischen Bereichs von {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
             <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
             <translation>Die Eintrittsfläche füllt {part:.0f} % ihres Bereichs von {range} {unit} und würde in einem weiteren mehr vom Licht ablenken</translation>
         </message>
@@ -7548,6 +7813,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/shortfall.py" />
             <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
             <translation>{part:.0f} % der Kontrollhöhen liegen an der Mindestdicke von {thinnest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{range} {unit} is the automatic limit</source>
+            <translation>{range} {unit} ist die automatische Grenze</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7568,6 +7838,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/shortfall.py" />
             <source>The mirror needs {range} {unit}; {allowed}</source>
             <translation>Der Spiegel braucht {range} {unit}; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{thickest:.3g} {unit} is the automatic limit</source>
+            <translation>{thickest:.3g} {unit} ist die automatische Grenze</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7598,6 +7873,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/shortfall.py" />
             <source>{sentence}: {cure}</source>
             <translation>{sentence}: {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{field}: {said}</source>
+            <translation>{field}: {said}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7725,19 +8005,39 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ist ein beschädigtes oder unvollständiges ZIP: {detail}</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; one of {fitting} fits</source>
+            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; einer von {fitting} passt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g}; eine Länge über 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g}; eine Länge von 0 oder mehr</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/cutting.py" />
             <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
             <translation>{ridge:g}; weniger als der Fräserradius {radius:g} ist nötig</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/far_light.py" />
+            <source>no light leaves its {body}, so that it has no intensity</source>
+            <translation>kein Licht verlässt den {body}, also gibt es keine Lichtstärke</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no ending that tells a format; one of {endings}</source>
             <translation>hat keine Endung, die ein Format nennt; eine von {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; a smaller one, or run.min_tool_radius</source>
-            <translation>ein Kugelfräser von {radius} passt nicht: er lässt {left} stehen und schneidet {cut} zu viel weg; ein kleinerer, oder run.min_tool_radius</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -7765,9 +8065,9 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>OpenCASCADE findet in der IGES-Datei, die es geschrieben hat, keine B-Spline-Fläche</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/photometric.py" />
-            <source>no light leaves its {body}, so that it has no intensity</source>
-            <translation>kein Licht verlässt den {body}, also gibt es keine Lichtstärke</translation>
+            <location filename="../../workbench/files/export/mesh_unit.py" />
+            <source>{unit}; one of {known}</source>
+            <translation>{unit}; eine von {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/tessellation.py" />
@@ -7783,6 +8083,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/files/export/write.py" />
             <source>the {face} face is flat, so it has no file</source>
             <translation>die Fläche „{face}“ ist eben, also hat sie keine Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>{reason}; {path}: {other}</source>
+            <translation>{reason}; {path}: {other}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>{path}: {reason}</source>
+            <translation>{path}: {reason}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/header.py" />
@@ -7911,6 +8221,46 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
+            <source>Estimate</source>
+            <translation>Schätzung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>estimating…</source>
+            <translation>Schätzung läuft …</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>By a coarse design of this task.</source>
+            <translation>Nach einem groben Entwurf dieser Aufgabe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No light arrives in a coarse design of this task.</source>
+            <translation>In einem groben Entwurf dieser Aufgabe kommt kein Licht an.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Only designs by the automatic method are estimated.</source>
+            <translation>Nur Entwürfe nach der automatischen Methode werden geschätzt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>not known</source>
+            <translation>nicht bekannt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>error {error}, {light:.0f} % of the light {place}</source>
+            <translation>Fehler {error}, {light:.0f} % des Lichts {place}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>By a coarse design of this task, with all losses of light and the size of the source.</source>
+            <translation>Nach einem groben Entwurf dieser Aufgabe, mit allen Lichtverlusten und der Größe der Quelle.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
             <source>Blur of the light</source>
             <translation>Unschärfe des Lichts</translation>
         </message>
@@ -8021,33 +8371,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Étendue</source>
-            <translation>Étendue</translation>
+            <source>The rest misses the lens or is lost at its faces.</source>
+            <translation>Der Rest verfehlt die Linse oder geht an ihren Flächen verloren.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>allows it</source>
-            <translation>erlaubt es</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light blurs less than a pixel.</source>
-            <translation>Das Licht macht weniger als ein Pixel unscharf.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>All light that meets the lens can land where the picture is bright.</source>
-            <translation>Alles Licht auf der Linse kann dort landen, wo das Bild hell ist.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>All light that meets the mirror can land where the picture is bright.</source>
-            <translation>Alles Licht auf dem Spiegel kann dort landen, wo das Bild hell ist.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>{part:.0f} % of the light</source>
-            <translation>{part:.0f} % des Lichts</translation>
+            <source>The rest misses the mirror or is lost at its faces.</source>
+            <translation>Der Rest verfehlt den Spiegel oder geht an seiner Fläche verloren.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8056,18 +8386,48 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light at best</source>
+            <translation>Licht bestenfalls</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>at most {part:.0f} %</source>
+            <translation>höchstens {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
             <source>Error at best</source>
             <translation>Kleinstmöglicher Fehler</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light is small enough for this picture.</source>
-            <translation>Die Lichtquelle ist klein genug für dieses Bild.</translation>
+            <source>The lens cannot turn all the light that far.</source>
+            <translation>Die Linse kann nicht alles Licht so weit ablenken.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>A guess: a lamp so near is blurred less by the rim of the lens than by its middle.</source>
-            <translation>Eine Schätzung: der Rand der Linse macht eine so nahe Lampe weniger unscharf als ihre Mitte.</translation>
+            <source>The mirror cannot turn all the light that far.</source>
+            <translation>Der Spiegel kann nicht alles Licht so weit ablenken.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The size of the light sets no bound.</source>
+            <translation>Die Größe der Lichtquelle setzt keine Schranke.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Rays of a file need not come evenly from one place.</source>
+            <translation>Strahlen einer Datei müssen nicht gleichmäßig von einem Ort kommen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>A lamp so near is blurred less by the rim of the lens than by its middle.</source>
+            <translation>Eine so nahe Lampe wird vom Rand der Linse weniger verwischt als von ihrer Mitte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light is small enough for this picture.</source>
+            <translation>Die Lichtquelle ist klein genug für dieses Bild.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8120,9 +8480,14 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>„{file}“ {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it says to be of version {found!r}; known are {known}</source>
-            <translation>sie nennt als Version {found!r}; bekannt sind {known}</translation>
+            <location filename="../../workbench/measured/photometry/beam_angles.py" />
+            <source>it has a single angle {name}; two are needed</source>
+            <translation>sie hat nur einen Winkel {name}; zwei werden gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/beam_angles.py" />
+            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
+            <translation>ihre Winkel {name} gehen von {first:g}° bis {last:g}°; sie müssen innerhalb von −{most}° bis {most}° ansteigen</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8141,13 +8506,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
-            <translation>sie ist abgeschnitten: vor ihren Winkeln stehen {n} von 13 Zahlen</translation>
+            <source>it says to be of version {found!r}; known are {known}</source>
+            <translation>sie nennt als Version {found!r}; bekannt sind {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it is of photometric type {found}; type C is needed</source>
-            <translation>sie ist vom photometrischen Typ {found}; nötig ist Typ C</translation>
+            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
+            <translation>sie ist abgeschnitten: vor ihren Winkeln stehen {n} von 13 Zahlen</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8168,6 +8533,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/measured/photometry/ldt.py" />
             <source>it is cut off: {found} of at least {least} lines are there</source>
             <translation>sie ist abgeschnitten: von mindestens {least} Zeilen sind {found} da</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>its lamps</source>
+            <translation>ihre Lampen</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ldt.py" />
@@ -8221,13 +8591,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/table.py" />
-            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
-            <translation>ihre C-Ebenen gehen von {first:g}° bis {last:g}°; das ist keine bekannte Symmetrie</translation>
+            <source>its largest intensity is {largest:.3g} cd; from {least:g} to {most:g} cd can be used</source>
+            <translation>ihre größte Lichtstärke ist {largest:.3g} cd; verwendbar sind {least:g} bis {most:g} cd</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/table.py" />
-            <source>it has no plane C0</source>
-            <translation>ihr fehlt die Ebene C0</translation>
+            <source>intensities below 0 count as 0: {count}, the least is {least:g} cd</source>
+            <translation>Lichtstärken unter 0 zählen als 0: {count}, die kleinste ist {least:g} cd</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
+            <translation>ihre C-Ebenen gehen von {first:g}° bis {last:g}°; das ist keine bekannte Symmetrie</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/chunks.py" />
@@ -8388,6 +8763,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/measured/text.py" />
             <source>{word!r} stands where a whole number from {least} to {most} has to</source>
             <translation>{word!r} steht, wo eine ganze Zahl von {least} bis {most} nötig ist</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>text behind the last number is ignored: {text!r}</source>
+            <translation>Text hinter der letzten Zahl wird ignoriert: {text!r}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/text.py" />
@@ -8840,6 +9220,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{count} angegeben, die nicht berücksichtigt werden können ({who}); keine</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from the side of the light</source>
+            <translation>von der Lichtseite betrachtet</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from behind the screen</source>
+            <translation>von hinter dem Schirm betrachtet</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from behind the far field</source>
+            <translation>von hinter dem Fernfeld betrachtet</translation>
+        </message>
+        <message>
             <location filename="../../workbench/sweep/points.py" />
             <source>is varied twice; all its values belong together</source>
             <translation>wird zweimal verändert; alle seine Werte gehören zusammen</translation>
@@ -8848,6 +9243,56 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/sweep/points.py" />
             <source>{count} points; at most {most} are possible</source>
             <translation>{count} Punkte; höchstens {most} sind möglich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>has a colour profile that cannot be used ({why}); “Brightness” (target.tone) counts</source>
+            <translation>hat ein Farbprofil, das nicht verwendbar ist ({why}); es gilt „Helligkeit“ (target.tone)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>has {statement}, which counts in place of “Brightness” (target.tone)</source>
+            <translation>hat {statement}; das gilt anstelle von „Helligkeit“ (target.tone)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>a chunk sRGB</source>
+            <translation>einen Block sRGB</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>a chunk gAMA of {gamma:.4g}</source>
+            <translation>einen Block gAMA von {gamma:.4g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>the colour profile “{name}”</source>
+            <translation>das Farbprofil „{name}“</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has pixels {aspect:.3g} times as wide as high; they count as squares</source>
+            <translation>hat Pixel, die {aspect:.3g}-mal so breit wie hoch sind; sie zählen als Quadrate</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>is damaged or incomplete</source>
+            <translation>ist beschädigt oder unvollständig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>is a deep EXR; a flat one is needed</source>
+            <translation>ist ein tiefes EXR; ein flaches wird gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has the channels {names}; R, G and B, or Y, are needed</source>
+            <translation>hat die Kanäle {names}; gebraucht werden R, G und B oder Y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has chromaticities that are no colours</source>
+            <translation>hat Farbwertanteile, die keine Farben sind</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -8866,48 +9311,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>holds {least:g}; values of at least 0 are needed</source>
-            <translation>enthält {least:g}; Werte von mindestens 0 sind nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
             <source>'{tone}' is for shades, and '{path}' holds numbers; 'linear'</source>
             <translation>'{tone}' ist für Tonwerte, und '{path}' enthält Zahlen; 'linear'</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>'{path}' {reason}</source>
-            <translation>'{path}' {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {columns} × {rows} pixels; at least one is needed</source>
-            <translation>hat {columns} × {rows} Pixel; mindestens eines ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {columns} × {rows} pixels; at most {most} on a side are allowed</source>
-            <translation>hat {columns} × {rows} Pixel; höchstens {most} auf einer Seite sind erlaubt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not a whole .npy array of numbers: {why}</source>
-            <translation>ist kein vollständiges .npy-Feld von Zahlen: {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {count} dimensions; 2 (rows, columns) are needed</source>
-            <translation>hat {count} Dimensionen; 2 (Zeilen, Spalten) sind nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>holds values of type {kind}; real numbers are needed</source>
-            <translation>enthält Werte vom Typ {kind}; reelle Zahlen sind nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
-            <translation>ist kein vollständiges .npy-Feld von Zahlen: es fehlen einige von {size} Byte</translation>
+            <source>'{path}' {remark}</source>
+            <translation>'{path}' {remark}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -8916,23 +9326,58 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>is an SVG that cannot be drawn: {why}</source>
-            <translation>ist ein SVG, das nicht gezeichnet werden kann: {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not an image that can be read; known: {known}</source>
-            <translation>ist kein Bild, das gelesen werden kann; bekannt: {known}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has too many pixels; at most {most} on a side are allowed</source>
-            <translation>hat zu viele Pixel; höchstens {most} auf einer Seite sind erlaubt</translation>
+            <source>holds light itself; “Brightness” (target.tone) does not count</source>
+            <translation>enthält das Licht selbst; „Helligkeit“ (target.tone) gilt nicht</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is damaged or incomplete: {why}</source>
             <translation>ist beschädigt oder unvollständig: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>'{path}' {reason}</source>
+            <translation>'{path}' {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>is not a whole .npy array of numbers: {why}</source>
+            <translation>ist kein vollständiges .npy-Feld von Zahlen: {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>has {count} dimensions; 2 (rows, columns) are needed</source>
+            <translation>hat {count} Dimensionen; 2 (Zeilen, Spalten) sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>holds values of type {kind}; real numbers are needed</source>
+            <translation>enthält Werte vom Typ {kind}; reelle Zahlen sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
+            <translation>ist kein vollständiges .npy-Feld von Zahlen: es fehlen einige von {size} Byte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels; at least one is needed</source>
+            <translation>hat {columns} × {rows} Pixel; mindestens eines ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels; at most {most} million are allowed</source>
+            <translation>hat {columns} × {rows} Pixel; höchstens {most} Millionen sind erlaubt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels and is reduced to {less_columns} × {less_rows}</source>
+            <translation>hat {columns} × {rows} Pixel und wird auf {less_columns} × {less_rows} verkleinert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>holds {least:g}; values of at least 0 are needed</source>
+            <translation>enthält {least:g}; Werte von mindestens 0 sind nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/prepare.py" />
@@ -8948,6 +9393,81 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/targets/prepare.py" />
             <source>true leaves '{path}', which is uniform, black all over</source>
             <translation>true macht '{path}', das gleichmäßig ist, ganz schwarz</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: it has no line with its resolution</source>
+            <translation>ist beschädigt: die Zeile mit der Auflösung fehlt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>has primaries that are no colours of light</source>
+            <translation>hat Primärfarben, die keine Lichtfarben sind</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: a line has another length than the picture</source>
+            <translation>ist beschädigt: eine Zeile hat eine andere Länge als das Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: a line is longer than the picture</source>
+            <translation>ist beschädigt: eine Zeile ist länger als das Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is incomplete: lines are missing at its end</source>
+            <translation>ist unvollständig: am Ende fehlen Zeilen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>is not an image that can be read; known: {known}</source>
+            <translation>ist kein Bild, das gelesen werden kann; bekannt: {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has too many pixels; at most {most} million</source>
+            <translation>hat zu viele Pixel; höchstens {most} Millionen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has {frames} frames or pages; the first one counts</source>
+            <translation>hat {frames} Einzelbilder oder Seiten; das erste zählt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has 32 bits a pixel with zero as white; save it with zero as black</source>
+            <translation>hat 32 Bit je Pixel mit null als Weiß; mit null als Schwarz speichern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has zero as white; save it with zero as black</source>
+            <translation>hat null als Weiß; mit null als Schwarz speichern</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>it cannot be drawn within {most:g} s</source>
+            <translation>es kann nicht innerhalb von {most:g} s gezeichnet werden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>links to the picture '{link}'; embed that picture in the SVG</source>
+            <translation>verweist auf das Bild '{link}'; dieses Bild in die SVG-Datei einbetten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>it is nested too deeply to be drawn</source>
+            <translation>es ist zu tief verschachtelt, um gezeichnet zu werden</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>has the letter {letter} (U+{number:04X}), which no font here has; install one</source>
+            <translation>hat den Buchstaben {letter} (U+{number:04X}), den hier keine Schrift hat; eine passende installieren</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>is an SVG that cannot be drawn: {why}</source>
+            <translation>ist ein SVG, das nicht gezeichnet werden kann: {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/text.py" />

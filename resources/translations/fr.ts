@@ -1445,6 +1445,11 @@
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
+            <source>The light of this design is still being traced. Try again in a moment.</source>
+            <translation>La lumière de cette conception est encore en cours de tracé. Réessayer dans un instant.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
             <source>checking…</source>
             <translation>vérification en cours…</translation>
         </message>
@@ -1452,6 +1457,11 @@
             <location filename="../../ui/check/check.py" />
             <source>checking… {part:.0f} %</source>
             <translation>vérification… {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/check.py" />
+            <source>Check failed</source>
+            <translation>Échec de la vérification</translation>
         </message>
         <message>
             <location filename="../../ui/check/check.py" />
@@ -1472,6 +1482,36 @@
             <location filename="../../ui/check/figures.py" />
             <source>F8 traces what is on show anew, with rays that its design never saw.</source>
             <translation>F8 trace à nouveau ce qui est affiché, avec des rayons que la conception n'a jamais vus.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>check failed</source>
+            <translation>échec de la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>Cells and random rays trace the same light by different means. Where they differ by more than noise and error bounds explain, one of them is wrong.</source>
+            <translation>Cellules et rayons aléatoires tracent la même lumière par des moyens différents. S'ils diffèrent de plus que le bruit et les bornes d'erreur n'expliquent, l'un des deux est faux.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>no deterministic figure</source>
+            <translation>pas de valeur déterministe</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The error is by random rays alone, whose noise is in the intervals below.</source>
+            <translation>L'erreur vient des seuls rayons aléatoires, dont le bruit figure dans les intervalles ci-dessous.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>optimiser and check</source>
+            <translation>optimiseur et vérification</translation>
+        </message>
+        <message>
+            <location filename="../../ui/check/figures.py" />
+            <source>The image and the efficiency of the design differ from the check by more than errors explain: the optimiser traces fewer rays.</source>
+            <translation>L'image et le rendement de la conception diffèrent de la vérification de plus que les erreurs n'expliquent : l'optimiseur trace moins de rayons.</translation>
         </message>
         <message>
             <location filename="../../ui/check/figures.py" />
@@ -1955,6 +1995,26 @@
         </message>
         <message>
             <location filename="../../ui/files/chosen_files.py" />
+            <source>{name} is a file of light, not a design.</source>
+            <translation>{name} est un fichier de lumière, pas une conception.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Use as light source</source>
+            <translation>Utiliser comme source de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>{name} is a picture, not a design.</source>
+            <translation>{name} est une image, pas une conception.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
+            <source>Use as target</source>
+            <translation>Utiliser comme cible</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/chosen_files.py" />
             <source>There is no picture on the clipboard.</source>
             <translation>Il n'y a pas d'image dans le presse-papiers.</translation>
         </message>
@@ -1990,8 +2050,23 @@
         </message>
         <message>
             <location filename="../../ui/files/exporter.py" />
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
             <source>Export {lens}</source>
             <translation>Exporter : {lens}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>No file is written.</source>
+            <translation>Aucun fichier n'est écrit.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/files/exporter.py" />
+            <source>{format} in {unit}</source>
+            <translation>{format} en {unit}</translation>
         </message>
         <message>
             <location filename="../../ui/files/gallery.py" />
@@ -2147,11 +2222,6 @@
             <location filename="../../ui/files/reporter.py" />
             <source>One report is still being written; ask for the next after it.</source>
             <translation>Un rapport est encore en cours d'écriture ; demander le suivant après.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/files/reporter.py" />
-            <source>Cancel</source>
-            <translation>Annuler</translation>
         </message>
         <message>
             <location filename="../../ui/files/reporter.py" />
@@ -2404,6 +2474,16 @@
             <translation>Calcul de ce qu'on peut attendre…</translation>
         </message>
         <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>The figures are of the answers before.</source>
+            <translation>Les valeurs sont celles des réponses précédentes.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/outlook.py" />
+            <source>Estimating… {part:.0f} %</source>
+            <translation>Estimation… {part:.0f} %</translation>
+        </message>
+        <message>
             <location filename="../../ui/jobs/page.py" />
             <source>New design</source>
             <translation>Nouvelle conception</translation>
@@ -2427,6 +2507,11 @@
             <location filename="../../ui/jobs/page.py" />
             <source>E&amp;xamples…</source>
             <translation>E&amp;xemples…</translation>
+        </message>
+        <message>
+            <location filename="../../ui/jobs/page.py" />
+            <source>Cannot begin: {reason}</source>
+            <translation>Impossible de commencer : {reason}</translation>
         </message>
         <message>
             <location filename="../../ui/jobs/page.py" />
@@ -2594,59 +2679,114 @@
             <translation>Enregistré avec la tâche sur laquelle travaille l'exécution.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Tool radius</source>
             <translation>Rayon de l'outil</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>a radius that fits</source>
             <translation>un rayon qui convient</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Radius of the ball. Left empty: that of the design task, or one that fits everywhere.</source>
             <translation>Rayon de la bille. Vide : celui de la tâche, ou un qui convient partout.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Ridges</source>
             <translation>Crêtes</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>How high ridges between neighbouring cuts may be. Left empty: 1e-4 of the larger half-width, or higher where that takes more moves than a program can have.</source>
             <translation>Hauteur permise des crêtes entre passes voisines. Vide : 1e-4 de la plus grande demi-largeur, ou plus si cela demande plus de mouvements qu'un programme n'en peut avoir.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Clamping rim</source>
             <translation>Bord de serrage</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Width of stock around the lens, to hold it by.</source>
             <translation>Largeur de brut autour de la lentille, pour la tenir.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>Travel height</source>
             <translation>Hauteur de dégagement</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>the ball's diameter</source>
             <translation>le diamètre de la bille</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>How far over its highest cut the cutter travels.</source>
             <translation>À quelle hauteur au-dessus de sa plus haute coupe la fraise se déplace.</translation>
         </message>
         <message>
-            <location filename="../../ui/manufacture/cutter.py" />
+            <location filename="../../ui/manufacture/cut_fields.py" />
             <source>fine</source>
             <translation>fin</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Feed</source>
+            <translation>Avance</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How fast the cutter moves while it cuts.</source>
+            <translation>Vitesse de la fraise pendant la coupe.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Plunge feed</source>
+            <translation>Avance de plongée</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How fast the cutter goes down into the stock.</source>
+            <translation>La vitesse à laquelle la fraise descend dans le brut.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Spindle speed</source>
+            <translation>Vitesse de broche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Revolutions a minute, clockwise.</source>
+            <translation>Tours par minute, en sens horaire.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Dwell</source>
+            <translation>Temporisation</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>How long the cutter waits above the stock until the spindle is at its speed.</source>
+            <translation>Combien de temps la fraise attend au-dessus du brut que la broche atteigne sa vitesse.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>From {least} to {most} {unit}.</source>
+            <translation>De {least} à {most} {unit}.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>Cut a mould of the face</source>
+            <translation>Usiner un moule de la face</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cut_fields.py" />
+            <source>The negative: hollows become humps, turned over about the y axis.</source>
+            <translation>Le négatif : les creux deviennent des bosses, retourné autour de l'axe y.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2660,28 +2800,18 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Feed</source>
-            <translation>Avance</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>How fast the cutter moves while it cuts.</source>
-            <translation>Vitesse de la fraise pendant la coupe.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>Cut a mould of the face</source>
-            <translation>Usiner un moule de la face</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
-            <source>The negative: hollows become humps, turned over about the y axis.</source>
-            <translation>Le négatif : les creux deviennent des bosses, retourné autour de l'axe y.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/manufacture/cutter.py" />
             <source>What the cut leaves</source>
             <translation>Ce que laisse l'usinage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stop</source>
+            <translation>Arrêter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stop the simulation; a change of a field begins it anew</source>
+            <translation>Arrêter la simulation ; la modification d'un champ la recommence</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2690,13 +2820,13 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>&amp;Simulate and trace</source>
-            <translation>&amp;Simuler et tracer</translation>
+            <source>&amp;Trace light</source>
+            <translation>&amp;Tracer la lumière</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Simulate the cut and trace light through what it leaves, beside the lens as designed</source>
-            <translation>Simuler l'usinage et tracer la lumière à travers le résultat, à côté de la lentille conçue</translation>
+            <source>Trace light through what the cut leaves, beside the lens as designed</source>
+            <translation>Tracer la lumière à travers ce que l'usinage laisse, à côté de la lentille telle que conçue</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2705,13 +2835,23 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Simulating the cut…</source>
-            <translation>Simulation de l'usinage…</translation>
+            <source>Simulating the cut: {percent} %</source>
+            <translation>Simulation de l'usinage : {percent} %</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>{value:g}; a number above 0, or nothing</source>
-            <translation>{value:g} ; un nombre au-dessus de 0, ou rien</translation>
+            <source>Tracing: {percent} %</source>
+            <translation>Tracé : {percent} %</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Stopped: the cut is not simulated.</source>
+            <translation>Arrêté : l'usinage n'est pas simulé.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/manufacture/cutter.py" />
+            <source>Use {radius}</source>
+            <translation>Utiliser {radius}</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2730,8 +2870,8 @@
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
-            <source>Tracing…</source>
-            <translation>Tracé…</translation>
+            <source>The cutter fits.</source>
+            <translation>La fraise convient.</translation>
         </message>
         <message>
             <location filename="../../ui/manufacture/cutter.py" />
@@ -2959,6 +3099,11 @@
             <translation>Limite : {label}</translation>
         </message>
         <message>
+            <location filename="../../ui/manufacture/limits.py" />
+            <source>{value:g}; a number above 0, or nothing</source>
+            <translation>{value:g} ; un nombre au-dessus de 0, ou rien</translation>
+        </message>
+        <message>
             <location filename="../../ui/manufacture/pane.py" />
             <source>look at the face</source>
             <translation>examen de la face</translation>
@@ -3085,8 +3230,8 @@
         </message>
         <message>
             <location filename="../../ui/notices/refused_fields.py" />
-            <source>{first}{others}. Correct it, or press Esc in the field, first.</source>
-            <translation>{first}{others}. Corriger d'abord, ou appuyer sur Échap dans le champ.</translation>
+            <source>{first}{others}. Correct it, or press Esc, first.</source>
+            <translation>{first}{others}. Corriger d'abord, ou appuyer sur Échap.</translation>
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
@@ -3115,6 +3260,11 @@
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
+            <source>wider height range</source>
+            <translation>plage de hauteur plus large</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
             <source>wider entrance range</source>
             <translation>plage d'entrée plus large</translation>
         </message>
@@ -3122,6 +3272,11 @@
             <location filename="../../ui/notices/shortfall.py" />
             <source>The height range follows from the task now</source>
             <translation>La plage de hauteur suit désormais de la tâche</translation>
+        </message>
+        <message>
+            <location filename="../../ui/notices/shortfall.py" />
+            <source>The height range is {low:.3g} to {high:.3g} {unit} now</source>
+            <translation>La plage de hauteur est désormais de {low:.3g} à {high:.3g} {unit}</translation>
         </message>
         <message>
             <location filename="../../ui/notices/shortfall.py" />
@@ -3202,6 +3357,11 @@
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} sur {count}</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/forms.py" />
+            <source>refused {edit}</source>
+            <translation>refusé : {edit}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/forms.py" />
@@ -3615,8 +3775,8 @@
         </message>
         <message>
             <location filename="../../ui/panels/target.py" />
-            <source>The light that is wanted on the screen</source>
-            <translation>La lumière voulue sur l'écran</translation>
+            <source>The light that is wanted on the screen, as its viewer sees it</source>
+            <translation>La lumière voulue sur l'écran, telle que la voit son observateur</translation>
         </message>
         <message>
             <location filename="../../ui/run/bound.py" />
@@ -3690,8 +3850,8 @@
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
-            <source>Edits are followed no longer: a first result of this design takes more than {seconds:g} s here, time after time. Start designs it.</source>
-            <translation>Les modifications ne sont plus suivies : un premier résultat prend ici plus de {seconds:g} s, à chaque fois. Démarrer le conçoit.</translation>
+            <source>Following: the first design takes long here; edits wait for a pause</source>
+            <translation>Suivi : la première conception est longue ici ; les modifications attendent une pause</translation>
         </message>
         <message>
             <location filename="../../ui/run/follow.py" />
@@ -3720,13 +3880,13 @@
         </message>
         <message>
             <location filename="../../ui/run/kept.py" />
-            <source>Followed: {description}</source>
-            <translation>Suivi : {description}</translation>
+            <source>Run {number}: {description}</source>
+            <translation>Exécution {number} : {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/kept.py" />
-            <source>Run {number}: {description}</source>
-            <translation>Exécution {number} : {description}</translation>
+            <source>Followed {number}: {description}</source>
+            <translation>Suivi {number} : {description}</translation>
         </message>
         <message>
             <location filename="../../ui/run/lens_on_show.py" />
@@ -3887,6 +4047,11 @@
             <location filename="../../ui/run/status.py" />
             <source>at most {time} left</source>
             <translation>au plus {time} restant</translation>
+        </message>
+        <message>
+            <location filename="../../ui/run/status.py" />
+            <source>Outdated:</source>
+            <translation>Obsolète :</translation>
         </message>
         <message>
             <location filename="../../ui/run/status.py" />
@@ -4150,6 +4315,16 @@
         </message>
         <message>
             <location filename="../../ui/sweep/dialog.py" />
+            <source>Choose a folder for the designs.</source>
+            <translation>Choisir un dossier pour les conceptions.</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
+            <source>Asked for at the start</source>
+            <translation>Demandé au démarrage</translation>
+        </message>
+        <message>
+            <location filename="../../ui/sweep/dialog.py" />
             <source>Choose the folder</source>
             <translation>Choisir le dossier</translation>
         </message>
@@ -4157,11 +4332,6 @@
             <location filename="../../ui/sweep/dialog.py" />
             <source>sweep</source>
             <translation>série</translation>
-        </message>
-        <message>
-            <location filename="../../ui/sweep/dialog.py" />
-            <source>Stop</source>
-            <translation>Arrêter</translation>
         </message>
         <message>
             <location filename="../../ui/sweep/dialog.py" />
@@ -4654,6 +4824,11 @@
             <translation>Tirer à travers une image pour dessiner la ligne d'une coupe ; Maj et tirer aussi</translation>
         </message>
         <message>
+            <location filename="../../ui/views/screen_image_view.py" />
+            <source>{side}: mirror-inverted</source>
+            <translation>{side} : inversé comme dans un miroir</translation>
+        </message>
+        <message>
             <location filename="../../ui/views/section_view.py" />
             <source>Where the screen is cut: along x or y through the place that is clicked in an image,
 or along a line that is drawn across one with Shift and drag.
@@ -4790,14 +4965,14 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{axis} à {place}</translation>
         </message>
         <message>
+            <location filename="../../ui/widgets/veil.py" />
+            <source>Outdated: this is the design before the change</source>
+            <translation>Obsolète : c'est la conception avant la modification</translation>
+        </message>
+        <message>
             <location filename="../../ui/window/early_parts.py" />
             <source>The run waits for its tracing kernels: they are compiled once after installing, for about half a minute</source>
             <translation>L'exécution attend ses noyaux de tracé : ils sont compilés une fois après l'installation, pendant une demi-minute environ</translation>
-        </message>
-        <message>
-            <location filename="../../ui/window/loaded_parts.py" />
-            <source>Follow</source>
-            <translation>Suivre</translation>
         </message>
         <message>
             <location filename="../../ui/window/loaded_parts.py" />
@@ -5356,8 +5531,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Half of the mirror's extent along x and y. All of it is lit.</source>
-            <translation>La moitié de l'étendue du miroir selon x et y. Il est éclairé tout entier.</translation>
+            <source>Half of the mirror's extent along x and y. Light reaches it through this extent in the plane of its base.</source>
+            <translation>Moitié de l'étendue du miroir selon x et y. La lumière l'atteint à travers cette étendue dans le plan de sa base.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5656,8 +5831,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y. A relative path starts at the scene file's folder.</source>
-            <translation>Intensité par direction, dans un fichier IES LM-63 (.ies) ou EULUMDAT (.ldt). Son nadir regarde vers +z, C0 vers +x et C90 vers −y. Un chemin relatif part du dossier du fichier de scène.</translation>
+            <source>Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt). Its nadir looks along +z, C0 along +x and C90 along −y; the beam axis of types A and B along +z, V upwards along +y and H to the right along −x. A relative path starts at the scene file's folder.</source>
+            <translation>Intensité par direction, dans un fichier IES LM-63 (.ies) ou EULUMDAT (.ldt). Son nadir regarde selon +z, C0 selon +x et C90 selon −y ; l'axe du faisceau des types A et B selon +z, V vers le haut selon +y et H vers la droite selon −x. Un chemin relatif part du dossier du fichier de scène.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5691,8 +5866,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
-            <translation>Rayons dans un fichier IES TM-25 (.tm25ray), d'OpticStudio (.dat), ou de texte (.csv) avec les colonnes x, y, z, l, m, n et flux. Un chemin relatif part du dossier du fichier de scène.</translation>
+            <source>Rays in a file of IES TM-25 (.tm25ray), of OpticStudio (.dat), or of text (.csv, .txt) with the columns x, y, z, l, m, n and flux. A relative path starts at the scene file's folder.</source>
+            <translation>Rayons dans un fichier IES TM-25 (.tm25ray), d'OpticStudio (.dat) ou de texte (.csv, .txt) avec les colonnes x, y, z, l, m, n et flux. Un chemin relatif part du dossier du fichier de scène.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5911,8 +6086,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light.</source>
-            <translation>Ce que signifie la valeur d'un pixel. Un moniteur montre la moitié de la plus grande valeur comme un cinquième de la lumière : une photo n'a le même aspect que si cela est défait (sRGB). Telle que stockée, la valeur est la lumière : sa moitié est la moitié de la lumière.</translation>
+            <source>What a pixel value means. A monitor shows half of the largest value as a fifth of the light: a photograph looks as it does there only where that is undone (sRGB). As stored, the value itself is the light: half of it is half the light. A colour profile in the file counts in place of this.</source>
+            <translation>Ce que signifie une valeur de pixel. Un moniteur montre la moitié de la plus grande valeur comme un cinquième de la lumière : une photographie n'a le même aspect que si cela est annulé (sRGB). Telle qu'enregistrée, la valeur est la lumière : la moitié de la valeur est la moitié de la lumière. Un profil de couleur dans le fichier compte à la place.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6023,6 +6198,26 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>Swap bright and dark.</source>
             <translation>Échanger clair et sombre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Viewed from</source>
+            <translation>Vu depuis</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The side of the receiver from which the picture reads the right way round. An opaque wall, a table, or a far field on a distant wall is viewed from the side of the light, a rear projection from behind the receiver. If it is left out, column 0 of the picture lies at −x: it then reads right from behind with a lens, from the side of the light with a mirror.</source>
+            <translation>Le côté du récepteur d'où l'image se lit à l'endroit. Un mur opaque, une table ou un champ lointain sur un mur éloigné se regarde du côté de la lumière, une rétroprojection de derrière le récepteur. Sans indication, la colonne 0 de l'image est à −x : elle se lit alors à l'endroit de derrière avec une lentille, du côté de la lumière avec un miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The side of the light</source>
+            <translation>Le côté de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Behind the receiver</source>
+            <translation>Derrière le récepteur</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6756,13 +6951,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>a source nearer to the axis lets it in</source>
-            <translation>une source plus proche de l'axe la laisse entrer</translation>
+            <source>an antireflection coating, a lower index or a source nearer to the axis lets it in</source>
+            <translation>un traitement antireflet, un indice plus faible ou une source plus près de l'axe la laisse entrer</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>is reflected at the exit</source>
             <translation>est réfléchi à la sortie</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>an antireflection coating, {flatter}a lower index or a target that needs less bending lets it out</source>
+            <translation>un traitement antireflet, {flatter}un indice plus faible ou une cible qui demande moins de déviation la laisse sortir</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7120,6 +7320,26 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>échec : {why}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the check contradicts itself: {cells:.4g} % of the light on the receiver by cells, {rays:.4g} % by random rays; no figure of this check is reliable</source>
+            <translation>la vérification se contredit : {cells:.4g} % de la lumière sur le récepteur par cellules, {rays:.4g} % par rayons aléatoires ; aucune valeur de cette vérification n'est fiable</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the check contradicts itself: the images by cells and by random rays are {apart:.3g} % apart, which noise and error bound do not explain; no figure of this check is reliable</source>
+            <translation>la vérification se contredit : les images par cellules et par rayons aléatoires sont à {apart:.3g} % l'une de l'autre, ce que bruit et borne d'erreur n'expliquent pas ; aucune valeur de cette vérification n'est fiable</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the run finds {run:.4g} % of the light on the receiver, the check {check:.4g} %: use the figures of the check</source>
+            <translation>le calcul trouve {run:.4g} % de la lumière sur le récepteur, la vérification {check:.4g} % : utiliser les valeurs de la vérification</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/agreement.py" />
+            <source>the image of the run is {apart:.3g} % off the image of the check: use the figures of the check</source>
+            <translation>l'image du calcul s'écarte de {apart:.3g} % de celle de la vérification : utiliser les valeurs de la vérification</translation>
+        </message>
+        <message>
             <location filename="../../workbench/analysis/by_cells.py" />
             <source>finer cells would take too long</source>
             <translation>des cellules plus fines prendraient trop de temps</translation>
@@ -7201,13 +7421,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
-            <source>{light}, no dispersion known, {way}</source>
-            <translation>{light}, aucune dispersion connue, {way}</translation>
+            <source>{side}; {light}, no dispersion known, {way}</source>
+            <translation>{side} ; {light}, dispersion inconnue, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
-            <source>{light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
-            <translation>{light}, {count} longueurs d'onde de {first:g} à {last:g} µm, écartées de {step} pixels, {way}</translation>
+            <source>{side}; {light}, {count} wavelengths from {first:g} to {last:g} µm, {step} pixels apart, {way}</source>
+            <translation>{side} ; {light}, {count} longueurs d'onde de {first:g} à {last:g} µm, espacées de {step} pixels, {way}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/photo/photo.py" />
@@ -7331,6 +7551,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
+            <source>finer cells would take too long: ask for more rays</source>
+            <translation>des cellules plus fines prendraient trop de temps : demander plus de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>cells are off by up to {bound:.2g} %, more than random rays: ask for more rays</source>
+            <translation>les cellules s'écartent de jusqu'à {bound:.2g} %, plus que les rayons aléatoires : demander plus de rayons</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
             <source>so few rays of the file come to the screen that some of {parts} parts of them make no image: the check needs a file of more rays</source>
             <translation>si peu de rayons du fichier arrivent sur l'écran que certaines de {parts} parties d'entre eux ne font pas d'image : la vérification a besoin d'un fichier de plus de rayons</translation>
         </message>
@@ -7403,6 +7633,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/needs.py" />
             <source>light grazes the far side of the far field, at {slant:.0f} degrees from across it, where the image is less exact; turn the far field towards the mirror, or move its middle nearer to the axis</source>
             <translation>la lumière rase le côté lointain du champ lointain, à {slant:.0f} degrés de la perpendiculaire, où l'image est moins exacte ; tournez le champ lointain vers le miroir, ou rapprochez son milieu de l'axe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the screen; target.viewed_from "front" turns it around</source>
+            <translation>l'image est inversée pour qui regarde du côté de la lumière, et se lit à l'endroit de derrière l'écran ; target.viewed_from "front" la retourne</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/needs.py" />
+            <source>the picture is mirror-inverted for viewers on the side of the light, and reads right from behind the far field; target.viewed_from "front" turns it around</source>
+            <translation>l'image est inversée pour qui regarde du côté de la lumière, et se lit à l'endroit de derrière le champ lointain ; target.viewed_from "front" la retourne</translation>
         </message>
         <message>
             <location filename="../../workbench/design/needs.py" />
@@ -7541,6 +7781,31 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.height_range to a wider range</source>
+            <translation>donner à lens.height_range une plage plus large</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set mirror.height_range to a wider range</source>
+            <translation>donner à mirror.height_range une plage plus large</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.max_thickness to a larger thickness</source>
+            <translation>donner à lens.max_thickness une épaisseur plus grande</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set lens.entrance.height_range to a wider range</source>
+            <translation>donner à lens.entrance.height_range une plage plus large</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
+            <translation>La face d'entrée occupe {part:.0f} % de sa plage automatique de {range} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
             <source>The entrance face fills {part:.0f} % of its range of {range} {unit}, and would bend more of the light in a wider one</source>
             <translation>La face d'entrée remplit {part:.0f} % de sa plage de {range} {unit}, et dévierait davantage de lumière dans une plage plus large</translation>
         </message>
@@ -7548,6 +7813,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/shortfall.py" />
             <source>{part:.0f} % of the control heights are at the minimal thickness of {thinnest:.3g} {unit}</source>
             <translation>{part:.0f} % des hauteurs de contrôle sont à l'épaisseur minimale de {thinnest:.3g} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{range} {unit} is the automatic limit</source>
+            <translation>{range} {unit} est la limite automatique</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7568,6 +7838,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/shortfall.py" />
             <source>The mirror needs {range} {unit}; {allowed}</source>
             <translation>Le miroir a besoin de {range} {unit} ; {allowed}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{thickest:.3g} {unit} is the automatic limit</source>
+            <translation>{thickest:.3g} {unit} est la limite automatique</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7598,6 +7873,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/shortfall.py" />
             <source>{sentence}: {cure}</source>
             <translation>{sentence} : {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>{field}: {said}</source>
+            <translation>{field} : {said}</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -7725,19 +8005,39 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>est un zip endommagé ou incomplet : {detail}</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; one of {fitting} fits</source>
+            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; une de {fitting} convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g} ; une longueur supérieure à 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g} ; une longueur de 0 ou plus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cutting.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/cutting.py" />
             <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
             <translation>{ridge:g} ; il faut moins que le rayon de la fraise {radius:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/files/export/far_light.py" />
+            <source>no light leaves its {body}, so that it has no intensity</source>
+            <translation>aucune lumière ne quitte le {body}, il n'a donc pas d'intensité</translation>
+        </message>
+        <message>
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no ending that tells a format; one of {endings}</source>
             <translation>n'a pas d'extension qui indique un format ; l'une de {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/gcode.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} and cuts off {cut}; a smaller one, or run.min_tool_radius</source>
-            <translation>une fraise hémisphérique de {radius} ne passe pas : elle laisse {left} et coupe {cut} de trop ; une plus petite, ou run.min_tool_radius</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -7765,9 +8065,9 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>OpenCASCADE ne trouve aucune face B-spline dans le fichier IGES qu'il a écrit</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/photometric.py" />
-            <source>no light leaves its {body}, so that it has no intensity</source>
-            <translation>aucune lumière ne quitte le {body}, il n'a donc pas d'intensité</translation>
+            <location filename="../../workbench/files/export/mesh_unit.py" />
+            <source>{unit}; one of {known}</source>
+            <translation>{unit} ; une parmi {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/tessellation.py" />
@@ -7783,6 +8083,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/files/export/write.py" />
             <source>the {face} face is flat, so it has no file</source>
             <translation>la face « {face} » est plane, elle n'a donc pas de fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>{reason}; {path}: {other}</source>
+            <translation>{reason} ; {path} : {other}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/write.py" />
+            <source>{path}: {reason}</source>
+            <translation>{path} : {reason}</translation>
         </message>
         <message>
             <location filename="../../workbench/files/header.py" />
@@ -7911,6 +8221,46 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
+            <source>Estimate</source>
+            <translation>Estimation</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>estimating…</source>
+            <translation>estimation en cours…</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>By a coarse design of this task.</source>
+            <translation>D'après une conception grossière de cette tâche.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>No light arrives in a coarse design of this task.</source>
+            <translation>Dans une conception grossière de cette tâche, aucune lumière n'arrive.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Only designs by the automatic method are estimated.</source>
+            <translation>Seules les conceptions par la méthode automatique sont estimées.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>not known</source>
+            <translation>inconnu</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>error {error}, {light:.0f} % of the light {place}</source>
+            <translation>erreur {error}, {light:.0f} % de la lumière {place}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>By a coarse design of this task, with all losses of light and the size of the source.</source>
+            <translation>D'après une conception grossière de cette tâche, avec toutes les pertes de lumière et la taille de la source.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
             <source>Blur of the light</source>
             <translation>Flou de la lumière</translation>
         </message>
@@ -8021,33 +8371,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>Étendue</source>
-            <translation>Étendue</translation>
+            <source>The rest misses the lens or is lost at its faces.</source>
+            <translation>Le reste manque la lentille ou se perd à ses faces.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>allows it</source>
-            <translation>le permet</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light blurs less than a pixel.</source>
-            <translation>La lumière rend flou de moins d'un pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>All light that meets the lens can land where the picture is bright.</source>
-            <translation>Toute la lumière sur la lentille peut aller où l'image est claire.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>All light that meets the mirror can land where the picture is bright.</source>
-            <translation>Toute la lumière sur le miroir peut aller où l'image est claire.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/jobs/prospect.py" />
-            <source>{part:.0f} % of the light</source>
-            <translation>{part:.0f} % de la lumière</translation>
+            <source>The rest misses the mirror or is lost at its faces.</source>
+            <translation>Le reste manque le miroir ou se perd à sa face.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8056,18 +8386,48 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
+            <source>Light at best</source>
+            <translation>Lumière au mieux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>at most {part:.0f} %</source>
+            <translation>au plus {part:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
             <source>Error at best</source>
             <translation>Erreur au mieux</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>The light is small enough for this picture.</source>
-            <translation>La source est assez petite pour cette image.</translation>
+            <source>The lens cannot turn all the light that far.</source>
+            <translation>La lentille ne peut pas dévier toute la lumière aussi loin.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
-            <source>A guess: a lamp so near is blurred less by the rim of the lens than by its middle.</source>
-            <translation>Une estimation : le bord de la lentille rend une lampe si proche moins floue que son milieu.</translation>
+            <source>The mirror cannot turn all the light that far.</source>
+            <translation>Le miroir ne peut pas dévier toute la lumière aussi loin.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The size of the light sets no bound.</source>
+            <translation>La taille de la source ne fixe aucune borne.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>Rays of a file need not come evenly from one place.</source>
+            <translation>Les rayons d'un fichier ne viennent pas forcément uniformément d'un même endroit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>A lamp so near is blurred less by the rim of the lens than by its middle.</source>
+            <translation>Une lampe si proche est moins floutée par le bord de la lentille que par son milieu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/jobs/prospect.py" />
+            <source>The light is small enough for this picture.</source>
+            <translation>La source est assez petite pour cette image.</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8120,9 +8480,14 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>« {file} » {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it says to be of version {found!r}; known are {known}</source>
-            <translation>il indique la version {found!r} ; sont connues : {known}</translation>
+            <location filename="../../workbench/measured/photometry/beam_angles.py" />
+            <source>it has a single angle {name}; two are needed</source>
+            <translation>il n'a qu'un angle {name} ; il en faut deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/beam_angles.py" />
+            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
+            <translation>ses angles {name} vont de {first:g}° à {last:g}° ; ils doivent croître entre −{most}° et {most}°</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8141,13 +8506,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
-            <translation>il est tronqué : {n} nombres sur 13 précèdent ses angles</translation>
+            <source>it says to be of version {found!r}; known are {known}</source>
+            <translation>il indique la version {found!r} ; sont connues : {known}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
-            <source>it is of photometric type {found}; type C is needed</source>
-            <translation>il est de type photométrique {found} ; il faut le type C</translation>
+            <source>it is cut off: {n} of 13 numbers stand before its angles</source>
+            <translation>il est tronqué : {n} nombres sur 13 précèdent ses angles</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8168,6 +8533,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/measured/photometry/ldt.py" />
             <source>it is cut off: {found} of at least {least} lines are there</source>
             <translation>il est tronqué : il a {found} lignes sur au moins {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/ldt.py" />
+            <source>its lamps</source>
+            <translation>ses lampes</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ldt.py" />
@@ -8221,13 +8591,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/table.py" />
-            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
-            <translation>ses plans C vont de {first:g}° à {last:g}° ; ce n'est aucune symétrie connue</translation>
+            <source>its largest intensity is {largest:.3g} cd; from {least:g} to {most:g} cd can be used</source>
+            <translation>sa plus grande intensité est de {largest:.3g} cd ; de {least:g} à {most:g} cd sont utilisables</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/table.py" />
-            <source>it has no plane C0</source>
-            <translation>il n'a pas de plan C0</translation>
+            <source>intensities below 0 count as 0: {count}, the least is {least:g} cd</source>
+            <translation>les intensités inférieures à 0 comptent pour 0 : {count}, la plus petite est {least:g} cd</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its planes of C go from {first:g}° to {last:g}°, which is no known symmetry</source>
+            <translation>ses plans C vont de {first:g}° à {last:g}° ; ce n'est aucune symétrie connue</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/chunks.py" />
@@ -8388,6 +8763,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/measured/text.py" />
             <source>{word!r} stands where a whole number from {least} to {most} has to</source>
             <translation>{word!r} se trouve là où il faut un nombre entier de {least} à {most}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/text.py" />
+            <source>text behind the last number is ignored: {text!r}</source>
+            <translation>le texte après le dernier nombre est ignoré : {text!r}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/text.py" />
@@ -8840,6 +9220,21 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from the side of the light</source>
+            <translation>vu du côté de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from behind the screen</source>
+            <translation>vu de derrière l'écran</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/viewing.py" />
+            <source>viewed from behind the far field</source>
+            <translation>vu de derrière le champ lointain</translation>
+        </message>
+        <message>
             <location filename="../../workbench/sweep/points.py" />
             <source>is varied twice; all its values belong together</source>
             <translation>est varié deux fois ; toutes ses valeurs vont ensemble</translation>
@@ -8848,6 +9243,56 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/sweep/points.py" />
             <source>{count} points; at most {most} are possible</source>
             <translation>{count} points ; {most} au plus sont possibles</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>has a colour profile that cannot be used ({why}); “Brightness” (target.tone) counts</source>
+            <translation>a un profil de couleur inutilisable ({why}) ; « Luminosité » (target.tone) compte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>has {statement}, which counts in place of “Brightness” (target.tone)</source>
+            <translation>a {statement}, qui compte à la place de « Luminosité » (target.tone)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>a chunk sRGB</source>
+            <translation>un bloc sRGB</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>a chunk gAMA of {gamma:.4g}</source>
+            <translation>un bloc gAMA de {gamma:.4g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/colour.py" />
+            <source>the colour profile “{name}”</source>
+            <translation>le profil de couleur « {name} »</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has pixels {aspect:.3g} times as wide as high; they count as squares</source>
+            <translation>a des pixels {aspect:.3g} fois plus larges que hauts ; ils comptent comme carrés</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>is damaged or incomplete</source>
+            <translation>est endommagé ou incomplet</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>is a deep EXR; a flat one is needed</source>
+            <translation>est un EXR profond ; il en faut un plat</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has the channels {names}; R, G and B, or Y, are needed</source>
+            <translation>a les canaux {names} ; il faut R, G et B, ou Y</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/exr_image.py" />
+            <source>has chromaticities that are no colours</source>
+            <translation>a des chromaticités qui ne sont pas des couleurs</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -8866,48 +9311,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>holds {least:g}; values of at least 0 are needed</source>
-            <translation>contient {least:g} ; il faut des valeurs d'au moins 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
             <source>'{tone}' is for shades, and '{path}' holds numbers; 'linear'</source>
             <translation>'{tone}' est pour des tons, et '{path}' contient des nombres ; 'linear'</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>'{path}' {reason}</source>
-            <translation>'{path}' {reason}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {columns} × {rows} pixels; at least one is needed</source>
-            <translation>a {columns} × {rows} pixels ; il en faut au moins un</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {columns} × {rows} pixels; at most {most} on a side are allowed</source>
-            <translation>a {columns} × {rows} pixels ; au plus {most} par côté sont permis</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not a whole .npy array of numbers: {why}</source>
-            <translation>n'est pas un tableau .npy complet de nombres : {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has {count} dimensions; 2 (rows, columns) are needed</source>
-            <translation>a {count} dimensions ; il en faut 2 (lignes, colonnes)</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>holds values of type {kind}; real numbers are needed</source>
-            <translation>contient des valeurs de type {kind} ; il faut des nombres réels</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
-            <translation>n'est pas un tableau .npy complet de nombres : il manque une partie des {size} octets</translation>
+            <source>'{path}' {remark}</source>
+            <translation>'{path}' {remark}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
@@ -8916,23 +9326,58 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
-            <source>is an SVG that cannot be drawn: {why}</source>
-            <translation>est un SVG qui ne peut être dessiné : {why}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>is not an image that can be read; known: {known}</source>
-            <translation>n'est pas une image lisible ; connus : {known}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/targets/image.py" />
-            <source>has too many pixels; at most {most} on a side are allowed</source>
-            <translation>a trop de pixels ; au plus {most} par côté sont permis</translation>
+            <source>holds light itself; “Brightness” (target.tone) does not count</source>
+            <translation>contient la lumière elle-même ; « Luminosité » (target.tone) ne compte pas</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/image.py" />
             <source>is damaged or incomplete: {why}</source>
             <translation>est endommagé ou incomplet : {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/image.py" />
+            <source>'{path}' {reason}</source>
+            <translation>'{path}' {reason}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>is not a whole .npy array of numbers: {why}</source>
+            <translation>n'est pas un tableau .npy complet de nombres : {why}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>has {count} dimensions; 2 (rows, columns) are needed</source>
+            <translation>a {count} dimensions ; il en faut 2 (lignes, colonnes)</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>holds values of type {kind}; real numbers are needed</source>
+            <translation>contient des valeurs de type {kind} ; il faut des nombres réels</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/npy_image.py" />
+            <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
+            <translation>n'est pas un tableau .npy complet de nombres : il manque une partie des {size} octets</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels; at least one is needed</source>
+            <translation>a {columns} × {rows} pixels ; il en faut au moins un</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels; at most {most} million are allowed</source>
+            <translation>a {columns} × {rows} pixels ; au plus {most} millions sont permis</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>has {columns} × {rows} pixels and is reduced to {less_columns} × {less_rows}</source>
+            <translation>a {columns} × {rows} pixels et est réduit à {less_columns} × {less_rows}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/picture.py" />
+            <source>holds {least:g}; values of at least 0 are needed</source>
+            <translation>contient {least:g} ; il faut des valeurs d'au moins 0</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/prepare.py" />
@@ -8948,6 +9393,81 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/targets/prepare.py" />
             <source>true leaves '{path}', which is uniform, black all over</source>
             <translation>true rend '{path}', qui est uniforme, tout noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: it has no line with its resolution</source>
+            <translation>est endommagé : il n'a pas de ligne de résolution</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>has primaries that are no colours of light</source>
+            <translation>a des primaires qui ne sont pas des couleurs de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: a line has another length than the picture</source>
+            <translation>est endommagé : une ligne n'a pas la longueur de l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is damaged: a line is longer than the picture</source>
+            <translation>est endommagé : une ligne est plus longue que l'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/radiance_image.py" />
+            <source>is incomplete: lines are missing at its end</source>
+            <translation>est incomplet : des lignes manquent à la fin</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>is not an image that can be read; known: {known}</source>
+            <translation>n'est pas une image lisible ; connus : {known}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has too many pixels; at most {most} million</source>
+            <translation>a trop de pixels ; au plus {most} millions</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has {frames} frames or pages; the first one counts</source>
+            <translation>a {frames} images ou pages ; la première compte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has 32 bits a pixel with zero as white; save it with zero as black</source>
+            <translation>a 32 bits par pixel avec zéro pour blanc ; l'enregistrer avec zéro pour noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/raster_image.py" />
+            <source>has zero as white; save it with zero as black</source>
+            <translation>a zéro pour blanc ; l'enregistrer avec zéro pour noir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>it cannot be drawn within {most:g} s</source>
+            <translation>il ne peut être dessiné en {most:g} s</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>links to the picture '{link}'; embed that picture in the SVG</source>
+            <translation>renvoie à l'image '{link}' ; intégrer cette image au SVG</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>it is nested too deeply to be drawn</source>
+            <translation>il est imbriqué trop profondément pour être dessiné</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>has the letter {letter} (U+{number:04X}), which no font here has; install one</source>
+            <translation>a la lettre {letter} (U+{number:04X}), qu'aucune police d'ici ne possède ; en installer une</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/targets/svg.py" />
+            <source>is an SVG that cannot be drawn: {why}</source>
+            <translation>est un SVG qui ne peut être dessiné : {why}</translation>
         </message>
         <message>
             <location filename="../../workbench/targets/text.py" />
