@@ -32,7 +32,7 @@ from workbench.pictures.manufacture import MAPS
 from workbench.pictures.surface import ASPECTS
 from workbench.refusals import SENTENCES
 from workbench.scene import FarField, Lens, Mirror, Part, Scene, Screen, Unit
-from workbench.scene.fields import BOUNDS
+from workbench.scene.fields import BOUNDS, LeftOut
 from workbench.scene.kinds import Kinds, summary_of, title_of
 
 CONTEXT = "workbench"
@@ -115,6 +115,8 @@ def _of_part(part: type[Part], seen: set[type[Part]]) -> Iterator[str]:
         yield from (field.title, field.tip)
         if kinds := field.mark(Kinds):
             yield kinds.title
+        if left_out := field.mark(LeftOut):
+            yield left_out.title
         if field.type != Unit:  # which is the same in all languages
             yield from (title for _, title in field.choices)
         if field.between.isalpha():

@@ -6211,6 +6211,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Column 0 at −x</source>
+            <translation>Spalte 0 bei −x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>The side of the light</source>
             <translation>Lichtseite</translation>
         </message>

@@ -6211,6 +6211,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Column 0 at −x</source>
+            <translation>Colonne 0 à −x</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>The side of the light</source>
             <translation>Le côté de la lumière</translation>
         </message>

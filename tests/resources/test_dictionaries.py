@@ -105,6 +105,10 @@ def test_texts_are_collected_from_calls_and_tables(tmp_path):
     assert list(dictionaries.marked(file)) == texts
 
 
+def test_what_a_field_means_that_is_left_out_is_there():
+    assert "Column 0 at −x" in dictionaries.keys()
+
+
 def test_sentences_of_the_optic_are_there_for_each_optic():
     texts = dictionaries.keys()
     assert {f"There is no {optic} yet: Start designs one" for optic in ("lens", "mirror")} <= {
