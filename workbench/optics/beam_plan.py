@@ -21,11 +21,14 @@ from workbench.optics.reference import Reference
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 from workbench.optics.source_beams import Spots, between_origins, light_apart, spots_of
+from workbench.optics.split_cells import split_light
 from workbench.optics.tracers import beam_kernel_of
 from workbench.said import Said
 from workbench.scene import Scene
 
 _NEARLY_ALL = 0.999
+# Less light than this in cells that are totally reflected in part is left out, for speed.
+_SPLIT = 1e-4
 
 
 class BeamPlan:
@@ -173,13 +176,17 @@ class BeamPlan:
         if room is not None:
             rim = rim_light(nodes, room, wide, splits, self._choice.fused, not self.boxes)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
+        # Of all rays that are refracted, what is neither drawn nor cut is in split cells.
+        copies = 2 ** sum(tracer.mirrored)
+        if account.on_screen - copies * (landed + cut) > _SPLIT:
+            more, lands = split_light(nodes, room, wide, splits, triangles=not self.boxes)
+            image, landed = image + more, landed + lands
         for axis in (0, 1):
             if tracer.mirrored[axis]:
                 image, landed, cut = image + image.flip(1 - axis), 2 * landed, 2 * cut
         on_screen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x].sum(dtype=torch.float64).item()
         lost["off_screen"] += landed - on_screen
         lost[self._beside] += cut
-        # Of a cell of which some rays are refracted, the rest stands for all.
         lost["total_reflection"] += account.on_screen - landed - cut
         # Light that no ray stands for passes the lens by.
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
