@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.design.limits import HeightLimits, bounded
+from workbench.design.limits import CLOSEST, HeightLimits, bounded
 from workbench.geometry.surface import ControlNet
 
 
@@ -38,9 +38,14 @@ def test_without_a_range_the_stock_alone_limits_the_lens(limits_of):
     assert (limits.undesigned == 0.5).all()
 
 
-def test_without_any_limit_the_lens_keeps_clear_of_the_screen(limits_of):
+def test_without_any_limit_the_lens_stays_in_the_nearer_half_before_the_screen(limits_of):
     limits = limits_of({"lens.height_range": None})
-    assert limits.upper == pytest.approx(5.0 - 0.05 * (5.0 - 0.5))
+    assert (limits.upper == (0.5 + 5.0) / 2).all()
+
+
+def test_without_any_limit_the_lens_keeps_clear_of_the_screen_at_most(make_scene):
+    lens = bounded(make_scene({"lens.height_range": None}), CLOSEST)
+    assert lens.ceiling == pytest.approx(5.0 - 0.05 * (5.0 - 0.5))
 
 
 def test_the_undesigned_lens_is_within_the_stock(limits_of):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.design import room as room_module
+from workbench.design.aim import first_lens
 from workbench.design.room import Room
 from workbench.design.run import run
 from workbench.design.shortfall import Shortfall, wider_entrance
@@ -202,6 +203,14 @@ def test_an_automatic_thickness_is_as_large_as_the_first_lens_needs(make_scene):
     assert room.shortfall({"exit": room.first["exit"]}) is None
     stock = Room(make_scene(ASIDE | {"lens.max_thickness": half_way}), target)
     assert stock.first is not None and stock.shortfall(stock.begin).cause == "max_thickness"
+
+
+def test_the_first_lens_of_an_automatic_thickness_is_that_of_the_scene_as_it_is(make_scene, corner):
+    """A stock that reaches far to the screen would be taken for the place of the exit face."""
+    scene = make_scene(FREE | {"screen.z": 500.0, "screen.half_width": [40.0, 40.0]})
+    assert Room(scene, corner).first["exit"] == pytest.approx(
+        first_lens(scene, corner).heights["exit"], abs=1e-12
+    )
 
 
 def test_a_run_in_a_range_that_is_too_small_ends_when_nothing_is_left_to_gain(make_scene, corner):

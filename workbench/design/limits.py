@@ -17,8 +17,8 @@ _APART = 0.25
 _SHIFTS = 65
 # The undesigned lens keeps this part of each interval away from its ends.
 _INSIDE = 0.0005
-# Part of the distance to the receiver that an automatic thickness takes at most.
-_CLOSEST = 0.95
+# Part of the distance to the receiver that an automatic thickness takes where that is enough.
+_USUAL = 0.5
 # Rounding, as a part of the largest height.
 _ROUNDING = 1e-12
 
@@ -149,7 +149,11 @@ def undesigned(optic: Optic) -> ControlHeights:
     return FaceArrays({face: each.undesigned for face, each in limits.items()})
 
 
-def bounded(scene: Scene, part: float = _CLOSEST) -> Optic:
+CLOSEST = 0.95
+"""Part of the distance to the receiver that an automatic thickness takes at most."""
+
+
+def bounded(scene: Scene, part: float = _USUAL) -> Optic:
     """Return the optic of a scene with all that limits its heights; see `Optic.bounded`."""
     optic = scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)

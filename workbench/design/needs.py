@@ -6,7 +6,7 @@ import numpy as np
 import torch
 
 from workbench.arrays import Array, Mask
-from workbench.design.limits import HeightLimits, bounded
+from workbench.design.limits import CLOSEST, HeightLimits, bounded
 from workbench.design.methods import method_of
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
@@ -58,7 +58,7 @@ def check_stages(
             if locked:
                 _check_net(part, finished)
     if locked and start is not None:
-        limits = HeightLimits.of_faces(bounded(finished))
+        limits = HeightLimits.of_faces(bounded(finished, CLOSEST))
         kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
         check_body(finished, kept)
 

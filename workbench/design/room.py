@@ -9,7 +9,7 @@ import torch
 from workbench.arrays import Array, Mask
 from workbench.design.aim import first_lens
 from workbench.design.heights import FreeHeights, HeightRange
-from workbench.design.limits import HeightLimits, bounded
+from workbench.design.limits import CLOSEST, HeightLimits, bounded
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First, behind_flat_entrance
 from workbench.geometry.faces import NO_LOCKS
@@ -25,9 +25,9 @@ _TIMES, _LEAST = 3.0, 0.1
 _END, _MANY = 0.003, 0.02
 # An entrance face that fills so much of its range was flattened to fit it.
 _FULL = 0.85
-# An automatic thickness takes this part of the distance to the receiver. It takes more where the
-# first lens needs more, and this part of the extent of that lens besides: thicker glass loses
-# light. A lens for a lamp far off the axis needs 3.4 cm. Error and light on the screen:
+# An automatic thickness becomes as large as the first lens needs, and by this part of the extent of
+# that lens larger: thicker glass loses light. A lens for a lamp far off the axis needs 3.4 cm. Error
+# and light on the screen:
 #
 # | thickness | error | light |
 # |---|---|---|
@@ -36,7 +36,7 @@ _FULL = 0.85
 # | 3.6 cm | 22 % | 38 % |
 # | 4.2 cm | 22 % | 33 % |
 # | 4.8 cm | 28 % | 29 % |
-_USUAL, _MARGIN = 0.5, 0.02
+_MARGIN = 0.02
 # What the first lens may lack, as a part of its extent along z, without being any worse.
 _TOLERABLE = 0.02
 
@@ -74,7 +74,7 @@ class Room:
     ) -> None:
         self.scene, self.target, self.start, self.locked = scene, target, start, locked
         self._net = ControlNet.of(scene.optic)
-        self._lens, self._face = bounded(scene, _USUAL), scene.optic.face
+        self._lens, self._face = bounded(scene), scene.optic.face
         self._found: tuple[First | None] | None = None  # once it was looked for
         self.limits = HeightLimits.of_faces(self._lens)
         if start is not None:
@@ -85,16 +85,14 @@ class Room:
         """Control heights of the first lens, beyond the limits where these are too narrow."""
         if self._found is None:
             fixed = {face: self.begin[face] for face, mask in self.locked.items() if mask.all()}
-            found = self._first_lens(fixed)
+            found = first_lens(self.scene, self.target, fixed)
             if self._thickened(found):
-                found = self._first_lens(fixed)
+                thicker = self.scene.with_optic(self._lens)
+                found = first_lens(thicker, self.target, fixed)
             self._found = (found,)
             release_freed_memory()
         found = self._found[0]
         return None if found is None else found.heights
-
-    def _first_lens(self, fixed: Mapping[str, Array]) -> First | None:
-        return first_lens(self.scene.with_optic(self._lens), self.target, fixed)
 
     def _thickened(self, found: First | None) -> bool:
         """Make an automatic thickness as large as a first lens needs; whether that is more."""
@@ -106,7 +104,7 @@ class Room:
 
     def _raised(self, ceiling: float) -> bool:
         """Raise the ceiling of an automatic thickness, as far as the receiver allows."""
-        lens, most = self._lens, bounded(self.scene).ceiling
+        lens, most = self._lens, bounded(self.scene, CLOSEST).ceiling
         if self.scene.optic.held_by != "screen" or min(ceiling, most) <= lens.ceiling:
             return False
         thickness = min(ceiling, most) - lens.front_z
@@ -204,7 +202,7 @@ class Room:
         if limits.lacks(first) <= tolerable:
             return None
         optic = self.scene.optic.model_copy(update={"height_range": None})
-        optic = bounded(self.scene.with_optic(optic))
+        optic = bounded(self.scene.with_optic(optic), CLOSEST)
         limits = HeightLimits.of(optic, self._net)
         lacks = limits.lacks(first)
         beyond = lacks > tolerable or self._lens.height_range is None

@@ -9,7 +9,7 @@ import numpy as np
 from workbench import units
 from workbench.arrays import Array
 from workbench.design.lens_state import scaled
-from workbench.design.limits import HeightLimits, bounded, undesigned
+from workbench.design.limits import CLOSEST, HeightLimits, bounded, undesigned
 from workbench.design.net import definite
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
@@ -334,7 +334,7 @@ def task_of(scene: Scene) -> Scene:
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:
     """Control heights within the limits of a scene; the same object where they are already."""
-    limits = HeightLimits.of_faces(bounded(scene))
+    limits = HeightLimits.of_faces(bounded(scene, CLOSEST))
     nearest = {face: limits[face].nearest(each) for face, each in heights.items()}
     same = all(nearest[face] is each for face, each in heights.items())
     return heights if same else FaceArrays(nearest)
