@@ -83,6 +83,14 @@ def test_a_single_ball(rng):
     assert (height <= 1 - np.sqrt(0.25 - offset[1] ** 2) + 1e-12).all()
 
 
+def test_rounded_places_do_not_drift(rng):
+    """Steps of 0.0034 are rounded to 0.003 and 0.004: the mean counts, up to the last one."""
+    x, y = np.round(np.arange(500) * 0.0034, 3), np.arange(4) * 0.01
+    centre = 1 + 0.2 * x[:, None] + 0 * y
+    height, _ = BallSweep(x, y, centre, 0.5).lowest(x[400:450], np.full(50, 0.01))
+    assert height == pytest.approx(1 + 0.2 * x[400:450] - 0.5 * np.sqrt(1.04), abs=3e-4)
+
+
 def test_nothing_is_cut_where_no_ball_is_above():
     sweep = BallSweep(np.arange(3.0), np.arange(2.0), np.zeros((3, 2)), 0.4)
     height, normal = sweep.lowest(np.array([0.5, 0.5, 5.0]), np.array([0.0, 0.5, 0.0]))

@@ -216,7 +216,7 @@ class CutterDialog(QDialog):
         self._end(f"\N{WARNING SIGN} {tr(refusal.reason)}")
         self._fitting = plan.fitting_radius
         self.fit.setText(tr("Use {radius}").format(radius=written(self._fitting, self._unit, 2)))
-        self.fit.show()
+        self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
         """Cut by a ball that fits."""

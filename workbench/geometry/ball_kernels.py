@@ -11,7 +11,7 @@ from workbench.compiled import jit
 LEAF_ROWS, LEAF_SPANS = 2, 4
 """Rows and pieces of a row in the smallest block of `Blocks`."""
 _GUESSES = 3  # steps from the centre above a place to the ball that sweeps over it
-_NEWTON = 12  # steps from a point of a lattice to where a ball touches; two are the rule
+_NEWTON = 24  # steps from a point of a lattice to where a ball touches; two are the rule
 _STRAY = 2.0  # lattice steps that one step of Newton's method may go
 
 
@@ -199,13 +199,18 @@ def touching(pieces, radius, stray, x, y, at_x, at_y, tip):  # type: ignore[no-u
             yy = t - (1 + v * v / square) / above
             xy = s - u * v / (square * above)
             whole = xx * yy - xy * xy
-            if not (xx < 0 and whole > 0):
-                break
-            move_x, move_y = (xy * g_y - yy * g_x) / whole, (xy * g_x - xx * g_y) / whole
-            size = math.sqrt(move_x * move_x + move_y * move_y)
-            if size <= 1e-7 * radius:  # what is gained then goes with its square
-                break
-            part = far / size if size > far else 1.0
+            if xx < 0 and whole > 0:
+                move_x, move_y = (xy * g_y - yy * g_x) / whole, (xy * g_x - xx * g_y) / whole
+                size = math.sqrt(move_x * move_x + move_y * move_y)
+                if size <= 1e-7 * radius:  # what is gained then goes with its square
+                    break
+            else:  # a hollow that is tighter than the ball: upwards, to its side
+                move_x, move_y = g_x, g_y
+                size = math.sqrt(g_x * g_x + g_y * g_y)
+                if size <= 1e-12:
+                    break
+                move_x, move_y, size = move_x / size * far, move_y / size * far, far
+            part = min(far / size, 1.0)
             move_x, move_y = part * move_x, part * move_y
             u, v = u + move_x, v + move_y
         tip[k] = best - radius

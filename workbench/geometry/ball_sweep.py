@@ -17,7 +17,8 @@ class BallSweep:
     Attributes
     ----------
     x, y : ndarray, shapes (m_x,) and (m_y,)
-        Where centres are, in equal steps, scene units; at least two along each axis.
+        Where centres are, scene units; at least two along each axis, in steps that are equal but
+        for rounding.
     centre : ndarray, shape (m_x, m_y)
         Heights of the centres there; in between they go straight along x.
     radius : float
@@ -46,10 +47,16 @@ class BallSweep:
         """
         height, normal = np.empty(len(x)), np.empty((len(x), 3))
         x, y = (np.ascontiguousarray(each, dtype=np.float64) for each in (x, y))
-        grid = tuple(float(n) for each in (self.x, self.y) for n in (each[0], each[1] - each[0]))
+        grid = float(self.x[0]), self._steps[0], float(self.y[0]), self._steps[1]
         centre, blocks = self._rows, self._blocks
         lowest_sides(centre, blocks, grid, float(self.radius), x, y, height, normal)
         return height, normal
+
+    @property
+    def _steps(self) -> tuple[float, float]:
+        """From one centre to the next along x and y: means, as places may be rounded."""
+        step_x, step_y = (float(at[-1] - at[0]) / (len(at) - 1) for at in (self.x, self.y))
+        return step_x, step_y
 
     @cached_property
     def _rows(self) -> Array:
@@ -58,7 +65,7 @@ class BallSweep:
 
     @cached_property
     def _blocks(self) -> Blocks:
-        pieces = _pieces(self._rows, self.x[1] - self.x[0], self.y[1] - self.y[0])
+        pieces = _pieces(self._rows, *self._steps)
         levels = [_joined(pieces, LEAF_ROWS, LEAF_SPANS)]
         while levels[-1].lowest.size > 1:
             levels.append(_joined(levels[-1], 2, 2))

@@ -28,7 +28,8 @@ class CutPlan(NamedTuple):
     top : float
         Highest control height of the face as it lies below the cutter.
     fitting_radius : float
-        Radius of a ball that fits everywhere, scene units.
+        Radius of a ball that fits everywhere, scene units; infinite if none is known, as for a
+        face with edges.
     """
 
     cutting: Cutting
@@ -53,12 +54,17 @@ class CutPlan(NamedTuple):
             "tool_radius",
             Said(
                 "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
-                "cuts off {cut}; one of {fitting} fits",
+                "cuts off {cut}; {cure}",
                 radius=written(self.raster.radius, unit),
                 left=written(left, unit, 2),
                 x=written(x, unit),
                 y=written(y, unit),
                 cut=written(max(cut_off, 0), unit, 2),
-                fitting=written(self.fitting_radius, unit, 2),
+                cure=self._cure(unit),
             ),
         )
+
+    def _cure(self, unit: str) -> Said:
+        if self.fitting_radius < self.raster.radius:
+            return Said("one of {fitting} fits", fitting=written(self.fitting_radius, unit, 2))
+        return Said("a smaller one or higher ridges are needed")

@@ -5,6 +5,7 @@ to -z is turned over about the y axis, and so is a mould. Programs are simulated
 written: the ball is swept over the rounded numbers, and what is left is compared with the face.
 """
 
+import math
 from collections.abc import Iterator
 from functools import partial
 from typing import BinaryIO
@@ -21,7 +22,7 @@ _FINE = 1e-4  # height of ridges over the larger half-width
 _DIGITS = 5  # behind the point; GRBL reads seven in all
 _MOST = 1_000_000  # moves of a program
 _LEAST_RIDGES = 1e-4  # mm, unless they are asked for: programs round to 1e-5 mm
-_TRIES, _SMALLER = 5, 0.7  # radii of a cutter that nobody has asked for
+_TRIES, _SMALLER = 8, 0.6  # radii of a cutter that nobody has asked for
 _PLANNED = 0.8  # of the time that a program takes
 
 
@@ -101,7 +102,8 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     remains = yield from within(face.left(raster), lambda done: 0.8 + 0.2 * done)
     if _looks_up(design) < 0:  # the face lies turned over about y
         remains = remains._replace(place=(-remains.place[0], remains.place[1]))
-    return CutPlan(design.cutting, raster, scallop, remains, top, face.fitting_radius)
+    fitting = face.fitting_radius if min(design.net.degree) > 1 else math.inf
+    return CutPlan(design.cutting, raster, scallop, remains, top, fitting)
 
 
 def _looks_up(design: Design) -> int:
