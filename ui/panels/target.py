@@ -25,6 +25,7 @@ _ENDINGS = (
     "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp "
     "*.pgm *.ppm *.jp2 *.tga *.exr *.hdr *.npy"
 )
+_OF_LIGHT = ".npy", ".exr", ".hdr"  # whose numbers are light itself
 
 _HEIGHT = 110  # logical pixels of a thumbnail
 
@@ -85,7 +86,7 @@ class TargetPanel(PartPanel):
 def of_image(path: Path, before: Finish) -> dict[str, object]:
     """A target of an image file, finished as the one before."""
     finish = {name: getattr(before, name) for name in Finish.model_fields}
-    tone = "linear" if path.suffix.lower() == ".npy" else "srgb"  # numbers are light itself
+    tone = "linear" if path.suffix.lower() in _OF_LIGHT else "srgb"
     return {"image": str(path.absolute()), "tone": tone, **finish}
 
 

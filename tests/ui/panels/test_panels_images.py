@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 from tests.ui.hands import choose, enter, field_row, rows
 from ui.document.document import Document
 from ui.panels.images import ImagesPanel
-from workbench.scene import FurtherImage
+from ui.panels.target import is_image_file, of_image
+from workbench.scene import BallTarget, FurtherImage
 
 
 @pytest.fixture
@@ -141,3 +142,12 @@ def test_a_picture_of_a_further_image_counts_as_a_monitor_shows_it(begin, qtbot,
     forms.image_asked.connect(lambda: forms.choose_image(tmp_path / "wanted.png"))
     choose(forms, "further_images[0].target.builtin", "image")
     assert images(document)[0].target.tone == "srgb"
+
+
+@pytest.mark.parametrize(
+    ("name", "tone"),
+    [("a.EXR", "linear"), ("a.hdr", "linear"), ("a.npy", "linear"), ("a.heic", "srgb")],
+)
+def test_files_of_light_are_taken_as_stored(tmp_path, name, tone):
+    assert of_image(tmp_path / name, BallTarget())["tone"] == tone
+    assert is_image_file(tmp_path / name)
