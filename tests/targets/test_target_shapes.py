@@ -207,6 +207,7 @@ def test_a_tab_is_a_space_and_letters_may_be_composed():
         return draw(TextTarget(text=text), screen((60, 60)), 1.0)
 
     np.testing.assert_array_equal(drawn("A\tB"), drawn("A B"))
+    np.testing.assert_array_equal(drawn("A\r\nB"), drawn("A\nB"))
     np.testing.assert_array_equal(drawn("e\u0301"), drawn("é"))
 
 

@@ -46,7 +46,8 @@ def picture_of_text(text: str) -> Array:
     Refused
         If no font has one of the letters, or nothing is drawn by these characters.
     """
-    text = unicodedata.normalize("NFC", text.replace("\\n", "\n").replace("\t", " "))
+    lines = "\n".join(text.replace("\\n", "\n").splitlines())
+    text = unicodedata.normalize("NFC", lines.replace("\t", " "))
     try:
         drawn = _drawn(text) if _is_simple(text) else _drawn_by_system(text)
     except UnusablePicture as unusable:
