@@ -146,7 +146,8 @@ def test_limits_that_are_too_narrow_are_said_in_the_language_of_the_window(
     )
     said = short.in_full(scene)
     speaking("de")
-    assert not re.search(r"\b(the|of|to|is|are|range|lens)\b", tr(said), re.IGNORECASE)
+    words = re.sub(r"\w+(\.\w+)+", "", tr(said))  # paths of fields are the same everywhere
+    assert not re.search(r"\b(the|of|to|is|are|range|lens)\b", words, re.IGNORECASE)
     cure = short.cure_in(scene)
     assert str(cure) in said and tr(cure) in tr(said)
 
@@ -223,7 +224,7 @@ def test_names_that_the_program_gives_to_runs_are_said_in_the_language_of_the_wi
     session, history, speaking
 ):
     session, _ = with_run(session, history(5).result())
-    session = with_followed(session, history(6).result())
+    session, _ = with_followed(session, history(6).result())
     own = renamed(session, session.runs[0], "Flame").runs[0]
     assert [called(run) for run in (*session.runs, own)] == [
         *(run.name for run in session.runs),
@@ -232,7 +233,7 @@ def test_names_that_the_program_gives_to_runs_are_said_in_the_language_of_the_wi
     speaking("de")
     assert [called(run) for run in (*session.runs, own)] == [
         "Lauf 1: auto, 12 × 10",
-        "Gefolgt: auto, 12 × 10",
+        "Gefolgt 2: auto, 12 × 10",
         "Flame",
     ]
 
