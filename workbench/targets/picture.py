@@ -28,7 +28,7 @@ class Picture(NamedTuple):
     tone : Tone
         What the stored values mean: that of the scene, or of the file where it says so.
     remarks : tuple of Said
-        What a person should know; each has room for ``{path}``.
+        What a person should know; each continues a sentence that begins with the name of the file.
     """
 
     light: Array
