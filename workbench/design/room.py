@@ -26,8 +26,8 @@ _END, _MANY = 0.003, 0.02
 # An entrance face that fills so much of its range was flattened to fit it.
 _FULL = 0.85
 # An automatic thickness becomes as large as the first lens needs, and by this part of the extent of
-# that lens larger: thicker glass loses light. A lens for a lamp far off the axis needs 3.4 cm. Error
-# and light on the screen:
+# that lens larger: thicker glass loses light. A lens for a lamp far off the axis needs 3.4 cm.
+# Error and light on the screen:
 #
 # | thickness | error | light |
 # |---|---|---|

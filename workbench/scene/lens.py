@@ -38,6 +38,10 @@ _RISE = 0.25
 # | 6 mm | 8.8 % | 68 % |
 # | 15 mm, a quarter of the half-width | 13.7 % | 49 % |
 _NEAR_RISE = 0.5
+# A designed exit face seldom rises farther above its base than so many half-widths of the lens.
+# Stock that reaches far to the screen does not tell where the exit face will be: a first lens in
+# stock of 500 mm was 34 % off, and is 17 % off.
+_RISES = 1.0
 # A receiver that is infinitely far counts as so many half-widths of the lens away.
 _FAR = 8.0
 # An automatic thickness takes at most so many half-widths: where it goes up to a screen that is 1e9
@@ -310,8 +314,9 @@ class Lens(Optic):
 
     @property
     def leaving_z(self) -> float:
-        """The highest that the exit face can become."""
-        return self.highest
+        """The highest that the exit face can become, as far as a design may come to it."""
+        top = self.base.extent(self.half_width)[1]
+        return min(self.highest, max(top, self.floor) + _RISES * max(self.half_width))
 
     @property
     def lowest(self) -> float:
