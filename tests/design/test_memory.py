@@ -150,3 +150,11 @@ def test_memory_grows_with_pixels_control_points_and_images(make_scene, large):
 
 if __name__ == "__main__":
     print(json.dumps({name: evaluation_peak(scene_of(name)) for name in SCENES}))
+
+
+def test_the_most_pixels_that_are_allowed_take_less_than_four_gigabytes():
+    """By the table that the measurements of runs made."""
+    most = {"version": 2, "screen.pixels": [4096, 4096], "lens.control_points": [16, 16]}
+    scene = Scene.from_data(changed(most | SCENES["far"]))
+    assert max(cells_of(FINE, scene)[:2]) <= 4096
+    assert 2e9 < auto_memory(scene) < 4e9
