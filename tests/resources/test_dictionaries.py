@@ -106,7 +106,8 @@ def test_texts_are_collected_from_calls_and_tables(tmp_path):
 
 
 def test_what_a_field_means_that_is_left_out_is_there():
-    assert "Column 0 at −x" in dictionaries.keys()
+    texts = dictionaries.keys()
+    assert "Column 0 at −x" in texts
 
 
 def test_sentences_of_the_optic_are_there_for_each_optic():

@@ -35,8 +35,7 @@ class RunStatus:
         self._read.timeout.connect(lambda: self._say(self._text))
         bar.addWidget(self._state, 1)
         self._progress = _progress(bar)
-        self._outdated = _passing(bar, tr(OUTDATED))
-        self._outdated.setText(tr("Outdated:"))
+        self._outdated = _passing(bar, tr(OUTDATED), tr("Outdated:"))
         # Widths of the longest text to be expected, so that nothing jumps while it counts.
         self._iteration = _figure(
             bar,
@@ -203,9 +202,10 @@ def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
     return label
 
 
-def _passing(bar: QStatusBar, tip: str) -> QLabel:
+def _passing(bar: QStatusBar, tip: str, text: str = "") -> QLabel:
     """A figure that is there only sometimes."""
     label = _label(bar, f"<p>{tip}</p>")
+    label.setText(text)
     label.hide()
     return label
 

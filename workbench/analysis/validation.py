@@ -155,9 +155,7 @@ def _of_one(
     accuracy: float | None,
 ) -> Steps[Validation]:
     """`validating` with a scene of one image."""
-    if target.max() > _HUGE:
-        target = target / target.max()
-
+    target = target / target.max() if target.max() > _HUGE else target
     image, independent, traced_from = None, None, 0.0
     if accuracy is not None:
         steps = without_scatter(scene, heights, target, accuracy, pose, threads, rays)
@@ -185,24 +183,9 @@ def _of_one(
     share = RandomShare.of(account.efficiency, spread.shares, trace.rays)
     corrected, by_cells = unscattered[0], None
     if image is not None:
-        by_cells = ByCells.of(
-            image,
-            target,
-            scene.receiver,
-            irradiance,
-            unscattered[1],
-            None if trace.sampled else share,
-            independent,
-        )
-    left_out = None
-    if accuracy is not None and by_cells is None:
-        left_out = Said("finer cells would take too long: ask for more rays")
-    elif by_cells is not None and by_cells.poorer_than(corrected.interval):
-        left_out = Said(
-            "cells are off by up to {bound:.2g} %, more than random rays: ask for more rays",
-            bound=100 * by_cells.bound,
-        )
-        by_cells = None
+        of_rays = (irradiance, unscattered[1], None if trace.sampled else share, independent)
+        by_cells = ByCells.of(image, target, scene.receiver, *of_rays)
+    left_out = None if accuracy is None else _reason_without_cells(by_cells, corrected)
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -217,10 +200,22 @@ def _of_one(
         irradiance=irradiance,
         image_noise=_scatter(error, corrected, irradiance, target),
         share=share,
-        by_cells=by_cells,
+        by_cells=None if left_out else by_cells,
         left_out=left_out,
         shading=None if accuracy is None else shading_of(scene, heights, seed, pose),
     )
+
+
+def _reason_without_cells(by_cells: ByCells | None, corrected: CorrectedDistance) -> Said | None:
+    """Why the check has no deterministic figure; None where it has one."""
+    if by_cells is None:
+        return Said("finer cells would take too long: ask for more rays")
+    if by_cells.poorer_than(corrected.interval):
+        return Said(
+            "cells are off by up to {bound:.2g} %, more than random rays: ask for more rays",
+            bound=100 * by_cells.bound,
+        )
+    return None
 
 
 class _Spread(NamedTuple):
