@@ -66,6 +66,8 @@ class FarLight:
         Relative L2 difference of the intensity in cells from that of coarser beams.
     flux : float
         All light that leaves the lens.
+    origins : int
+        Points that stand for a source of some size.
     """
 
     h: Array
@@ -74,6 +76,7 @@ class FarLight:
     finer: int
     uncertainty: float
     flux: float
+    origins: int
 
     @property
     def cell(self) -> float:
@@ -166,7 +169,7 @@ def _drawn(
         )
     )
     flux = light.account.on_screen + light.account.lost["off_screen"]
-    return FarLight(h, v, np.ascontiguousarray(upwards), finer, math.inf, flux)
+    return FarLight(h, v, np.ascontiguousarray(upwards), finer, math.inf, flux, corners.origins)
 
 
 def _between_origins(scene: Scene, far_field: FarField, corners: Corners, flux: Array) -> Array:

@@ -21,10 +21,12 @@ from workbench.files.export.fitted_table import (
     error_of,
     fitted_table,
 )
+from workbench.measured.lamps import ray_model
 from workbench.measured.light_unit import light_unit
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
+from workbench.scene import RayFileSource
 
 _UNKNOWN = 1000.0  # lm, of a source that does not say its flux
 _PER_LAMPS = 1000.0  # lm of lamps for which EULUMDAT gives intensities
@@ -140,15 +142,19 @@ def _deviation(table: IntensityTable, light: FarLight, lumens: float, design: De
     cell, pixel = light.cell, light.cell / light.finer
     notes = [
         f"averaged over cells of {cell:.2g}° ({100 * error.in_pixels:.2g} % over {pixel:.2g}°)",
-        f"uncertainty of the traced light {100 * light.uncertainty:.1g} %, without ray noise",
+        f"uncertainty of the traced light {100 * light.uncertainty:.2g} %, without ray noise",
         f"{len(table.c) - 1} × {len(table.gamma)} angles",
         f"{lumens * light.flux:.4g} lm of {lumens:.4g} lm leave the {optic.body_called}",
         f"the nadir is {'+z' if optic.onwards > 0 else '−z'}",
     ]
     if error.in_cells > _TOLERABLE:
-        notes.insert(
-            1,
-            f"more than {100 * _TOLERABLE:g} %: a file of {MOST_VALUES:,} intensities is too "
-            "coarse for the edges of this light",
+        reason = (
+            "more rays would take too long"
+            if light.uncertainty > error.in_cells / 2
+            else f"a file of {MOST_VALUES:,} intensities is too coarse for the edges of this light"
         )
+        notes.insert(1, f"more than {100 * _TOLERABLE:g} %: {reason}")
+    if isinstance(design.scene.source, RayFileSource):
+        model = ray_model(design.scene.source, optic, light.origins)
+        notes.append(str(model.note))
     return Deviation("intensity error", 100 * error.in_cells, "%", "; ".join(notes))
