@@ -3,6 +3,16 @@
 The coarse design has fewer pixels and control points, and few iterations. It traces the same source
 through the same lens to the same receiver: light that misses the lens, total reflection, reflection
 at faces, the largest deflection of the faces and the size of the source are all in it.
+
+Of 30 jobs drawn at random, estimated over designed:
+
+| source | jobs | error, 1 % counting as the least | light, points |
+|---|---|---|---|
+| a point or a direction | 12 | 0.83 to 1.48, a flame 1.93 | -2.0 to -0.4 |
+| extended and far | 7 | 1.00 to 1.37 | -2.0 to -0.1 |
+| extended and near | 11 | 0.68 to 1.48, a letter 0.65 | -0.9 to -0.1 |
+
+Most designs near an extended source were stopped before they converged, and end lower.
 """
 
 import math
