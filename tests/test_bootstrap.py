@@ -224,6 +224,7 @@ def test_a_command_runs_in_the_checkout_with_idle_threads_asleep(capfd):
     assert capfd.readouterr().out.split() == [str(ROOT), "PASSIVE"]
 
 
+@pytest.mark.usefixtures("usual_signals")
 def test_ctrl_c_is_left_to_the_command(capfd):
     script = (
         "import os, signal\n"
@@ -240,6 +241,7 @@ def test_ctrl_c_is_left_to_the_command(capfd):
     assert capfd.readouterr().out == "saved\n"
 
 
+@pytest.mark.usefixtures("usual_signals")
 def test_a_command_ended_by_a_signal_has_the_status_a_shell_gives_it():
     script = "import os, signal; os.kill(os.getpid(), signal.SIGTERM)"
     assert bootstrap._run([sys.executable, "-c", script]) == 143

@@ -11,6 +11,11 @@ from workbench.design.snapshot import Snapshot
 from workbench.geometry.faces import FaceArrays
 
 
+@pytest.fixture(autouse=True)
+def signals(usual_signals):
+    """Commands are ended by signals here, also where tests run in the background."""
+
+
 @pytest.fixture
 def scene_file(tmp_path, scene_data):
     path = tmp_path / "scene.json"
