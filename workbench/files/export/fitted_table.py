@@ -19,6 +19,7 @@ from scipy.sparse.linalg import splu
 
 from workbench.arrays import Array, Mask
 from workbench.files.export.far_light import FarLight, directions_of
+from workbench.files.export.table_axis import TableAxis
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.table import table_of
 
@@ -39,9 +40,8 @@ _ROUNDS = 12
 _CHOOSING, _AT_ONCE = 1 << 16, 1 << 20
 # Places in all pixels, and in each of them, where a table is read to tell its error.
 _PLACES, _MOST_PLACES = 1 << 21, 8
-# Planes and angles where there is no light are left out if there are as many as others. No light is
-# less than such a part of the brightest.
-_DARK, _NONE = 2, 1e-6
+# No light is less than such a part of the brightest.
+_NONE = 1e-6
 # Steps of the light with which to begin, pixels beside it that are lit, decimals of an angle.
 _SEVERAL, _RIM, _DIGITS = 8, 4, 9
 _NARROW = 60.0  # degrees of C within which light is on few planes
@@ -143,76 +143,19 @@ def error_of(table: IntensityTable, light: FarLight) -> TableError:
     return TableError(*(math.hypot(error, light.uncertainty) for error in (cells, pixels)))
 
 
-class _Axis(NamedTuple):
-    """Samples of the light along C or γ.
-
-    Attributes
-    ----------
-    lit : tuple[float, float]
-        Angles between which there is light, degrees; samples reach farther.
-    samples, weight : ndarray, shape (m,)
-        Degrees, ascending, and how much each counts.
-    ends : tuple[float, float], optional
-        Angles with which a table begins and ends; None along an arc of C in a dark circle.
-    around : bool
-        Whether the last angle is the first one again.
-    """
-
-    lit: tuple[float, float]
-    samples: Array
-    weight: Array
-    ends: tuple[float, float] | None
-    around: bool = False
-
-    def nodes(self, step: float) -> Array:
-        """Angles of a table: multiples of a step around the light, or everywhere if few more."""
-        if step >= 360:
-            return np.zeros(1)
-        low, high = math.floor(self.lit[0] / step) - 1, math.ceil(self.lit[1] / step) + 1
-        if self.ends is None:
-            return np.asarray(step * np.arange(low, high + 1), dtype=np.float64)
-        first, last = (round(end / step) for end in self.ends)
-        low, high = max(low, first), min(high, last)
-        if last - first <= _DARK * (high - low):
-            low, high = first, last
-        inner = step * np.arange(low, high + 1)
-        ends = np.array(self.ends)
-        return np.asarray(np.unique(np.concatenate([ends, inner])), dtype=np.float64)
-
-    def lights(self, nodes: Array) -> Mask:
-        """Which angles of a table have light between them and the next ones."""
-        if self.around or len(nodes) == 1:
-            return np.ones(max(len(nodes) - self.around, 1), dtype=bool)
-        before, behind = np.append(nodes[:1], nodes[:-1]), np.append(nodes[1:], nodes[-1:])
-        return np.asarray((behind > self.lit[0]) & (before < self.lit[1]))
-
-    def hats(self, nodes: Array) -> csr_array:
-        """What part each angle has in each sample, shape (angles, m)."""
-        count = max(len(nodes) - self.around, 1)
-        if count == 1:
-            return csr_array(np.ones((1, len(self.samples))))
-        low = np.clip(np.searchsorted(nodes, self.samples, side="right") - 1, 0, len(nodes) - 2)
-        part = (self.samples - nodes[low]) / (nodes[low + 1] - nodes[low])
-        beyond = (part < 0) | (part > 1)  # of an arc: dark
-        values = np.where(beyond, 0.0, [1 - part, part]).ravel()
-        rows = np.concatenate([low, (low + 1) % count if self.around else low + 1])
-        at = rows, np.tile(np.arange(len(part)), 2)
-        return csr_array((values, at), shape=(count, len(part)))
-
-
 class _Samples(NamedTuple):
     """The light on a fine grid of C and γ, to which tables are fitted.
 
     Attributes
     ----------
-    c, gamma : _Axis
+    c, gamma : TableAxis
         The axes.
     intensity : ndarray, shape (m_c, m_g)
         Flux per solid angle.
     """
 
-    c: _Axis
-    gamma: _Axis
+    c: TableAxis
+    gamma: TableAxis
     intensity: Array
 
     @classmethod
@@ -237,8 +180,8 @@ class _Samples(NamedTuple):
         gamma, of_gamma = _middles(along, high / step)
         of_gamma *= np.sin(np.radians(gamma))
         return cls(
-            _Axis(arc, c, of_c, ends, around=ends == (0.0, 360.0)),
-            _Axis(lit, gamma, of_gamma, (0.0, 90.0)),
+            TableAxis(arc, c, of_c, ends, around=ends == (0.0, 360.0)),
+            TableAxis(lit, gamma, of_gamma, (0.0, 90.0)),
             _sampled(light, c, gamma),
         )
 
@@ -273,7 +216,7 @@ class _Samples(NamedTuple):
             values[:, 0] = max((wanted[:, 0].sum() - beside) / (c.sum() * gamma[0, 0]), 0.0)
         return FittedTable(*_closed(nodes[0], values, self.c), nodes[1])
 
-    def _steps(self, level: tuple[int, int]) -> tuple[tuple[_Axis, float], ...]:
+    def _steps(self, level: tuple[int, int]) -> tuple[tuple[TableAxis, float], ...]:
         number = level[0] - len(_PLANES)
         step = _PLANES[level[0]] if number < 0 else _COARSEST / 2**number
         return (self.c, step), (self.gamma, _COARSEST / 2 ** level[1])
@@ -387,7 +330,7 @@ def _planes_of(
     return (begin, end), None
 
 
-def _closed(c: Array, values: Array, axis: _Axis) -> tuple[Array, Array]:
+def _closed(c: Array, values: Array, axis: TableAxis) -> tuple[Array, Array]:
     """Planes and their values as a file has them: from 0 to 360 where no others are alike."""
     if axis.around and len(c) > 1:
         return c, np.vstack([values, values[:1]])
