@@ -47,8 +47,9 @@ def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str,
 
 
 # Shares of a run are at least as exact as this: sums over samples stand for integrals. The worst of
-# 198 scenes over the extremes of all fields was 1.3e-3 off, with 32 cells along each axis.
-_SAMPLING = 5e-3
+# 198 scenes over the extremes of all fields was 1.3e-3 off, with 32 cells along each axis. Of 60
+# random tasks, images of nets of 8 control points, which compare first lenses, were 2.4e-2 off.
+_SAMPLING = 5e-2
 
 
 class UnbalancedAccount(Exception):
