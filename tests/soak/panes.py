@@ -101,7 +101,10 @@ class Person:
         self._keep("manufacture")
         hand.click(_plain(tr("Ball cutter…")))
         hand.fill(tr("Tool radius"), "1.5")
-        hand.click(_plain(tr("&Simulate and trace")))
+        time.sleep(_SLOW)  # the simulation follows the field
+        fits = tr("The cutter fits.")
+        hand.until(lambda: hand.having(fits), "verdict", _PATIENCE)
+        hand.click(_plain(tr("&Trace light")))
         polishing = tr("Polishing takes ridges away.")
         hand.until(lambda: hand.having(polishing), "cut", _PATIENCE)
         self._keep("cutter")

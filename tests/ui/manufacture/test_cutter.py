@@ -136,9 +136,9 @@ def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     open_dialog, qtbot, monkeypatch
 ):
     monkeypatch.setattr("workbench.files.export.cut_plan._LEFT", -1.0)
-    dialog = open_dialog()
+    dialog = open_dialog(Cutting(0.9, 0.002))
     qtbot.waitUntil(dialog.fit.isVisible)
-    assert "a ball cutter of 0.2 cm does not fit: it leaves" in dialog.found.text()
+    assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.found.text()
     assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
     dialog._accept()
     assert dialog.isVisible()
