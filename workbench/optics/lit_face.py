@@ -23,6 +23,9 @@ from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins
 from workbench.optics.surfaces import Meeting
 
+# Light that is narrower than this in the aperture, over what it is at a sample, is all or nothing.
+_GRAZING = 1e-12
+
 
 class LitSamples(NamedTuple):
     """Rays at a face, before it does anything to them, and where they meet it.
@@ -147,9 +150,10 @@ class LitFace:
         ):
             # The rim of the aperture as its light falls onto the face around a sample.
             wide = light.narrowed * (1 - s * f)
-            begin, end = (at + (side - u) / wide for side in (-r, r))
+            leans = wide > _GRAZING
+            begin, end = (at + (side - u) / torch.where(leans, wide, 1.0) for side in (-r, r))
             lit = seen(low, high, begin, end) / (high - low)
-            part = part * torch.where(wide > 0, lit, (u.abs() <= r).to(lit.dtype))
+            part = part * torch.where(leans, lit, (u.abs() <= r).to(lit.dtype))
         return part
 
     def _come(self, z: Tensor) -> "_Light":
