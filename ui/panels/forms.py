@@ -30,6 +30,7 @@ _PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "
 
 # At first, as the stages are: what automatic designs do without.
 _FOLDED = ("filter",)
+_MOST_OF_SCREEN = 0.34  # of its width, that the forms insist on
 
 
 class Forms(QScrollArea):
@@ -137,13 +138,14 @@ class Forms(QScrollArea):
         self.setWidget(self._content)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Never be narrower than the rows, whose width is known once fonts and style are."""
+        """Be as wide as the rows, known once fonts and style are; scroll on a small screen."""
         super().showEvent(event)
-        rows = self._content.minimumSizeHint().width()
-        self.setMinimumWidth(rows + self.verticalScrollBar().sizeHint().width())
+        rows = self._content.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        self.setMinimumWidth(
+            min(rows, int(_MOST_OF_SCREEN * self.screen().availableSize().width()))
+        )
 
     @property
     def refused(self) -> bool:

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
 
 _NARROWEST = 200  # pixels; less would be labels alone
+_BESIDE = 6  # as narrow, that a screen has room for
 _ZOOM = 1.25  # for each step of the wheel
 _NEAREST = 200.0  # times; a pixel is large enough then
 _DRAG = 4.0  # pixels that a click may shake
@@ -68,7 +69,7 @@ class ImageView(PlotView):
     def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
         super().__init__()
         self._content = content
-        self.setMinimumWidth(_NARROWEST)
+        self.setMinimumWidth(min(_NARROWEST, self.screen().availableSize().width() // _BESIDE))
         self._link = link or ImageLink(self)
         self._axes: Axes | None = None
         self._values: Array | None = None

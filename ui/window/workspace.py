@@ -68,6 +68,7 @@ class DockWorkspace:
         self._placeholder = QLabel(
             tr("Loading the 3D scene…"), alignment=Qt.AlignmentFlag.AlignCenter
         )
+        self._placeholder.setWordWrap(True)  # or no window could be narrower than its words
         self._stage.addWidget(self._placeholder)
         self.centre = centre = QFrame()
         centre.setObjectName("centre")  # for the style sheet
