@@ -59,8 +59,8 @@ def test_cells_and_the_design_see_the_same_light(scene):
     tensors = {name: torch.tensor(each) for name, each in heights.items()}
     light = BeamPlan(scene, (200, 200), dtype=torch.float64).trace(tensors)
     designed = light.flux.numpy() / scene.receiver.pixel_measure
-    # Of cells at the rim from which some light leaves through the side, the design draws none; those
-    # that the aperture cuts are spread over all of their parts.
+    # Of cells at the rim from which some light leaves through the side, the design draws none; the
+    # light of cells that the aperture cuts is spread over all of them.
     cut = 1e-3 if scene.source.kind == "collimated" else 1e-2
     tolerance = 1e-4 if scene.source.along_axis else cut
     assert np.linalg.norm(cells.irradiance - designed) < tolerance * np.linalg.norm(designed)
