@@ -7,7 +7,7 @@ import pytest
 import torch
 from scipy.fft import dctn
 
-from workbench.design.descent import Descent, descend, descents_of
+from workbench.design.descent import Descent, descend
 from workbench.design.lbfgs import Evaluation
 from workbench.design.waves import FaceWaves
 
@@ -80,12 +80,3 @@ def test_all_descents_together_take_no_more_steps_than_are_left(wanted, left):
     nets, _ = _descended(wanted, LONG, ALL, left=left)
     whole, _ = _descended(wanted, LONG, ALL)
     assert len(nets) == min(left, len(whole))
-
-
-@pytest.mark.parametrize("widths", [(3.0, 3.0), (0.0, 0.0)])
-def test_a_run_that_limits_cut_off_ends_when_steps_gain_little(widths):
-    """Of what is left of the error most is that of the limits."""
-    image = SimpleNamespace(blurred=True, blur_widths=widths)
-    for free, cut in zip(descents_of(image), descents_of(image, cut_off=True), strict=True):
-        assert cut.gain >= 0.03 and cut.gain >= free.gain
-        assert cut == free._replace(gain=cut.gain)

@@ -213,14 +213,6 @@ def test_the_first_lens_of_an_automatic_thickness_is_that_of_the_scene_as_it_is(
     )
 
 
-def test_a_run_in_a_range_that_is_too_small_ends_when_nothing_is_left_to_gain(make_scene, corner):
-    sun = {"source": {"kind": "collimated", "angular_diameter": 1.0}, "version": 2}
-    narrow = {"lens.height_range": [-0.12, 0.12], "run.iterations": 300}
-    *_, last = run(make_scene(FREE | sun | narrow), corner)
-    assert last.state.shortfall.needed is not None
-    assert last.iteration < 100
-
-
 def test_a_screen_that_is_too_near_is_the_limit_where_nothing_is_given(make_scene):
     target = np.ones((32, 32))
     scene = make_scene(ASIDE | {"screen.z": 1.5})

@@ -72,8 +72,7 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
         first = {face: room.limits[face].nearest(each) for face, each in room.first.items()}
         parameters = free.parameters(_joined(first, before, locked))
         image = finest_image(scene, target, free.heights(parameters), mirrored)
-    short = room.shortfall(free.heights_of(parameters))
-    descents = descents_of(image, cut_off=short is not None and short.needed is not None)
+    descents = descents_of(image)
     steps = descend(
         image,
         partial(_evaluated, image, free=free, smoothness=smoothness),

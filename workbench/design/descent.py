@@ -64,29 +64,15 @@ _EVEN = (Descent(1.25, 0.0025, 1.5e-4),)
 # | LED close by | 21.7 % | 2.6 %, 158 steps | 2.8 %, 199 steps |
 # | Phone torch | 18.6 % | 10.3 %, 43 steps | 10.3 %, 46 steps |
 _UNEVEN = (Descent(1.0, 0.03, 0.0, longest=0.25, above=0.15), Descent(1.0, 0.01, 0.0))
-# Where limits of the heights cut the first lens off, what is left of the error is theirs. A plate
-# in the sun with half of the range that it needs went on for 300 steps: 40 % off at first, 37 %
-# after 10 steps, 34 % after 25 and 15 % after 300. The cure is a wider range.
-_CUT_OFF = 0.03
 # The image cannot tell smaller errors from its own.
 _SMALLEST = 1e-3
 
 
-def descents_of(image: AnyImage, cut_off: bool = False) -> tuple[Descent, ...]:
-    """How a run descends, one after the other.
-
-    Parameters
-    ----------
-    image : AnyImage
-        By which lenses are compared.
-    cut_off : bool
-        Whether limits of the heights are too narrow for the task.
-    """
+def descents_of(image: AnyImage) -> tuple[Descent, ...]:
+    """How a run descends, one after the other."""
     if not image.blurred:
         return _SHARP
-    descents = _EVEN if any(image.blur_widths) else _UNEVEN
-    least = _CUT_OFF if cut_off else 0.0
-    return tuple(each._replace(gain=max(each.gain, least)) for each in descents)
+    return _EVEN if any(image.blur_widths) else _UNEVEN
 
 
 def descend(

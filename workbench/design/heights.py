@@ -140,10 +140,6 @@ class FreeHeights:
             for height in each.heights(parameters[face]).values()
         }
 
-    def heights_of(self, parameters: Mapping[str, Tensor]) -> dict[str, Array]:
-        """Control heights of parameters, as arrays."""
-        return {face: z.cpu().numpy() for face, z in self.heights(parameters).items()}
-
     def parameters(self, heights: Mapping[str, Array]) -> dict[str, Tensor]:
         """Parameters of control heights; see `HeightRange.parameters`."""
         return {face: each.parameters(heights[face]) for face, each in self.ranges.items()}
