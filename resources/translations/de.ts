@@ -8011,8 +8011,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; one of {fitting} fits</source>
-            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; einer von {fitting} passt</translation>
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>one of {fitting} fits</source>
+            <translation>einer von {fitting} passt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>ein kleinerer oder höhere Rillen werden gebraucht</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/cutting.py" />

@@ -8011,8 +8011,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; one of {fitting} fits</source>
-            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; une de {fitting} convient</translation>
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>one of {fitting} fits</source>
+            <translation>une de {fitting} convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/cut_plan.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>il en faut une plus petite, ou des crêtes plus hautes</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/cutting.py" />

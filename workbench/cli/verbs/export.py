@@ -11,12 +11,19 @@ from workbench.files.export.cutting import PLAIN, RANGES, Cutting
 from workbench.files.export.formats import ENDINGS
 from workbench.files.export.mesh_unit import MESH_UNITS, MILLIMETRES
 
+_ENTRANCE = ".entrance"
+
 DOES = "write a lens for manufacture and for other programs"
 
 
 def add(commands: Any) -> None:
     """Add the verb."""
-    endings = textwrap.fill(f"Endings: {', '.join(ENDINGS)}.", 79)
+    shared = [ending for ending in ENDINGS if not ending.startswith(_ENTRANCE)]
+    endings = textwrap.fill(
+        f"Endings: {', '.join(shared)}. {_ENTRANCE} before that of a face, of height or of G-code "
+        "(a.entrance.xyz): the freeform entrance face.",
+        79,
+    )
     parser = add_verb(
         commands,
         "export",
@@ -42,8 +49,7 @@ def add(commands: Any) -> None:
         metavar="UNIT",
         choices=MESH_UNITS,
         default=MILLIMETRES,
-        help="unit of lengths in .stl, .obj, .ply and .3mf: mm, cm, m, inch, or scene for the "
-        "scene's; default mm, which other programs take them for",
+        help="lengths in .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
     )
     for name, metavar, does in (
         ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
@@ -56,9 +62,9 @@ def add(commands: Any) -> None:
     )
     for name, metavar, does in (
         ("feed", "MM/MIN", "speed of cuts"),
-        ("plunge-feed", "MM/MIN", "speed down into the stock"),
-        ("spindle-speed", "RPM", "revolutions a minute"),
-        ("dwell", "SECONDS", "wait until the spindle is at its speed"),
+        ("plunge-feed", "MM/MIN", "speed into the stock"),
+        ("spindle-speed", "RPM", "speed of the spindle"),
+        ("dwell", "SECONDS", "wait for the spindle"),
     ):
         field = name.replace("-", "_")
         least, most, unit = allowed = RANGES[field]
@@ -67,7 +73,7 @@ def add(commands: Any) -> None:
             metavar=metavar,
             type=ranged(*allowed),
             default=getattr(PLAIN, field),
-            help=f"{does}, {least:g} to {most:g} {unit}; default %(default)g",
+            help=f"{does}, {least:g} to {most:g} {unit} [%(default)g]",
         )
     parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
 
