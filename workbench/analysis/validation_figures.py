@@ -113,8 +113,8 @@ class Validation:
 
         A check with a contradiction has failed: none of its figures is reliable.
         """
-        found = (image.by_cells and image.by_cells.contradiction for image in self.images)
-        return next(filter(None, found), None)
+        by_cells = (image.by_cells for image in self.images if image.by_cells)
+        return next((each.contradiction for each in by_cells if each.contradiction), None)
 
     def beside_run(self, run: Array, receiver: AnyReceiver) -> Said | None:
         """That the image of a run differs from this check by more than errors explain.
