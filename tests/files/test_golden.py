@@ -117,7 +117,8 @@ def test_figures_of_a_check():
 @pytest.mark.parametrize(
     ("name", "faces", "error", "efficiency"),
     [
-        ("mirror", ["mirror"], 0.2686, 0.4434),
+        # Light that crosses the plane of the mirror's base beside its outline misses the mirror.
+        ("mirror", ["mirror"], 0.2626, 0.4389),
         ("two-faces", ["entrance", "exit"], 0.0978, 0.9702),
     ],
 )
