@@ -40,6 +40,7 @@ class TestValidate:
             "contrast",
             "correlation",
             "deterministic",
+            "deterministic_left_out",
             "efficiency",
             "ledger",
             "loss",

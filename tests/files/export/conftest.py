@@ -150,7 +150,10 @@ def write(tmp_path):
 
 @pytest.fixture
 def closed_mesh(write):
-    """Writes a lens as a mesh by a writer; the body in the file, which has to be one and closed."""
+    """Writes a lens as a mesh by a writer; the body in the file, which has to be one and closed.
+
+    Lengths are in the unit of the scene again.
+    """
 
     def do(writer, design, ending):
         path, deviation = write(writer, design, f"lens{ending}")
@@ -159,6 +162,7 @@ def closed_mesh(write):
         assert mesh.is_watertight
         assert mesh.is_winding_consistent
         assert mesh.body_count == 1
+        mesh.apply_scale(1 / (design.metres * (1 if ending == ".glb" else 1e3)))
         return mesh
 
     return do

@@ -29,6 +29,7 @@ def found(error):
         loss_corrected=0.1,
         relative_l2=2 * error,
         verified=lens_error,
+        contradiction=None,
         efficiency=0.9,
         rays=1000,
         noise=0.001,

@@ -179,6 +179,7 @@ def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, q
                 relative_l2_corrected=0.0125,
                 relative_l2_corrected_interval=(0.01, 0.02),
             ),
+            contradiction=None,
         )
 
     monkeypatch.setattr("workbench.analysis.validation.validating", validating)
