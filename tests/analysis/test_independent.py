@@ -103,6 +103,8 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
     assert cells.less_exact is None
     assert cells.way.startswith("16 independent images of ")
     assert cells.to_data()["independent_rays"] == cells.independent.rays
+    rays = cells.efficiency == pytest.approx(found.efficiency, rel=1e-12)
+    assert rays == (cells.bound > 0.5)
 
 
 def test_a_source_without_size_has_cells_alone(make_scene, target):

@@ -21,6 +21,10 @@ from workbench.watch import Steps, within
 
 # Cells that are off by so many times what was asked for are left out if random rays know better.
 _FAR = 10
+# Of cells that may be off by so much of the image, random rays give image and efficiency where they
+# give the error. With an emitter of two half-widths, 1e-4 before the lens, cells found 5 % of the
+# light where 26 % land.
+_NOTHING = 0.5
 
 
 @dataclass(frozen=True)
@@ -101,22 +105,25 @@ class ByCells:
         independent : IndependentError, optional
             What has the error, in place of the image by cells.
         """
-        irradiance = image.irradiance
         by_cells, apart = image.error(target)
         error, interval = by_cells, (max(by_cells - apart, 0.0), by_cells + apart)
+        irradiance = image.irradiance
         if independent is not None:
             error, interval, *_ = independent.unscattered
-        difference = relative_l2(of_rays, irradiance)
-        efficiency = receiver.total(irradiance)
-        flux = irradiance * receiver.pixel_measure
+            if image.bound > _NOTHING:
+                irradiance = of_rays
+                by_cells = relative_l2(of_rays, target)
+        difference = relative_l2(of_rays, image.irradiance)
+        flux = image.irradiance * receiver.pixel_measure
         # By Cauchy and Schwarz, the error of the sum of all pixels.
         off = image.bound * float(np.linalg.norm(flux)) * math.sqrt(flux.size)
-        agreement = Agreement(efficiency, off, share, image.bound, unscattered) if share else None
+        lit = receiver.total(image.irradiance)
+        agreement = Agreement(lit, off, share, image.bound, unscattered) if share else None
         return cls(
             relative_l2_corrected=error,
             relative_l2_corrected_interval=interval,
             loss=paper_loss(irradiance, target) * (error / by_cells if by_cells else 1.0),
-            efficiency=efficiency,
+            efficiency=receiver.total(irradiance),
             bound=image.bound,
             wanted=image.wanted,
             cells=image.cells,
