@@ -1,0 +1,1 @@
+"""Programs that developers run to see what a change does to designs."""
