@@ -3,6 +3,7 @@
 Run by hand: ``python -m pytest -m slow -n 0 tests/jobs/test_estimate_of_drawn_jobs.py``.
 """
 
+import math
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,6 @@ from tests.jobs.drawn_jobs import drawn_jobs
 from workbench.analysis.validation import validate
 from workbench.design.design_run import DesignRun
 from workbench.design.task import begin
-from workbench.extended.bound import Bound
 from workbench.jobs.estimate import estimating
 from workbench.watch import finished
 
@@ -27,9 +27,7 @@ RAYS = 2_000_000
 def test_the_design_reaches_what_was_estimated(number):
     session = begin(drawn_jobs(COUNT, SEED)[number].scene(), Path("/"))
     estimate = finished(estimating(session))
-    bound = Bound(session.scene, session.target)
-    least = bound.deblurred.error if bound.known else 0.0
-    expected = max(estimate.error(least), FLOOR)
+    expected = max(math.sqrt(estimate.least * estimate.most), FLOOR)
     run = DesignRun(session)
     for _ in run:
         pass

@@ -9,7 +9,7 @@ import pytest
 from workbench.design.task import begin
 from workbench.extended.diffraction import diffraction
 from workbench.jobs import JOBS
-from workbench.jobs.estimate import estimating
+from workbench.jobs.estimate import Estimate, estimating
 from workbench.jobs.experiment import Experiment
 from workbench.jobs.far_field import StreetLight
 from workbench.jobs.led import LedRectangle
@@ -125,15 +125,48 @@ def test_light_at_best_is_what_a_face_reflects_least_of():
     assert _light_of(MirrorJob().with_answers(EVEN).scene()).leaves == pytest.approx(1)
 
 
+SMALL = {"target": {"builtin": "tophat"}, "size": [20.0, 20.0], "image_size": [20.0, 20.0]}
+
+
 def test_an_estimate_is_that_of_a_coarse_design():
-    small = {"target": {"builtin": "tophat"}, "size": [20.0, 20.0], "image_size": [20.0, 20.0]}
-    session = session_of(MirrorJob().with_answers(small))
+    session = session_of(MirrorJob().with_answers(SMALL | {"angular_diameter": 0.0}))
     parts = []
     estimate = finished(estimating(session), parts.append)
     assert parts == sorted(parts) and parts[0] >= 0 and parts[-1] <= 1
-    assert 0.95 < estimate.light <= 0.98 and estimate.coarse_error < 0.05
-    assert estimate.error(0.0) == estimate.coarse_error
-    assert estimate.error(0.04) == pytest.approx(math.hypot(estimate.coarse_error, 0.05))
+    assert 0.95 < estimate.light <= 0.98 and 0 < estimate.least < estimate.most < 0.05
+
+
+def test_an_estimate_holds_the_error_of_the_blur(monkeypatch):
+    def least(session):
+        yield 0.0
+        return 0.04
+
+    session = session_of(MirrorJob().with_answers(SMALL | {"angular_diameter": 0.0}))
+    monkeypatch.setattr("workbench.jobs.estimate._least", least)
+    estimate = finished(estimating(session))
+    assert estimate.least < 0.05 < estimate.most < 0.08
+
+
+def test_an_estimate_of_a_narrow_lamp_counts_what_passes_the_lens_by():
+    """Gebhart's view factor, less what both faces reflect at least."""
+    job = Torch().with_answers(EVEN | {"lamp_size": [0.5, 0.5]})
+    session = begin(coarse(job.scene()), Path("/"))
+    caught = _light_of(session.scene).caught
+    estimate = finished(estimating(session))
+    assert 0.8 * caught < estimate.light < 0.95 * caught
+
+
+def test_the_estimate_comes_before_the_bound(monkeypatch):
+    def given(session):
+        yield 0.5
+        return Estimate(0.02, 0.04, 0.9)
+
+    monkeypatch.setattr("workbench.jobs.prospect.estimating", given)
+    steps = prospecting(session_of(SunPlate().with_answers(EVEN)))
+    first, part, second = next(steps), next(steps), next(steps)
+    steps.close()
+    assert "estimating" in first.figures[0].value and part == 0.5
+    assert second.picture is None and second.figures[0].value.startswith("error 2.0 – 4.0 %, 90 %")
 
 
 def test_designs_by_other_methods_are_not_estimated(no_estimate):
@@ -141,8 +174,14 @@ def test_designs_by_other_methods_are_not_estimated(no_estimate):
     assert said["Estimate"].value == "not known" and "automatic" in said["Estimate"].meaning
 
 
+def test_small_errors_are_not_told_apart():
+    scene = Torch().with_answers(EVEN).scene()
+    assert _estimated(scene, Estimate(0.003, 0.005, 0.9)).value.startswith("error < 1.0 %, 90 %")
+    assert _estimated(scene, Estimate(0.007, 0.012, 0.9)).value.startswith("error 0.70 – 1.2 %")
+
+
 def test_a_task_whose_light_does_not_arrive_is_not_promised_anything():
-    said = _estimated(Torch().with_answers(EVEN).scene(), None, 0.0)
+    said = _estimated(Torch().with_answers(EVEN).scene(), None)
     assert said.warns and said.value == "not known"
 
 

@@ -161,7 +161,9 @@ class Outlook(QWidget):
     def show_prospect(self, found: "Prospect") -> None:
         """Show figures, and the picture at best."""
         self._clear()
-        if found.picture is not None and self._scene is not None:
+        if found.picture is None:
+            self._state.say(tr("Computing what can be expected…"))
+        elif self._scene is not None:
             self._state.say("")
             self._at_best.show_target(as_viewed(self._scene, found.picture), self._aspect)
         for row, figure in enumerate(found.figures):

@@ -60,6 +60,13 @@ class Bound:
         """Find `deblurred` step by step, so that one can leave it; it is kept for later."""
         return deblurring(self.target, self._seen)
 
+    def finding_soon(self) -> Generator[None, None, float]:
+        """Find an error that the blur allows, hardly above that of `deblurred`, step by step.
+
+        256 × 200 pixels blurred over eight take 2.6 s, and 15 s for `deblurred`.
+        """
+        return error_allowing(self.target, self._seen)
+
     @property
     def relative_l2(self) -> float:
         """The least error, certified: relative L2, images divided by their sums."""

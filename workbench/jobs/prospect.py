@@ -21,6 +21,7 @@ from workbench.scene import Scene
 from workbench.units import sized
 
 _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
+_SMALL = 0.01  # designs stop before an estimate can tell smaller errors apart
 _ALL = 0.995  # more light than this is all of it
 _HALF = 0.5  # of the light: less than that is a lamp that is too far away
 _RAYS, _NET = 1 << 16, 4  # that find how much of it meets the optic, whatever its face is like
@@ -75,8 +76,8 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     Yields
     ------
     Prospect, float or None
-        What is known: at first what is known at once. Between, the part of the estimate that is
-        done.
+        What is known: at first what is known at once, then with the estimate. Between, the part
+        of the estimate that is done.
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
@@ -86,15 +87,13 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
         Said("Estimate"), Said("estimating…"), Said("By a coarse design of this task.")
     )
     yield Prospect(None, (pending, *known, _proposal(session)))
-    estimate = yield from estimating(session)
-    bound = Bound(scene, session.target)
-    if not bound.known:
-        picture, least = session.target, 0.0
-    else:
-        deblurred = yield from bound.finding()
-        picture, least = deblurred.image.clip(min=0), deblurred.error
+    estimated = _estimated(scene, (yield from estimating(session)))
+    yield Prospect(None, (estimated, *known, _proposal(session)))
+    bound, picture = Bound(scene, session.target), session.target
+    if bound.known:
+        picture = (yield from bound.finding()).image.clip(min=0)
     figures = (
-        _estimated(scene, estimate, least),
+        estimated,
         _light_at_best(bound, light),
         _error_at_best(bound, slopes),
         *known,
@@ -103,7 +102,7 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
     return Prospect(picture, figures)
 
 
-def _estimated(scene: Scene, estimate: Estimate | None, least: float) -> Figure:
+def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
     """What the design will reach."""
     name = Said("Estimate")
     if estimate is None:
@@ -113,17 +112,23 @@ def _estimated(scene: Scene, estimate: Estimate | None, least: float) -> Figure:
             else Said("Only designs by the automatic method are estimated.")
         )
         return Figure(name, Said("not known"), why, scene.run.method == "auto")
-    error = estimate.error(least)
     value = Said(
         "error {error}, {light:.0f} % of the light {place}",
-        error=percent(error),
+        error=_range(estimate),
         light=100 * estimate.light,
         place=Said(scene.receiver.place),
     )
     meaning = Said(
         "By a coarse design of this task, with all losses of light and the size of the source."
     )
-    return Figure(name, value, meaning, error > 10 * _BLACK)
+    return Figure(name, value, meaning, estimate.most > 10 * _BLACK)
+
+
+def _range(estimate: Estimate) -> str:
+    """Between which errors a design ends; small ones are not told apart."""
+    if estimate.most < _SMALL:
+        return f"< {percent(_SMALL)}"
+    return f"{percent(estimate.least).removesuffix(' %')} – {percent(estimate.most)}"
 
 
 def _lit(session: Session) -> tuple[float, float, float, float]:
