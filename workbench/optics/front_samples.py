@@ -18,7 +18,7 @@ from workbench.optics.interfaces import Refraction
 from workbench.optics.intersection import RIM
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
-from workbench.optics.patterns import tabulated
+from workbench.optics.patterns import Patterns, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, areas_of, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
@@ -98,12 +98,16 @@ class FrontGrid(NamedTuple):
         """See `workbench.optics.light.BeamTracer`: origins one after the other along y."""
         return splits_side_by_side(*self.lines, len(self.origins.places))
 
-    def patterns(self) -> Array | None:
+    def patterns(self) -> Patterns | None:
         """Intensities of each origin over its flux; see `tabulated`.
 
         By the places at which light would cross the plane of `level`.
         """
-        return tabulated(self.origins, self.half_width, self.level)
+        across, up = (
+            Places(*((2 * part - 1) * r for part in line))
+            for line, r in zip(self.lines, self.half_width, strict=True)
+        )
+        return tabulated(self.origins, self.half_width, self.level, (across, up))
 
 
 class FrontSamples:

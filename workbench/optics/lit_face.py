@@ -17,7 +17,7 @@ from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.aperture import part_within, seen
 from workbench.optics.path import Path
-from workbench.optics.patterns import interpolated
+from workbench.optics.patterns import Patterns, interpolated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins
@@ -70,7 +70,7 @@ class LitFace:
         Where the light comes from.
     path : Path
         The path of the light.
-    patterns : ndarray, shape (origins, n, n), optional
+    patterns : Patterns, optional
         See `workbench.optics.patterns.tabulated`, by the places in the plane of ``level``.
     """
 
@@ -81,7 +81,7 @@ class LitFace:
         lines: tuple[Places, Places],
         origins: Origins,
         path: Path,
-        patterns: Array | None = None,
+        patterns: Patterns | None = None,
     ) -> None:
         self._half_width, self._level, self._lift = net.half_width, level, level - path.datum
         self._origins = origins
@@ -103,7 +103,7 @@ class LitFace:
         above = np.array([0.0, 0.0, 0.0 if origins.infinite else level])
         self._at = tuple(constant(part).reshape(1, -1, 1) for part in (origins.places - above).T)
         self._ahead = self._front - self._at[2]
-        self._patterns = None if patterns is None else constant(patterns)
+        self._patterns = patterns and patterns.as_tensor(path.dtype, path.device)
 
     def light(self, heights: Tensor) -> LitSamples:
         """The light that meets a face with control heights (n_u, n_v), z as in the scene."""
@@ -172,7 +172,7 @@ class LitFace:
         density = self._flux * cos.pow(4 if origins.lambertian else 3) / way.square()
         if self._patterns is not None:
             across = p_x - p_z * s_x, p_y - p_z * s_y
-            density = density * interpolated(self._patterns, across, self._half_width)
+            density = density * interpolated(self._patterns, across)
         return _Light((s_x, s_y), density, self._ahead / way)
 
 

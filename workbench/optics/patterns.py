@@ -1,23 +1,81 @@
 """Intensities of origins by where their light crosses a plane, in tables.
 
-The reference and its compiled twins interpolate between the same values.
+The reference and its compiled twins interpolate between the same values. A value is the mean over
+what a sample there stands for: the sum over samples is then the integral, however narrow the light.
 """
 
 import math
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.arrays import Array
-from workbench.optics.sources.origins import Origins
+from workbench.arrays import AnyArray, Array
+from workbench.optics.samples import Places
+from workbench.optics.sources.origins import Origins, bulk_of
 
 # Places along an axis at which patterns are looked up: of all origins together, and of each at
 # least and at most.
 _ALL, _FEWEST, _MOST = 2048, 65, 513
+# Of the light of a table, so much may be beyond the rectangle that is tabulated, on each side.
+_BEYOND = 1e-7
 
 
-def tabulated(origins: Origins, half_width: tuple[float, float], z: float) -> Array | None:
+class Patterns(NamedTuple):
+    """Tables of intensities on a rectangle; linear between values, and constant beyond it.
+
+    Attributes
+    ----------
+    values : ndarray, shape (origins, n, n)
+        From the least to the largest x, and from the least to the largest y in the last axis.
+    middle, half_width : tuple[float, float]
+        Of the rectangle, scene units.
+    """
+
+    values: Array
+    middle: tuple[float, float]
+    half_width: tuple[float, float]
+
+    @property
+    def steps(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Steps between values for each length, along x and y; and the step at x = 0, y = 0."""
+        last = self.values.shape[1] - 1
+        per_x, per_y = (last / (2 * r) for r in self.half_width)
+        m_x, m_y = self.middle
+        return (per_x, per_y), (last / 2 - m_x * per_x, last / 2 - m_y * per_y)
+
+    def as_tensor(self, dtype: torch.dtype, device: torch.device | str) -> "PatternTensor":
+        """The values as a tensor."""
+        values = torch.as_tensor(self.values, dtype=dtype, device=device).contiguous()
+        return PatternTensor(values, *self.steps)
+
+
+class PatternTensor(NamedTuple):
+    """`Patterns` in the float type and on the device of a trace."""
+
+    values: Tensor
+    per_length: tuple[float, float]
+    first: tuple[float, float]
+
+
+def pattern_numbers(
+    patterns: Patterns | None, kind: type[np.floating[Any]]
+) -> tuple[AnyArray, Any, Any, Any, Any]:
+    """Values, steps for each length and first steps, for kernels; no values of None."""
+    if patterns is None:
+        return np.zeros((0, 2, 2), kind), kind(0), kind(0), kind(0), kind(0)
+    (per_x, per_y), (first_x, first_y) = patterns.steps
+    values = np.ascontiguousarray(patterns.values, kind)
+    return values, kind(per_x), kind(per_y), kind(first_x), kind(first_y)
+
+
+def tabulated(
+    origins: Origins,
+    half_width: tuple[float, float],
+    z: float,
+    samples: tuple[Places, Places],
+) -> Patterns | None:
     """Intensities of each origin towards places of a rectangle across the axis, over its flux.
 
     Parameters
@@ -28,47 +86,99 @@ def tabulated(origins: Origins, half_width: tuple[float, float], z: float) -> Ar
         Of the rectangle, scene units.
     z : float
         Where it is.
+    samples : tuple of two Places
+        Where light of samples crosses the rectangle along x and y, scene units.
 
     Returns
     -------
-    ndarray, shape (origins, n, n), optional
-        From −x to x, and from −y to y in the last axis. None where no pattern was given.
+    Patterns, optional
+        None where no pattern was given.
     """
     if origins.pattern is None:
         return None
     count = len(origins.flux)
     n = min(max(int(_ALL / math.sqrt(count)), _FEWEST), _MOST)
-    (r_x, r_y), way = half_width, np.linspace(-1, 1, n)
+    middle, half = _lit(origins, half_width, z, samples)
+    across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
     place = origins.places[:, None, None]
-    x, y = way[:, None] * r_x - place[..., 0], way * r_y - place[..., 1]
+    x, y = across[:, None] - place[..., 0], up - place[..., 1]
     away = np.broadcast_arrays(x, y, z - place[..., 2])
     distance = np.sqrt(np.square(away).sum(axis=0))
     direction = (away[0] / distance, away[1] / distance, away[2] / distance)
-    return origins.pattern.at(np.arange(count)[:, None, None], direction)
+    values = origins.pattern.at(np.arange(count)[:, None, None], direction)
+    # Flux per area is the intensity times this.
+    spread = distance**-3
+    values = values * spread
+    for axis, at in ((1, across), (2, up)):
+        part, *ends = samples[axis - 1]
+        low, high = (np.interp(at, part, end) for end in ends)
+        values = _mean_between(values, at, low, high, axis)
+    return Patterns(values / spread, middle, half)
 
 
-def interpolated(
-    patterns: Tensor, place: tuple[Tensor, Tensor], half_width: tuple[float, float]
-) -> Tensor:
+def _lit(
+    origins: Origins,
+    half_width: tuple[float, float],
+    z: float,
+    samples: tuple[Places, Places],
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Middle and half-widths of the part of a rectangle where light is."""
+    if origins.emitted is None:
+        return (0.0, 0.0), half_width
+    light, *places = origins.emitted.onto(z - origins.places[0, 2])
+    places = [place + foot for place, foot in zip(places, origins.places[0], strict=False)]
+    within = np.all([np.abs(p) <= r for p, r in zip(places, half_width, strict=True)], axis=0)
+    if not within.any():
+        return (0.0, 0.0), half_width
+    sides = []
+    for place, r, (_, begins, ends) in zip(places, half_width, samples, strict=True):
+        low, high = bulk_of(place[within], light.flux[within], _BEYOND)
+        # A value is the mean over a sample, most of which may be beside the light.
+        first, last = np.searchsorted(begins, low) - 2, np.searchsorted(ends, high) + 2
+        low, high = begins[max(first, 0)], ends[min(last, len(ends) - 1)]
+        sides.append((max(low, -r), min(high, r)))
+    (x_0, x_1), (y_0, y_1) = sides
+    return ((x_0 + x_1) / 2, (y_0 + y_1) / 2), ((x_1 - x_0) / 2, (y_1 - y_0) / 2)
+
+
+def _mean_between(values: Array, at: Array, low: Array, high: Array, axis: int) -> Array:
+    """Means of values at even places between two ends each; constant beyond all places."""
+    step, last = at[1] - at[0], len(at) - 1
+    values = np.moveaxis(values, axis, -1)
+    between = (values[..., 1:] + values[..., :-1]) / 2
+    sums = np.concatenate([np.zeros_like(values[..., :1]), np.cumsum(between, axis=-1)], axis=-1)
+
+    def up_to(end: Array) -> Array:
+        """Integral from the first place, in steps."""
+        index = (end - at[0]) / step
+        i = np.clip(np.floor(index), 0, last - 1).astype(np.intp)
+        first, second = values[..., i], values[..., i + 1]
+        inner = np.clip(index - i, 0.0, 1.0)
+        outer = np.where(index < 0, first, second) * (index - i - inner)
+        return np.asarray(sums[..., i] + first * inner + (second - first) * inner**2 / 2 + outer)
+
+    mean = (up_to(high) - up_to(low)) * step / (high - low)
+    return np.ascontiguousarray(np.moveaxis(mean, -1, axis))
+
+
+def interpolated(patterns: PatternTensor, place: tuple[Tensor, Tensor]) -> Tensor:
     """Values of tables at places; bilinear, and constant beyond the rectangle.
 
     Parameters
     ----------
-    patterns : Tensor, shape (origins, n, n)
+    patterns : PatternTensor
         What `tabulated` gives.
     place : tuple of two Tensor, shape (samples along x, origins, samples along y)
         x and y of the places.
-    half_width : tuple[float, float]
-        Of the rectangle.
     """
-    last = patterns.shape[1] - 1
-    origin = torch.arange(len(patterns), device=patterns.device).reshape(1, -1, 1)
+    values, last = patterns.values, patterns.values.shape[1] - 1
+    origin = torch.arange(len(values), device=values.device).reshape(1, -1, 1)
     (i, u), (j, v) = (
-        _cell((along / r + 1) * (last / 2), last)
-        for along, r in zip(place, half_width, strict=True)
+        _cell(along * per_length + first, last)
+        for along, per_length, first in zip(place, patterns.per_length, patterns.first, strict=True)
     )
-    low = patterns[origin, i, j] * (1 - v) + patterns[origin, i, j + 1] * v
-    high = patterns[origin, i + 1, j] * (1 - v) + patterns[origin, i + 1, j + 1] * v
+    low = values[origin, i, j] * (1 - v) + values[origin, i, j + 1] * v
+    high = values[origin, i + 1, j] * (1 - v) + values[origin, i + 1, j + 1] * v
     return low * (1 - u) + high * u
 
 

@@ -6,7 +6,7 @@ face is evaluated once for all origins, no ray has to search for it, and the com
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +21,7 @@ from workbench.optics.arrival import Arrival
 from workbench.optics.glass import FlatGlass
 from workbench.optics.interfaces import Refraction
 from workbench.optics.path import Path
-from workbench.optics.patterns import interpolated, tabulated
+from workbench.optics.patterns import Patterns, interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, parts_inside, places, splits_side_by_side
 from workbench.optics.sources.origins import Origins
@@ -31,6 +31,7 @@ from workbench.optics.transmittance import TransmittanceLaw
 from workbench.said import Said
 
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
+_MetLight = tuple[tuple[Array, Array], tuple[Array, Array, Array], Tensor]
 
 
 class SharedGrid(NamedTuple):
@@ -104,17 +105,45 @@ class SharedGrid(NamedTuple):
     def before(self) -> dict[str, float]:
         """Flux that is lost before the glass, by its names in the light account: by quadrature."""
         met = passed = 0.0
-        for origin, place in enumerate(self.origins.places):
-            x, y, area = _nodes(self.origins, place, self.outline, self.entrance_z)
-            lit = self.origins.light(x, y, self.entrance_z, np.array(origin))
-            flux = torch.as_tensor(lit.density * area)
+        for place, direction, flux in self._met():
             met += float(flux.sum())
-            passed += float(_turned(self.entrance, (x, y), lit.direction, flux).flux.sum())
+            passed += float(_turned(self.entrance, place, direction, flux).flux.sum())
         return {self.missed: 1 - met, self.reflected: met - passed}
 
-    def patterns(self) -> Array | None:
+    def _met(self) -> Iterator[_MetLight]:
+        """Places of the entrance face, directions and flux of the light of each origin there."""
+        origins, z = self.origins, self.entrance_z
+        if origins.emitted is not None:  # the sum over directions is 1, and within the outline less
+            lit, x, y = origins.emitted.onto(self.distance)
+            x, y = x + origins.places[0, 0], y + origins.places[0, 1]
+            met = self.outline.contains(x, y)
+            d_x, d_y, d_z = lit.direction[met].T
+            yield (x[met], y[met]), (d_x, d_y, d_z), torch.as_tensor(lit.flux[met])
+            return
+        for origin, place in enumerate(origins.places):
+            x, y, area = _nodes(origins, place, self.outline, z)
+            lit_there = origins.light(x, y, z, np.array(origin))
+            yield (x, y), lit_there.direction, torch.as_tensor(lit_there.density * area)
+
+    def patterns(self) -> Patterns | None:
         """Intensities of each origin towards places of the entrance face; see `tabulated`."""
-        return tabulated(self.origins, self.half_width, self.entrance_z)
+        if self.origins.pattern is None:
+            return None
+        across, up = (self._entered(axis) for axis in (0, 1))
+        return tabulated(self.origins, self.half_width, self.entrance_z, (across, up))
+
+    def _entered(self, axis: int) -> Places:
+        """Where light of samples of a flat face crosses the entrance face, scene units."""
+        foot = float(self.origins.places[:, axis].mean())
+        glass = FlatGlass(self.distance, self.law, lambertian=False)
+        depth = torch.tensor(max(self.level - self.entrance_z, 0.0), dtype=torch.float64)
+
+        def crossing(part: Array) -> Array:
+            away = (2 * part - 1) * self.half_width[axis] - foot
+            ratio = glass.light(torch.as_tensor(away).square(), depth).radius_ratio
+            return np.asarray(foot + ratio.numpy() * away)
+
+        return Places(*map(crossing, self.lines[axis]))
 
     @property
     def lines(self) -> tuple[Places, Places]:
@@ -219,7 +248,7 @@ class SharedSamples:
         self._half_width = (r_x, r_y) if whole else (math.inf, math.inf)
         self._inside = None if whole else constant(shared.inside)[:, None]
         patterns = shared.patterns()
-        self._patterns = None if patterns is None else constant(patterns)
+        self._patterns = patterns and patterns.as_tensor(path.dtype, path.device)
         self._flux = constant(shared.origins.flux).reshape(1, -1, 1)
         self._at = tuple(constant(part).reshape(1, -1, 1) for part in shared.origins.places.T)
 
@@ -312,7 +341,7 @@ class SharedSamples:
         flux = self._flux * lit * wide_x * wide_y * narrow / radius_ratio
         x, y = self._x - way * away_x, self._y - way * away_y
         if self._patterns is not None:
-            flux = flux * interpolated(self._patterns, (x, y), self._shared.half_width)
+            flux = flux * interpolated(self._patterns, (x, y))
         slope_x, slope_y = radius_ratio * away_x / distance, radius_ratio * away_y / distance
         return (x, y), (slope_x * cos, slope_y * cos, cos), flux
 

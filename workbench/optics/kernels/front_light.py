@@ -67,6 +67,8 @@ class NearLight(NamedTuple):
         See `workbench.optics.patterns.tabulated`; none where intensity is even or Lambertian.
     per_x, per_y : floating
         Steps between values of the patterns for each length.
+    first_x, first_y : floating
+        Step at x = 0, at y = 0.
     """
 
     x: AnyArray
@@ -78,6 +80,8 @@ class NearLight(NamedTuple):
     patterns: AnyArray
     per_x: Number
     per_y: Number
+    first_x: Number
+    first_y: Number
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -139,8 +143,8 @@ def _weigh(light, k, lanes, t):  # type: ignore[no-untyped-def]
     pattern, below = light.patterns[k], light.below[k]
     last = kind(len(pattern) - 1)
     for lane in range(np.uintp(lanes)):
-        u = (light.x[k] + t[S_X + lane] * below) * light.per_x + last / kind(2)
-        v = (light.y[k] + t[S_Y + lane] * below) * light.per_y + last / kind(2)
+        u = (light.x[k] + t[S_X + lane] * below) * light.per_x + light.first_x
+        v = (light.y[k] + t[S_Y + lane] * below) * light.per_y + light.first_y
         d_u = t[D_S_X + lane] * below * light.per_x if zero < u < last else zero
         d_v = t[D_S_Y + lane] * below * light.per_y if zero < v < last else zero
         u, v = min(max(u, zero), last), min(max(v, zero), last)

@@ -38,8 +38,8 @@ def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
     for lane in range(np.uintp(lanes)):
         depth = max(t[Z + lane] + medium.lift, zero)
         s_x, s_y = t[S_X + lane], t[S_Y + lane]
-        u = (x[lane] - s_x * depth) * points.per_x + last / kind(2)
-        v = (y - s_y * depth) * points.per_y + last / kind(2)
+        u = (x[lane] - s_x * depth) * points.per_x + points.first_x
+        v = (y - s_y * depth) * points.per_y + points.first_y
         d_u = -(s_x + depth * t[D_S_X + lane]) * points.per_x
         d_v = -(s_y + depth * t[D_S_Y + lane]) * points.per_y
         d_u, d_v = d_u if zero < u < last else zero, d_v if zero < v < last else zero

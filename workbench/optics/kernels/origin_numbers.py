@@ -89,6 +89,8 @@ class Points(NamedTuple):
         Lambertian.
     per_x, per_y : floating
         Steps between values of the patterns for each length.
+    first_x, first_y : floating
+        Step at x = 0, at y = 0.
     steps : int
         Of Newton's method.
     law : TransmittanceLaw
@@ -104,6 +106,8 @@ class Points(NamedTuple):
     patterns: AnyArray
     per_x: Number
     per_y: Number
+    first_x: Number
+    first_y: Number
     steps: int
     law: TransmittanceLaw
 

@@ -24,6 +24,7 @@ from workbench.optics.kernels.origin_numbers import Medium, OutlineNumbers, Poin
 from workbench.optics.kernels.origin_receive import Landing, landing_of
 from workbench.optics.light import Nodes
 from workbench.optics.path import Path
+from workbench.optics.patterns import pattern_numbers
 from workbench.optics.samples import Corners, Places, places
 from workbench.optics.shared_grid import SharedGrid, SharedSamples
 from workbench.optics.sources.origins import Origins
@@ -114,10 +115,7 @@ class _OriginPasses:
         self._medium = Medium(kind(n), kind(n * n - 1), kind(lift), critical, absorption, law)
         self._landing = landing_of(path.receiver, shared.level - path.datum, kind)
         self._entered, self._lift = entered, lift
-        patterns = shared.patterns()
-        patterns = np.zeros((0, 2, 2)) if patterns is None else patterns
-        per_x, per_y = (kind((patterns.shape[1] - 1) / (2 * r)) for r in shared.half_width)
-        self._patterns = np.ascontiguousarray(patterns, kind), per_x, per_y
+        self._patterns = pattern_numbers(shared.patterns(), kind)
         self._glass = FlatGlass(shared.distance, shared.law, lambertian=False)
         columns, rows = (len(line.place) for line in self._lines)
         self._shape = len(shared.origins.flux) * rows, columns
@@ -266,11 +264,12 @@ def compile_for(dtype: torch.dtype) -> None:
         np.zeros(net.shape),
         np.zeros((3, 4, 2), kind),
     )
+    table = np.ones((2, 2, 2), kind), one, one, one, one
     for loops, origins in (
         (FROM_SKY, Sky(pair, pair, pair, pair, pair, one)),
         (
             FROM_POINTS,
-            Points(pair, pair, pair, one, one, one, np.ones((2, 2, 2), kind), one, one, 1, law),
+            Points(pair, pair, pair, one, one, one, *table, 1, law),
         ),
     ):
         given = heights, bases, (line, line, outline), origins, medium, landing, 0, 2

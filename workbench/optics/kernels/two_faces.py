@@ -39,6 +39,7 @@ from workbench.optics.kernels.two_face_trace import (
 )
 from workbench.optics.light import Nodes
 from workbench.optics.path import Path
+from workbench.optics.patterns import pattern_numbers
 from workbench.optics.samples import Corners, places
 from workbench.optics.transmittance import TransmittanceLaw
 
@@ -230,14 +231,11 @@ def _light(front: FrontGrid, kind: Kind) -> FarLight | NearLight:
         return FarLight(
             x, y, z, flux, kind(2 / origins.waist**2), kind(front.front_z - front.level)
         )
-    patterns = front.patterns()
-    patterns = np.zeros((0, 2, 2)) if patterns is None else patterns
-    per_x, per_y = (kind((patterns.shape[1] - 1) / (2 * r)) for r in front.half_width)
     x, y, below, ahead, flux = (
         part.astype(kind) for part in (x, y, front.level - z, front.front_z - z, origins.flux)
     )
-    table = np.ascontiguousarray(patterns, kind)
-    return NearLight(x, y, below, ahead, flux, kind(origins.lambertian), table, per_x, per_y)
+    patterns = pattern_numbers(front.patterns(), kind)
+    return NearLight(x, y, below, ahead, flux, kind(origins.lambertian), *patterns)
 
 
 def compile_for(dtype: torch.dtype) -> None:
@@ -252,7 +250,8 @@ def compile_for(dtype: torch.dtype) -> None:
     aperture = Aperture(False, one, one, one, False, one, one, pair, pair, pair, pair)
     body = Body(aperture, np.ones((2, 2), kind), -one, kind(1e-6), one, False, one, one, one, *laws)
     landing = Landing(False, axes, one, axes, axes, one, one)
-    near = NearLight(pair, pair, pair, pair, pair, one, np.ones((2, 2, 2), kind), one, one)
+    table = np.ones((2, 2, 2), kind), one, one, one, one
+    near = NearLight(pair, pair, pair, pair, pair, one, *table)
     for loops, light in ((FROM_FAR, FarLight(pair, pair, pair, pair, one, one)), (FROM_NEAR, near)):
         nodes, gradients = np.zeros((3, 4, 2), kind), (np.zeros((2, 2)), np.zeros((1, 2, 2)))
         given = heights, bases, exit_face, light, body, landing, np.zeros((4, 2), kind), 0, 2

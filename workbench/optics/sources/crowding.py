@@ -10,8 +10,12 @@ from typing import NamedTuple, Self
 
 import numpy as np
 
+from workbench.arrays import Array
+from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.optics.samples import Corners, Crowd
+from workbench.optics.samples import EVERYWHERE, Corners, Crowd
+from workbench.optics.sources.origins import bulk_of
+from workbench.optics.sources.photometric import light_of_table
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
@@ -23,6 +27,8 @@ from workbench.scene import (
 
 # Radii of a beam within which its corners are even: e^(−2 · 2.5²) of its brightness is at the end.
 _RADII = 2.5
+# Part of a lamp's light on either side of where its corners are closest.
+_TAIL = 0.1
 # Of the larger half-width, how far the face may come from its place where no range says so.
 _MOVES = 0.2
 
@@ -67,7 +73,9 @@ def where_lit(corners: Corners, source: Source, optic: Optic) -> Corners:
         if math.isinf(source.profile.radius):
             return corners
         x, y = (_of_beam(source, optic, face, axis) for axis in (0, 1))
-    elif isinstance(source, (AreaSource, LightOfPoints, PhotometricSource)):
+    elif isinstance(source, PhotometricSource):
+        x, y = _of_lamp(source, optic, face)
+    elif isinstance(source, (AreaSource, LightOfPoints)):
         x, y = (_of_points(source, optic, face, axis) for axis in (0, 1))
     else:
         return corners
@@ -86,11 +94,34 @@ def _of_beam(source: CollimatedSource, optic: Optic, face: _Face, axis: int) -> 
     return Crowd.of((_RADII * shadow + spread + moved) / half, middle / half)
 
 
-def _of_points(
-    source: AreaSource | LightOfPoints | PhotometricSource, optic: Optic, face: _Face, axis: int
-) -> Crowd:
+def _of_points(source: AreaSource | LightOfPoints, optic: Optic, face: _Face, axis: int) -> Crowd:
     """Where the light of points is on a face along an axis."""
     half, place = optic.half_width[axis], source.place
     away = (optic.front_z - place[2]) * face.inside + face.depth
     wide = max((abs(corner[axis] - place[axis]) for corner in source.corners), default=0.0)
     return Crowd.about((away + wide) / half, min(max(place[axis] / half, -1.0), 1.0))
+
+
+def _of_lamp(source: PhotometricSource, optic: Optic, face: _Face) -> tuple[Crowd, Crowd]:
+    """Where the light of a lamp is on a face, along x and y."""
+    light, *away = light_of_table(source).onto(optic.front_z - source.position[2])
+    entered = np.stack(away) + np.array(source.position[:2])[:, None]
+    slopes = light.direction.T[:2] / np.sqrt(face.inside**2 - 1 + light.direction[:, 2] ** 2)
+    met = outline_of(optic).contains(*entered)
+    if not met.any():
+        return EVERYWHERE, EVERYWHERE
+    x, y = (
+        _of_bulk(place[met], slope[met], light.flux[met], half, face.moves)
+        for place, slope, half in zip(
+            entered + face.depth * slopes, slopes, optic.half_width, strict=True
+        )
+    )
+    return x, y
+
+
+def _of_bulk(place: Array, slope: Array, flux: Array, half: float, moves: float) -> Crowd:
+    """Where light at places with some slopes is along an axis."""
+    low, high = bulk_of(place, flux, _TAIL)
+    moved = moves * abs(float(np.average(slope, weights=flux)))
+    middle = min(max((low + high) / 2 / half, -1.0), 1.0)
+    return Crowd.about(((high - low) / 2 + moved) / half, middle)

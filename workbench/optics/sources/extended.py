@@ -84,7 +84,8 @@ class ExtendedEmitter(ABC):
 
     def _through_cells(self, samples: Samples) -> RayBundle:
         rays = through_cells(self._origins_of(samples), self.optic, samples)
-        # The sum over cells may exceed the light that there is, a little.
+        # The sum over cells has the error of the trapezoidal rule. An emitter may light the face
+        # with all of its light: then the sum is scaled to that, or ``beside`` would be negative.
         return rays._replace(flux=rays.flux / rays.flux.sum().clamp_min(1))
 
     def _origins_of(self, samples: Samples | None) -> Origins:

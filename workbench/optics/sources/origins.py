@@ -48,6 +48,27 @@ class Pattern(Protocol):
         ...
 
 
+class EmittedLight(NamedTuple):
+    """All light of one point, as the flux into directions.
+
+    Attributes
+    ----------
+    direction : ndarray, shape (n, 3)
+        Unit vectors.
+    flux : ndarray, shape (n,)
+        Flux into each; together 1.
+    """
+
+    direction: Array
+    flux: Array
+
+    def onto(self, z: float) -> tuple["EmittedLight", Array, Array]:
+        """The light that goes to +z; x and y, from those of the point, at a distance z."""
+        lit = EmittedLight(*(part[self.direction[:, 2] > 0] for part in self))
+        x, y, ahead = lit.direction.T
+        return lit, z * x / ahead, z * y / ahead
+
+
 class Origins(NamedTuple):
     """Where the light of a source comes from, k places with their flux.
 
@@ -70,6 +91,8 @@ class Origins(NamedTuple):
         Of points: intensity by direction; flux per solid angle is ``flux`` times that.
     note : str
         How far they are from what they stand for, in words; empty where nothing is to be said.
+    emitted : EmittedLight, optional
+        All light of a single point, where a table says it.
     """
 
     places: Array
@@ -79,6 +102,7 @@ class Origins(NamedTuple):
     waist: float = math.inf
     pattern: Pattern | None = None
     note: str = ""
+    emitted: EmittedLight | None = None
 
     def light(self, x: Array, y: Array, z: float, origin: Index) -> EnteringLight:
         """Light of origins at places of the entrance face.
@@ -146,6 +170,14 @@ def through_cells(origins: Origins, optic: Optic, samples: Samples) -> RayBundle
     return RayBundle(
         vector(place), vector(lit.direction), torch.as_tensor(lit.density * area), alive
     )
+
+
+def bulk_of(place: Array, flux: Array, beyond: float) -> tuple[float, float]:
+    """Places between which the flux is, but for a part ``beyond`` each of them."""
+    order = np.argsort(place)
+    sums = np.cumsum(flux[order])
+    low, high = np.searchsorted(sums, sums[-1] * np.array([beyond, 1 - beyond]))
+    return float(place[order[low]]), float(place[order[min(high, len(place) - 1)]])
 
 
 def splits_of(corners: Corners, origins: tuple[int, int]) -> tuple[Array, Array]:

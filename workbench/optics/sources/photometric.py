@@ -1,6 +1,7 @@
 """Light of a small lamp whose intensity by direction was measured."""
 
 import math
+from functools import lru_cache
 
 import numpy as np
 import torch
@@ -11,7 +12,13 @@ from workbench.measured.lamps import intensity_of
 from workbench.measured.photometry import IntensityTable
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
+from workbench.optics.sources.origins import (
+    EmittedLight,
+    Origins,
+    splits_of,
+    through_cells,
+    vector,
+)
 from workbench.scene import Optic, PhotometricSource
 
 
@@ -34,6 +41,24 @@ class TurnedTable:
         return self._table.at(np.stack(np.broadcast_arrays(*direction), axis=-1) @ self._matrix)
 
 
+def light_of_table(source: PhotometricSource) -> EmittedLight:
+    """All light of a lamp, in the directions of the scene.
+
+    Raises
+    ------
+    Refused
+        If the file cannot be read or used.
+    """
+    return _turned(intensity_of(source), tuple(source.matrix.ravel().tolist()))
+
+
+# Asked for by each plan of a run; tables differ by what they are, not by what they hold.
+@lru_cache(maxsize=4)
+def _turned(table: IntensityTable, matrix: tuple[float, ...]) -> EmittedLight:
+    direction, lumens = table.flux_nodes
+    return EmittedLight(direction @ np.reshape(matrix, (3, 3)).T, lumens / table.lumens)
+
+
 class PhotometricEmitter:
     """One point whose intensity is that of a file; an `Emitter`.
 
@@ -53,6 +78,7 @@ class PhotometricEmitter:
             np.array([1 / table.lumens]),
             pattern=pattern,
             note=table.note,
+            emitted=light_of_table(source),
         )
 
     beside = 0.0

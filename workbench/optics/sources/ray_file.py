@@ -61,6 +61,7 @@ class RayFileEmitter:
         """Rays of the file drawn by the seed, or beams at corners; see `Emitter.rays`."""
         if isinstance(self.samples, Corners):
             beams = through_cells(self.origins, self._lens, self.samples)
+            # As of `ExtendedEmitter`: the trapezoidal rule may have more than all light.
             return beams._replace(flux=beams.flux / beams.flux.sum().clamp_min(1))
         placed, z = placed_rays(self._source), self._lens.front_z
         x, y, come = placed.onto(z)

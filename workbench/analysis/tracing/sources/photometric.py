@@ -55,6 +55,9 @@ class PhotometricLight(Unspread):
             rays.flux[:] *= area / self._cells.count
             missing -= float(rays.flux.sum())
             yield rays
+        # Rays are drawn, so their sum scatters about the light that meets the face. Where that is
+        # all light, the sum of a batch may be more, and nothing passes the face by: the account of
+        # the batch is then of what its rays have.
         beside = np.array([[self._beside, 0.0, 0.0]])
         yield TracedRays(beside, np.array([[0.0, 0.0, 1.0]]), np.array([max(missing, 0.0)]))
 

@@ -1,0 +1,99 @@
+"""The light account of lamps that are narrow or close to the optic: no share is below 0."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.measured.photometry.files import ies
+from workbench.geometry.surface import freeform_nets
+from workbench.measured.lamps import intensity_of
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.samples import Corners
+from workbench.scene import Scene
+
+GAMMA = np.linspace(0, 90, 181)
+# A quadrature over the aperture, and sums over 32 × 32 cells, are so far apart at most.
+WITHIN = 5e-4
+
+
+def scene_of(width, distance, aside, optic="lens", outline="rectangle"):
+    """A lamp with half of its intensity within an angle, straight on or aside and turned."""
+    lens = {
+        "half_width": [1.0, 0.8],
+        "refractive_index": 1.5,
+        "control_points": [8, 8],
+        "outline": outline,
+    }
+    if optic == "two faces":
+        lens["entrance"] = {"shape": "freeform", "control_points": [8, 8]}
+    content = ies([0], GAMMA, 1e5 * np.exp2(-((GAMMA / width) ** 2))[None]).encode()
+    source = {
+        "kind": "photometric",
+        "file": "narrow.ies",
+        "position": [0.41, 0.31, -distance] if aside else [0.0, 0.0, -distance],
+        "rotation": [0.0, 14.0, 0.0] if aside else [0.0, 0.0, 0.0],
+    }
+    data = {
+        "format": "freeform-scene",
+        "version": 2,
+        "unit": "mm",
+        "lens": lens,
+        "source": source,
+        "screen": {"z": 20.0, "half_width": [20.0, 20.0], "pixels": [8, 8]},
+        "target": {"builtin": "tophat"},
+    }
+    return Scene.from_data(data).carrying({"narrow.ies": content})
+
+
+def traced(scene, cells=32):
+    heights = {
+        face: torch.full(net.shape, float(scene.optic.place_of(face, 0.0, 0.0))).double()
+        for face, net in freeform_nets(scene.optic).items()
+    }
+    plan = BeamPlan(scene, Corners(cells, cells), dtype=torch.float64, fused=False)
+    return plan.trace(heights).account
+
+
+@pytest.mark.parametrize("width", [1.0, 2.0, 20.0])
+@pytest.mark.parametrize("distance", [0.03, 0.3, 1.2])
+@pytest.mark.parametrize("aside", [False, True])
+def test_samples_have_all_the_light_that_enters(width, distance, aside):
+    account = traced(scene_of(width, distance, aside))
+
+    shares = account.to_data()
+    assert min(shares.values()) > -WITHIN
+    assert max(shares.values()) <= 1 + WITHIN
+    assert sum(shares.values()) - account.emitted == pytest.approx(account.emitted, abs=1e-9)
+
+
+@pytest.mark.parametrize("optic", ["lens", "two faces"])
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_all_light_of_a_narrow_lamp_passes_flat_faces(optic, outline):
+    account = traced(scene_of(1.0, 0.3, aside=False, optic=optic, outline=outline))
+
+    # Fresnel's equations straight on: 4 % at each face.
+    assert account.on_screen == pytest.approx(0.96**2, abs=2 * WITHIN)
+    assert abs(account.lost["missed_lens"]) < WITHIN
+    assert abs(account.lost["left_side"]) < WITHIN
+
+
+def test_the_light_of_a_lamp_is_the_same_of_few_cells_and_of_many():
+    scene = scene_of(5.0, 0.6, aside=True)
+    few, many = traced(scene, 24), traced(scene, 96)
+
+    assert few.on_screen == pytest.approx(many.on_screen, abs=WITHIN)
+
+
+@pytest.mark.parametrize("width", [0.6, 5.0, 40.0])
+def test_directions_of_a_table_have_its_flux(width):
+    table = intensity_of(scene_of(width, 1.0, aside=False).source)
+    direction, flux = table.flux_nodes
+
+    assert flux.sum() == pytest.approx(table.lumens, rel=1e-12)
+    assert np.linalg.norm(direction, axis=1) == pytest.approx(1.0, abs=1e-12)
+    # Within a cone of half of the width: the sum of a fine rule over its angles.
+    cone = np.radians(np.linspace(0, width / 2, 4001))
+    way = np.stack([np.sin(cone), np.zeros_like(cone), np.cos(cone)], axis=-1)
+    wanted = 2 * np.pi * np.trapezoid(table.at(way) * np.sin(cone), cone)
+    found = flux[direction[:, 2] >= np.cos(cone[-1])].sum()
+    assert found == pytest.approx(wanted, abs=2e-3 * table.lumens)
