@@ -107,7 +107,8 @@ class FrontGrid(NamedTuple):
             Places(*((2 * part - 1) * r for part in line))
             for line, r in zip(self.lines, self.half_width, strict=True)
         )
-        return tabulated(self.origins, self.half_width, self.level, (across, up))
+        samples = None if self.corners.even else (across, up)
+        return tabulated(self.origins, self.half_width, self.level, samples)
 
 
 class FrontSamples:

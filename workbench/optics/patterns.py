@@ -1,7 +1,7 @@
 """Intensities of origins by where their light crosses a plane, in tables.
 
-The reference and its compiled twins interpolate between the same values. A value is the mean over
-what a sample there stands for: the sum over samples is then the integral, however narrow the light.
+The reference and its compiled twins interpolate between the same values. Of narrow light, a value
+is the mean over what a sample there stands for: the sum over samples is then the integral.
 """
 
 import math
@@ -74,7 +74,7 @@ def tabulated(
     origins: Origins,
     half_width: tuple[float, float],
     z: float,
-    samples: tuple[Places, Places],
+    samples: tuple[Places, Places] | None,
 ) -> Patterns | None:
     """Intensities of each origin towards places of a rectangle across the axis, over its flux.
 
@@ -86,8 +86,9 @@ def tabulated(
         Of the rectangle, scene units.
     z : float
         Where it is.
-    samples : tuple of two Places
-        Where light of samples crosses the rectangle along x and y, scene units.
+    samples : tuple of two Places, optional
+        Where light of samples crosses the rectangle along x and y, scene units. None of even
+        samples, of which many are within all that the light has: values are those at places then.
 
     Returns
     -------
@@ -98,7 +99,9 @@ def tabulated(
         return None
     count = len(origins.flux)
     n = min(max(int(_ALL / math.sqrt(count)), _FEWEST), _MOST)
-    middle, half = _lit(origins, half_width, z, samples)
+    middle, half = (0.0, 0.0), half_width
+    if samples is not None:
+        middle, half = _lit(origins, half_width, z, samples)
     across, up = (m + r * np.linspace(-1, 1, n) for m, r in zip(middle, half, strict=True))
     place = origins.places[:, None, None]
     x, y = across[:, None] - place[..., 0], up - place[..., 1]
@@ -106,6 +109,8 @@ def tabulated(
     distance = np.sqrt(np.square(away).sum(axis=0))
     direction = (away[0] / distance, away[1] / distance, away[2] / distance)
     values = origins.pattern.at(np.arange(count)[:, None, None], direction)
+    if samples is None:
+        return Patterns(values, middle, half)
     # Flux per area is the intensity times this.
     spread = distance**-3
     values = values * spread
@@ -134,8 +139,8 @@ def _lit(
     for place, r, (_, begins, ends) in zip(places, half_width, samples, strict=True):
         low, high = bulk_of(place[within], light.flux[within], _BEYOND)
         # A value is the mean over a sample, most of which may be beside the light.
-        first, last = np.searchsorted(begins, low) - 2, np.searchsorted(ends, high) + 2
-        low, high = begins[max(first, 0)], ends[min(last, len(ends) - 1)]
+        first, last = int(np.searchsorted(begins, low)) - 2, int(np.searchsorted(ends, high)) + 2
+        low, high = float(begins[max(first, 0)]), float(ends[min(last, len(ends) - 1)])
         sides.append((max(low, -r), min(high, r)))
     (x_0, x_1), (y_0, y_1) = sides
     return ((x_0 + x_1) / 2, (y_0 + y_1) / 2), ((x_1 - x_0) / 2, (y_1 - y_0) / 2)

@@ -99,6 +99,11 @@ class Corners(NamedTuple):
         return self.crowd_x, self.crowd_y
 
     @property
+    def even(self) -> bool:
+        """Whether all cells are alike."""
+        return self.crowds == (EVERYWHERE, EVERYWHERE)
+
+    @property
     def of_source(self) -> tuple[int, int] | None:
         """Cells of the source along x and y; None where origins lie elsewhere."""
         return (self.source_x, self.source_y) if self.source_x else None

@@ -129,8 +129,8 @@ class SharedGrid(NamedTuple):
         """Intensities of each origin towards places of the entrance face; see `tabulated`."""
         if self.origins.pattern is None:
             return None
-        across, up = (self._entered(axis) for axis in (0, 1))
-        return tabulated(self.origins, self.half_width, self.entrance_z, (across, up))
+        entered = None if self.corners.even else (self._entered(0), self._entered(1))
+        return tabulated(self.origins, self.half_width, self.entrance_z, entered)
 
     def _entered(self, axis: int) -> Places:
         """Where light of samples of a flat face crosses the entrance face, scene units."""

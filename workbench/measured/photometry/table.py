@@ -15,7 +15,7 @@ _DIMMEST, _BRIGHTEST = 1e-20, 1e20
 _NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
 # Panels of `flux_nodes` over all of C, and over all light along γ, and nodes of each: the light
 # within a circle about the nadir, which cuts all planes at one γ, is then 1e-3 off at most.
-_OVER_C, _OVER_GAMMA, _PER_PANEL = 64, 512, 2
+_OVER_C, _OVER_GAMMA, _PER_PANEL = 32, 512, 2
 
 
 @dataclass(frozen=True, eq=False)
