@@ -1,43 +1,38 @@
-"""What numba compiles: the one decorator of all kernels, and the folders that keep their code.
+"""What numba compiles: the one decorator of all kernels, and the folder that keeps their code.
 
-1. A kernel contains what it calls from other files. So code is kept in a folder that is named after
-   the text of all files that use `jit`: no other program's code, not even that of another version
-   of this one, is ever taken from it.
-2. One file for each kernel and signature, sealed by a checksum and put in place in one step. What
-   is damaged is compiled again and replaced; two processes cannot mix their files up.
-3. Compiling takes seconds to a minute, once after installing: a process that begins to logs it.
-4. Where the first folder cannot be written to, the next one is taken. Where none can, or the disk
-   is full, kernels are compiled at each start: no call fails because of that, and `unkept` says it.
+1. A kernel contains what it calls from other files. The folder is therefore named after the text of
+   all files that use `jit` and after the versions of numba and llvmlite: code of another version of
+   this program is never loaded. numba itself tells processors and signatures apart.
+2. One process at a time compiles, and the next one loads the result. numba's index of a kernel
+   would otherwise name the wrong code where two processes add signatures to it at once.
+3. Compiling takes seconds to a minute, once after installing; a process that begins to logs it.
+4. Where no folder can be written to, kernels are compiled at each start, and `unkept` says why.
 """
 
+import copyreg
 import hashlib
-import io
 import logging
 import os
-import pickle
+import shutil
 import stat
 import sys
 import tempfile
-import uuid
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+import filelock
 import llvmlite  # type: ignore[import-untyped]
 import numba
 import platformdirs
-from llvmlite.binding import Linkage  # type: ignore[import-untyped]
-from numba.core.caching import _Cache
-from numba.core.codegen import JITCodeLibrary
-from numba.core.compiler import Compiler, CompileResult
-from numba.core.environment import Environment, lookup_environment
-from numba.core.runtime.nrt import rtsys
-from numba.core.serialize import dumps
+from numba.core.event import Event, Listener, register
 
 _HERE = Path(__file__).parent
+_SETTINGS: Any = numba.config  # whose names mypy does not see
 _MARK = b"from workbench.compiled import jit"
-_SEAL = hashlib.sha256().digest_size
+_LEAST_SPACE = 100 << 20  # bytes; all kernels take half of that
 
 _LOG = logging.getLogger(__name__)
 _failures: list[str] = []
@@ -46,42 +41,55 @@ _failures: list[str] = []
 def jit(
     *, allocates: bool = True, name: str = "", **options: Any
 ) -> Callable[[Callable[..., Any]], Any]:
-    """Compile a function at its first call with each signature, or take its code from disk.
+    """Compile a function at its first call with each signature, or load its code from disk.
+
+    Functions with ``fastmath`` that create no arrays become part of what calls them. As a function
+    of its own, each caller would have a copy, optimised in its own way, and the first copy that a
+    process compiles or loads would stand for all: results would depend on it by rounding.
 
     Parameters
     ----------
     allocates : bool
-        Whether it, or what it calls, makes arrays. One that only takes arrays of its caller, or
-        slices of them, needs no count of who holds them; otherwise numba may count at each call of
-        a function that is inlined, and all threads wait for the same counters.
+        Whether the function, or what it calls, creates arrays. One that only takes arrays of its
+        caller, or slices of them, needs no count of who holds them; otherwise numba may count at
+        each call of a function that is inlined, and all threads wait for the same counters.
     name : str
-        By which code is kept, for functions that are made by another one and so share theirs.
+        Tells functions apart that another function creates from the same lines.
     **options
         Those of `numba.njit`; compiled code never holds Python's lock.
     """
-    made: dict[str, Any] = {"nogil": True, "pipeline_class": _Compiler, "_nrt": allocates}
+    folder = _folder()
+    settings: dict[str, Any] = {"nogil": True, "cache": folder is not None, "_nrt": allocates}
+
+    if options.get("fastmath") and not allocates:
+        options.setdefault("forceinline", True)
 
     def decorate(function: Callable[..., Any]) -> Any:
         function.__qualname__ = name or function.__qualname__
-        kernel = numba.njit(**made, **options)(function)
-        kernel._cache = _Kept(function)
+        others = _SETTINGS.CACHE_DIR
+        _SETTINGS.CACHE_DIR = str(folder or "")
+        try:
+            kernel = numba.njit(**settings, **options)(function)
+        finally:
+            _SETTINGS.CACHE_DIR = others
+        copyreg.pickle(type(kernel), _by_name)
         return kernel
 
     return decorate
 
 
-def rooms() -> list[Path]:
-    """The files of this program whose functions are compiled."""
+def compiled_files() -> list[Path]:
+    """Return the files of this program whose functions are compiled."""
     return [file for file in sorted(_HERE.rglob("*.py")) if _MARK in file.read_bytes()]
 
 
 def unkept() -> str:
-    """Why code that this process has compiled could not be kept; nothing if it was."""
-    return _failures[-1] if _failures else ""
+    """Return why compiled code cannot be kept; nothing if it can."""
+    return "" if _folder() else "; ".join(_failures) or "no folder can be written to"
 
 
 def folders() -> Iterator[Path]:
-    """Where code may be kept, the best place first."""
+    """Yield the folders where code may be kept, the best one first."""
     named = f"kernels-{_fingerprint()}"
     chosen = os.environ.get("NUMBA_CACHE_DIR")
     if chosen:
@@ -94,136 +102,85 @@ def folders() -> Iterator[Path]:
         yield private / named
 
 
-class _Compiler(Compiler):
-    """Compiles a function together with all that it calls."""
-
-    def define_pipelines(self) -> Any:
-        codegen = self.state.targetctx.codegen()
-        library: Any = _Library(codegen, self.state.func_id.func_qualname)  # type: ignore[no-untyped-call]
-        library.enable_object_caching()  # so that it can be kept
-        self.state.library = library
-        return super().define_pipelines()  # type: ignore[no-untyped-call]
-
-
-class _Library(JITCodeLibrary):
-    """The code of a function, with copies of its own of all functions that it calls.
-
-    Otherwise copies with the same name, which the compiler has made faster in different ways, would
-    stand for each other: whichever was loaded first. Results would then depend, by rounding, on
-    what was compiled or loaded before.
-    """
-
-    def _optimize_final_module(self) -> None:
-        for function in self._final_module.functions:
-            called = function.linkage == Linkage.linkonce_odr
-            if called and not function.name.startswith("NRT_"):  # which a later pass looks for
-                function.linkage = Linkage.internal
-        super()._optimize_final_module()  # type: ignore[no-untyped-call]
-
-
-class _Kept(_Cache):
-    """The compiled code of one function: what numba asks before it compiles, and tells after."""
-
-    def __init__(self, function: Callable[..., Any]) -> None:
-        self._name = f"{function.__module__}.{function.__qualname__}"
-
-    @property
-    def cache_path(self) -> str:
-        return str(next(folders()))
-
-    def load_overload(self, sig: Any, target_context: Any) -> Any:
-        # What code needs to run. A compiler's tables, which numba's own cache fills here too, are
-        # filled when something is compiled: with `_Parts` a quarter of a second of each start.
-        rtsys.initialize(target_context)
-        name = self._file(sig, target_context.codegen())
-        for folder in folders():
-            data = _unsealed(folder / name)
-            if data is not None:
-                parts = _Parts(io.BytesIO(data)).load()
-                return CompileResult._rebuild(target_context, *parts)  # type: ignore[no-untyped-call]
-        _tell()
-        return None
-
-    def save_overload(self, sig: Any, data: Any) -> None:
-        name = self._file(sig, data.codegen)
-        code = dumps(data._reduce())  # type: ignore[no-untyped-call]
-        failures = []
-        for folder in folders():
-            try:
-                _put(folder / name, hashlib.sha256(code).digest() + code)
-            except OSError as error:
-                failures.append(f"{folder.parent}: {error.strerror or error}")
-            else:
-                return
-        _failures.append("; ".join(failures) or "no folder can be written to")
-
-    def _file(self, sig: Any, codegen: Any) -> str:
-        """A name that tells signature, processor and versions apart."""
-        made_by = sys.implementation.cache_tag, numba.__version__, llvmlite.__version__
-        key = repr((str(sig), codegen.magic_tuple(), made_by))
-        return f"{self._name}-{hashlib.sha256(key.encode()).hexdigest()[:24]}"
-
-    def enable(self) -> None:
-        """Nothing to do: it always is."""
-
-    def disable(self) -> None:
-        """Nothing to do: nobody asks for it."""
-
-    def flush(self) -> None:
-        """Nothing to do: what is compiled again replaces what was kept."""
-
-
-class _Parts(pickle.Unpickler):
-    """Loads the parts of compiled code without the modules of numba from which some were made."""
-
-    def find_class(self, module: str, name: str) -> Any:
-        return _environment if name == "_rebuild_env" else super().find_class(module, name)
-
-
-def _environment(module: str, constants: list[Any], name: str) -> Environment:
-    """What code shares with Python; only code that works on Python's objects asks for a module."""
-    known: Environment | None = lookup_environment(name)  # type: ignore[no-untyped-call]
-    if known is not None:
-        return known
-    made = Environment({"__name__": module})
-    made.consts[:] = constants
-    made.env_name = name
-    Environment._memo[name] = made
-    return made
-
-
 @cache
-def _tell() -> None:
-    """Log that something is compiled, the first time."""
-    _LOG.info("compiling, once after installing; this takes up to a minute")
+def _folder() -> Path | None:
+    """Return the first folder that this process can write to.
+
+    Code in a folder that it can only read, of an installation for all users, is copied once.
+    """
+    filled = None
+    for folder in folders():
+        try:
+            if filled and not folder.exists():
+                _copy(filled, folder)
+            folder.mkdir(parents=True, exist_ok=True)
+            tempfile.TemporaryFile(dir=folder).close()
+        except OSError as error:
+            filled = filled or (folder if folder.is_dir() else None)
+            _failures.append(f"{folder.parent}: {error.strerror or error}")
+            continue
+        if shutil.disk_usage(folder).free < _LEAST_SPACE:
+            _failures.append(f"{folder.parent}: less than {_LEAST_SPACE >> 20} MB free")
+            continue
+        for file in folder.glob("*/*.nb[ic]"):
+            if not file.stat().st_size:  # after a power failure; numba would raise EOFError
+                file.unlink(missing_ok=True)
+        return folder
+    return None
+
+
+def _copy(filled: Path, folder: Path) -> None:
+    """Copy a folder, unless the disk is full or another process does it at the same time."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent) as beside, suppress(OSError):
+        shutil.copytree(filled, Path(beside) / folder.name).rename(folder)
+
+
+class _OneProcess(Listener):
+    """Lets one process at a time look for code, compile and keep it."""
+
+    def __init__(self, folder: Path) -> None:
+        self._lock = filelock.FileLock(folder / "lock")
+
+    def on_start(self, event: Event) -> None:
+        with suppress(OSError, NotImplementedError):  # of a file system without locks
+            self._lock.acquire()
+
+    def on_end(self, event: Event) -> None:
+        self._lock.release()
+
+
+class _Announcement(Listener):
+    """Logs the first time that a kernel of this program is compiled."""
+
+    made = False
+
+    def on_start(self, event: Event) -> None:
+        if not self.made and event.data["dispatcher"].__module__.startswith("workbench."):
+            self.made = True
+            _LOG.info("compiling, once after installing; this takes up to a minute")
+
+    def on_end(self, event: Event) -> None:
+        pass
+
+
+def _by_name(kernel: Any) -> Any:
+    """Pickle a kernel of a module by its name.
+
+    numba finds the code of a function that another one creates by the pickled values of its
+    closure. A kernel among them would otherwise be pickled with a number that each process draws.
+    """
+    name = kernel.py_func.__qualname__
+    if getattr(sys.modules.get(kernel.__module__), name, None) is kernel:
+        return name
+    return kernel.__reduce__()
 
 
 @cache
 def _fingerprint() -> str:
-    texts = b"".join(hashlib.sha256(file.read_bytes()).digest() for file in rooms())
-    return hashlib.sha256(texts).hexdigest()[:16]
-
-
-def _unsealed(file: Path) -> bytes | None:
-    """What `_put` wrote; nothing if it is not there or not whole."""
-    try:
-        sealed = file.read_bytes()
-    except OSError:
-        return None
-    seal, data = sealed[:_SEAL], sealed[_SEAL:]
-    return data if hashlib.sha256(data).digest() == seal else None
-
-
-def _put(file: Path, data: bytes) -> None:
-    file.parent.mkdir(parents=True, exist_ok=True)
-    written = file.with_name(f"{file.name}.{uuid.uuid4().hex}")
-    try:
-        with open(written, "xb") as stream:  # for all who may read files of this user
-            stream.write(data)
-        os.replace(written, file)
-    except BaseException:
-        written.unlink(missing_ok=True)
-        raise
+    texts = [hashlib.sha256(file.read_bytes()).hexdigest() for file in compiled_files()]
+    versions = [numba.__version__, llvmlite.__version__]
+    return hashlib.sha256(" ".join(versions + texts).encode()).hexdigest()[:16]
 
 
 def _private_folder() -> Path | None:
@@ -238,3 +195,8 @@ def _private_folder() -> Path | None:
     found = folder.lstat()
     safe = stat.S_ISDIR(found.st_mode) and found.st_uid == user and not found.st_mode & stat.S_IWOTH
     return folder if safe else None
+
+
+if (_kept := _folder()) is not None:
+    register("numba:compiler_lock", _OneProcess(_kept))  # type: ignore[no-untyped-call]
+register("numba:compile", _Announcement())  # type: ignore[no-untyped-call]
