@@ -80,7 +80,7 @@ class Gate:
             return not self._stopped
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class RunJob:
     """One task for the worker.
 
@@ -113,7 +113,7 @@ class RunJob:
 
     def __post_init__(self) -> None:
         earlier = self.session.result if self.continue_run else None
-        object.__setattr__(self, "history", History(earlier))
+        self.history = History(earlier)
 
 
 def frame_of(session: "Session", result: Result) -> Frame:

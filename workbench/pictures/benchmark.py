@@ -1,19 +1,24 @@
-"""Pictures of benchmarks.
-
-What is drawn has the attributes that the protocols name; see `workbench.analysis.benchmark`.
-"""
+"""Pictures of benchmarks."""
 
 import math
 import textwrap
 from collections.abc import Callable, Sequence
 from itertools import groupby
-from typing import Any, BinaryIO, Protocol
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
 from workbench.pictures.experiments import page
+
+if TYPE_CHECKING:
+    from workbench.analysis.benchmark.bounds import BoundedDesign
+    from workbench.analysis.benchmark.comparison import Measured
+    from workbench.analysis.benchmark.frontier import Course
+    from workbench.analysis.benchmark.leds import LedDesign
+    from workbench.analysis.benchmark.precision import PrecisionDifference
+    from workbench.analysis.benchmark.second_tracer import SeenTwice
 
 _FONT = 8
 _LETTERS = 16  # of that font, that an inch holds
@@ -33,134 +38,6 @@ _ERRORS = (("sharp", "s"), ("bound", "|"), ("spots", "1"), ("light", "o"), ("len
 _LIT = (("efficiency", "o"), ("merit", "^"), ("deviation", "|"))
 
 
-class CourseRow(Protocol):
-    """Verified error of a method over time."""
-
-    @property
-    def scene(self) -> str:
-        """Name of the scene."""
-
-    @property
-    def method(self) -> str:
-        """Name of the method."""
-
-    @property
-    def times(self) -> Sequence[float]:
-        """Seconds."""
-
-    @property
-    def errors(self) -> Sequence[float]:
-        """Relative L2 errors at these times."""
-
-    @property
-    def own_curve(self) -> Sequence[tuple[float, float]]:
-        """Time and the method's own error after each iteration."""
-
-
-class TimeRow(Protocol):
-    """Time of a variant."""
-
-    @property
-    def question(self) -> str:
-        """What is compared."""
-
-    @property
-    def variant(self) -> str:
-        """Which of it this is."""
-
-    @property
-    def milliseconds(self) -> float:
-        """Median time."""
-
-    @property
-    def ratio(self) -> float:
-        """Times the first variant of the question."""
-
-
-class DifferenceRow(Protocol):
-    """Float32 against float64."""
-
-    @property
-    def scene(self) -> str:
-        """Name of the scene."""
-
-    @property
-    def image(self) -> float:
-        """Relative difference of the image."""
-
-    @property
-    def loss(self) -> float:
-        """The same of the loss."""
-
-    @property
-    def gradient(self) -> float:
-        """The same of the gradient."""
-
-
-class BoundRow(Protocol):
-    """Errors of a lens and of what it could be."""
-
-    @property
-    def scene(self) -> str:
-        """Name of the scene."""
-
-    @property
-    def sharp(self) -> float:
-        """Of the sharp lens, blurred."""
-
-    @property
-    def bound(self) -> float:
-        """What no lens is below."""
-
-    @property
-    def spots(self) -> float:
-        """What no light in spots is below."""
-
-    @property
-    def light(self) -> float:
-        """Of the best light."""
-
-    @property
-    def lens(self) -> float:
-        """Of the designed lens."""
-
-
-class LedRow(Protocol):
-    """Light of an LED on a rectangle."""
-
-    @property
-    def scene(self) -> str:
-        """The faces of the lens."""
-
-    @property
-    def efficiency(self) -> float:
-        """Part of the light that lands on the rectangle."""
-
-    @property
-    def deviation(self) -> float:
-        """Relative standard deviation of the irradiance there."""
-
-    @property
-    def merit(self) -> float:
-        """Efficiency × (1 − deviation)."""
-
-
-class TracedRow(Protocol):
-    """One lens in two tracers."""
-
-    @property
-    def scene(self) -> str:
-        """What is traced."""
-
-    @property
-    def difference(self) -> float:
-        """Of both images."""
-
-    @property
-    def noise(self) -> float:
-        """What it would be by the scatter of rays alone."""
-
-
 def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
     """Draw the picture of a benchmark as PNG.
 
@@ -176,7 +53,7 @@ def draw(name: str, rows: Sequence[Any], file: BinaryIO) -> None:
     _DRAWN[name](rows).savefig(file, format="png", dpi=_DPI)
 
 
-def courses(rows: Sequence[CourseRow]) -> Figure:
+def courses(rows: Sequence["Course"]) -> Figure:
     """Error over time, a panel for each scene."""
     scenes = list(dict.fromkeys(row.scene for row in rows))
     figure, panels = _panels(len(scenes), width=4.2, height=3.2)
@@ -217,7 +94,7 @@ def courses(rows: Sequence[CourseRow]) -> Figure:
     return figure
 
 
-def comparisons(rows: Sequence[TimeRow]) -> Figure:
+def comparisons(rows: Sequence["Measured"]) -> Figure:
     """Times as bars, a panel for each question."""
     questions = [(name, list(each)) for name, each in groupby(rows, lambda row: row.question)]
     figure, panels = _panels(len(questions), width=4.6, height=2.2)
@@ -239,22 +116,22 @@ def comparisons(rows: Sequence[TimeRow]) -> Figure:
     return figure
 
 
-def differences(rows: Sequence[DifferenceRow]) -> Figure:
+def differences(rows: Sequence["PrecisionDifference"]) -> Figure:
     """Relative differences as marks on one logarithmic scale."""
     return _marks(rows, _KINDS, "relative difference of float32 from float64")
 
 
-def bounds(rows: Sequence[BoundRow]) -> Figure:
+def bounds(rows: Sequence["BoundedDesign"]) -> Figure:
     """Errors of lenses beside their bounds as marks on one logarithmic scale."""
     return _marks(rows, _ERRORS, "relative L2 error")
 
 
-def leds(rows: Sequence[LedRow]) -> Figure:
+def leds(rows: Sequence["LedDesign"]) -> Figure:
     """How much light lands on a rectangle, and how evenly, as marks on one logarithmic scale."""
     return _marks(rows, _LIT, "part of the light; relative deviation of the irradiance")
 
 
-def tracers(rows: Sequence[TracedRow]) -> Figure:
+def tracers(rows: Sequence["SeenTwice"]) -> Figure:
     """How far two tracers are apart, and by how much of that their rays scatter."""
     return _marks(rows, _TRACED, "relative L2 difference")
 

@@ -1,11 +1,7 @@
-"""One page with all experiments of the paper.
-
-What is drawn has the attributes that the protocols name; see
-`workbench.analysis.benchmark.experiments`.
-"""
+"""One page with all experiments of the paper."""
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib import colormaps
@@ -15,7 +11,6 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from workbench.arrays import Array
-from workbench.design.snapshot import Result
 from workbench.geometry.faces import ControlHeights
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
@@ -23,6 +18,9 @@ from workbench.pictures.derivative import DerivativeImage
 from workbench.pictures.images import LIGHT, full_scale, signed_error, target_irradiance
 from workbench.pictures.maps import SIGNED, round_scale
 from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from workbench.analysis.benchmark.experiments import Derivative, ExampleDesign
 
 _FONT = 8
 _BLOCKS = 2  # beside each other
@@ -34,71 +32,7 @@ _LANDS, _LOST = "#c47a00", "#c81e1e"
 _STYLES = {"paper": "-", "auto": "--"}
 
 
-class DesignRow(Protocol):
-    """A designed lens, or why there is none."""
-
-    @property
-    def name(self) -> str:
-        """Name of the example."""
-
-    @property
-    def group(self) -> str:
-        """What it belongs to."""
-
-    @property
-    def method(self) -> str:
-        """What designed it."""
-
-    @property
-    def scene(self) -> Scene:
-        """The design task."""
-
-    @property
-    def target(self) -> Array:
-        """Target image, shape (n_y, n_x)."""
-
-    @property
-    def result(self) -> Result | None:
-        """The lens."""
-
-    @property
-    def times(self) -> Sequence[float]:
-        """Seconds, before the first iteration and after each."""
-
-    @property
-    def error(self) -> float | None:
-        """Verified error."""
-
-    @property
-    def efficiency(self) -> float | None:
-        """Part of the light on the screen."""
-
-    @property
-    def failure(self) -> str:
-        """Why there is no more."""
-
-
-class DerivativeShown(Protocol):
-    """A derivative map."""
-
-    @property
-    def name(self) -> str:
-        """What is special about it."""
-
-    @property
-    def scene(self) -> Scene:
-        """The scene."""
-
-    @property
-    def map(self) -> Array:
-        """Flux per area per length, shape (n_y, n_x)."""
-
-    @property
-    def balance(self) -> float:
-        """Sum over what moves."""
-
-
-def page(rows: Sequence[DesignRow | DerivativeShown]) -> Figure:
+def page(rows: Sequence["ExampleDesign | Derivative"]) -> Figure:
     """Loss curves, derivative maps, and of each lens image, error, height field and rays."""
     maps: list[Any] = [row for row in rows if hasattr(row, "map")]
     designs: list[Any] = [row for row in rows if not hasattr(row, "map")]
@@ -119,7 +53,7 @@ def page(rows: Sequence[DesignRow | DerivativeShown]) -> Figure:
     return figure
 
 
-def _curves(part: SubFigure, designs: Sequence[DesignRow]) -> None:
+def _curves(part: SubFigure, designs: Sequence["ExampleDesign"]) -> None:
     """Loss over iterations, and below it over time, a column for each group of experiments."""
     groups = list(dict.fromkeys(each.group for each in designs))
     panels: Any = part.subplots(2, len(groups), squeeze=False)
@@ -152,7 +86,7 @@ def _curves(part: SubFigure, designs: Sequence[DesignRow]) -> None:
         over_time.legend(fontsize=_FONT - 1, frameon=False, loc="lower left", ncols=2)
 
 
-def _maps(part: SubFigure, maps: Sequence[DerivativeShown]) -> None:
+def _maps(part: SubFigure, maps: Sequence["Derivative"]) -> None:
     panels: Any = part.subplots(1, len(maps), squeeze=False)
     for axes, each in zip(panels.flatten(), maps, strict=True):
         DerivativeImage(axes, each.scene).update(each.map)
@@ -160,14 +94,14 @@ def _maps(part: SubFigure, maps: Sequence[DerivativeShown]) -> None:
         axes.set_title(said, fontsize=_FONT + 1)
 
 
-def _blocks(part: SubFigure, designs: Sequence[DesignRow]) -> None:
+def _blocks(part: SubFigure, designs: Sequence["ExampleDesign"]) -> None:
     rows = -(-len(designs) // _BLOCKS)
     blocks: Any = part.subfigures(rows, _BLOCKS, squeeze=False)
     for block, each in zip(blocks.flatten(), designs, strict=False):
         _block(block, each)
 
 
-def _block(block: SubFigure, design: DesignRow) -> None:
+def _block(block: SubFigure, design: "ExampleDesign") -> None:
     said = f"{design.name}, {design.method}"
     if design.error is not None and design.efficiency is not None:
         said += f": verified error {design.error:.1%}, {design.efficiency:.0%} on the screen"

@@ -1,7 +1,7 @@
 """The image of a lens on screens at several distances, and how its error changes with them."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, BinaryIO, Protocol
+from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -15,37 +15,19 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
 
+    from workbench.analysis.focus import Focus
+
 _FONT = 8
 _DPI = 150
 _COLUMNS, _MOST = 6, 12  # images beside each other, and in all
 _ERROR, _LIGHT, _SCREEN = "#2f86d1", "#d9822b", "#8a8f98"
 
 
-class InFocus(Protocol):
-    """The image at one distance, as `workbench.analysis.focus.Focus` has it."""
-
-    @property
-    def z(self) -> float:
-        """Where the screen is."""
-
-    @property
-    def relative_l2(self) -> float:
-        """Error of the image."""
-
-    @property
-    def efficiency(self) -> float:
-        """Part of the flux on the screen."""
-
-    @property
-    def irradiance(self) -> Array:
-        """The image."""
-
-
 def draw_focus(
     figure: "FigureBase",
     scene: Scene,
     target: Array,
-    series: Sequence[InFocus],
+    series: Sequence["Focus"],
 ) -> None:
     """Draw up to twelve of the images on one scale, and the curves below them."""
     chosen = np.unique(np.linspace(0, len(series) - 1, min(len(series), _MOST)).round().astype(int))
@@ -65,7 +47,7 @@ def draw_focus(
     _draw_curves(below.subplots(), scene, series)
 
 
-def _draw_curves(axes: "Axes", scene: Scene, series: Sequence[InFocus]) -> None:
+def _draw_curves(axes: "Axes", scene: Scene, series: Sequence["Focus"]) -> None:
     z = [found.z for found in series]
     errors = [100 * found.relative_l2 for found in series]
     light = [100 * found.efficiency for found in series]
@@ -82,7 +64,7 @@ def _draw_curves(axes: "Axes", scene: Scene, series: Sequence[InFocus]) -> None:
     axes.legend(loc="best", fontsize=_FONT)
 
 
-def write_focus(file: BinaryIO, scene: Scene, target: Array, series: Sequence[InFocus]) -> None:
+def write_focus(file: BinaryIO, scene: Scene, target: Array, series: Sequence["Focus"]) -> None:
     """Draw `draw_focus` as a PNG file.
 
     Raises

@@ -1,7 +1,7 @@
 """Maps of what a shop asks of a lens, with what is beyond its limits hatched."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple, Protocol
+from typing import TYPE_CHECKING, BinaryIO, NamedTuple
 
 import numpy as np
 from matplotlib.colors import PowerNorm
@@ -20,58 +20,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import FigureBase
 
+    from workbench.analysis.manufacture import SurfaceMaps
+    from workbench.analysis.manufacture_limits import Limits
+
 _FONT = 9
 _DPI = 150
 _APART = {"wspace": 0.12, "hspace": 0.06}
 _BEYOND = "#ff4d3d"  # viridis has no red
-
-
-class FaceMaps(Protocol):
-    """A face point by point: `workbench.analysis.manufacture.SurfaceMaps`."""
-
-    @property
-    def x(self) -> Array:
-        """Shape (n_x,), ascending."""
-
-    @property
-    def y(self) -> Array:
-        """Shape (n_y,), descending."""
-
-    @property
-    def thickness(self) -> Array:
-        """Shape (n_y, n_x), as those below."""
-
-    @property
-    def slope(self) -> Array:
-        """Degrees."""
-
-    @property
-    def concave(self) -> Array:
-        """Largest curvature of hollows."""
-
-    @property
-    def convex(self) -> Array:
-        """Largest curvature of humps."""
-
-
-class ShopLimits(Protocol):
-    """What a shop asks for: `workbench.analysis.manufacture_limits.Limits`."""
-
-    @property
-    def min_thickness(self) -> float | None:
-        """Scene units."""
-
-    @property
-    def max_thickness(self) -> float | None:
-        """Scene units."""
-
-    @property
-    def max_slope(self) -> float | None:
-        """Degrees."""
-
-    @property
-    def min_radius(self) -> float | None:
-        """Scene units."""
 
 
 MAPS = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
@@ -93,7 +48,7 @@ def map_unit(name: str, unit: str) -> str:
     return {"Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
 
 
-def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> Array:
+def draw_map(axes: "Axes", name: str, maps: "SurfaceMaps", limits: "Limits", unit: str) -> Array:
     """Draw one map of a lens.
 
     Parameters
@@ -102,9 +57,9 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
         Empty axes.
     name : str
         One of `MAPS`.
-    maps : FaceMaps
+    maps : SurfaceMaps
         The face point by point.
-    limits : ShopLimits
+    limits : Limits
         Places beyond them are hatched.
     unit : str
         The scene's unit of length.
@@ -136,7 +91,9 @@ def draw_map(axes: "Axes", name: str, maps: FaceMaps, limits: ShopLimits, unit: 
     return values
 
 
-def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, unit: str) -> None:
+def draw_manufacture(
+    figure: "FigureBase", maps: "SurfaceMaps", limits: "Limits", unit: str
+) -> None:
     """Draw thickness, slope and both curvatures at a face of a lens.
 
     Parameters
@@ -152,7 +109,7 @@ def draw_manufacture(figure: "FigureBase", maps: FaceMaps, limits: ShopLimits, u
 
 
 def write_manufacture(
-    file: BinaryIO, faces: Mapping[str, FaceMaps], limits: ShopLimits, unit: str
+    file: BinaryIO, faces: Mapping[str, "SurfaceMaps"], limits: "Limits", unit: str
 ) -> None:
     """Draw `draw_manufacture` of each freeform face, by what it is called, as a PNG file.
 
@@ -174,7 +131,7 @@ def write_manufacture(
     figure.savefig(file, dpi=_DPI, format="png")
 
 
-def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
+def _map(name: str, maps: "SurfaceMaps", limits: "Limits", unit: str) -> _Map:
     of = map_unit(name, unit)
     if name == "Thickness":
         low, high = limits.min_thickness, limits.max_thickness
@@ -191,7 +148,7 @@ def _map(name: str, maps: FaceMaps, limits: ShopLimits, unit: str) -> _Map:
     )
 
 
-def _hatch(axes: "Axes", maps: FaceMaps, values: Array, between: list[float]) -> None:
+def _hatch(axes: "Axes", maps: "SurfaceMaps", values: Array, between: list[float]) -> None:
     hatched = axes.contourf(maps.x, maps.y, values, levels=between, colors="none", hatches=["////"])
     hatched.set_edgecolor(_BEYOND)
     hatched.set_linewidth(1.0)

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Content:
-    """What a file holds, and beside which scene; it is no setting: scenes do not differ by it.
+    """What a file holds, and beside which scene.
 
     Attributes
     ----------
@@ -17,9 +17,3 @@ class Content:
 
     data: bytes | None = None
     unit: str = "mm"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Content)
-
-    def __hash__(self) -> int:
-        return 0

@@ -57,6 +57,13 @@ class MeasuredSource(AnySource):
     rays: _Rays = 500_000
     _content: Content = PrivateAttr(default_factory=Content)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether all fields are equal; what the file holds is no setting."""
+        if not isinstance(other, MeasuredSource):
+            return NotImplemented
+        ours, theirs = ((type(each), each.continuous, dict(each)) for each in (self, other))
+        return ours == theirs
+
     @property
     def content(self) -> bytes | None:
         """What the file holds, where that is carried along."""

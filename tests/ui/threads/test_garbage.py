@@ -56,18 +56,6 @@ def test_a_working_thread_deletes_no_timer_of_the_window(collector, qtbot):
     assert set(deleted_in) == {threading.main_thread()}
 
 
-def test_objects_that_stay_are_not_searched_again(collector):
-    frozen = gc.get_freeze_count()
-    kept = [[] for _ in range(1000)]
-    collector.keep_what_is_there()
-    try:
-        assert gc.get_freeze_count() >= frozen + len(kept)
-    finally:
-        gc.unfreeze()
-        gc.collect()
-        gc.freeze()  # as the tests of the window had it
-
-
 def test_closing_restores_the_collector_of_python(collector):
     assert not gc.isenabled()
     collector.close()
