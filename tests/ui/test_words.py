@@ -2,6 +2,7 @@
 
 import ast
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
@@ -24,13 +25,13 @@ from ui.run.comparison import RunComparison
 from ui.run.kept import called, renamed, with_followed, with_run
 from ui.widgets.plot_words import LABELS, translate, translate_axes
 from ui.words import begun, error_text, inside, later, speak, spoken, spoken_by_system, tr
-from workbench.design.endings import ending
+from workbench.design.endings import IN_VAIN, SMALL
 from workbench.design.loss import check_light
 from workbench.design.origin import origin
 from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
-from workbench.files.session import open_design
+from workbench.files.session import open_design, read_session, write_session
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
 from workbench.optics.account import Account
@@ -187,8 +188,13 @@ def test_what_a_window_shows_of_refusals_has_words_and_values_apart():
     assert not found, f"said in English alone: {found}; use `workbench.said.Said`"
 
 
-def test_why_a_run_ended_is_said_in_the_language_of_the_window_from_a_file(speaking):
-    found = ending("converged: error below 0.1 %; no iteration made the lens better")
+def test_why_a_run_ended_is_said_in_the_language_of_the_window_from_a_file(
+    session, history, tmp_path, speaking
+):
+    ended = Said(IN_VAIN, ended=Said(SMALL, error=0.1))
+    result = replace(history(5).result(), ended=ended)
+    write_session(replace(session, result=result), tmp_path / "one.freeform")
+    found = read_session(tmp_path / "one.freeform").result.ended
     speaking("de")
     assert tr(found) == "konvergiert: Fehler unter 0.1 %; keine Iteration hat die Linse verbessert"
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from workbench.arrays import Array
+from workbench.design.endings import has_converged
 from workbench.design.loss import relative_error
 from workbench.design.needs import grazed
 from workbench.design.net import definite
@@ -64,7 +65,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     """
     state = result.state
     error = relative_error(state, target)
-    if error < _HIGH or not result.ended.startswith("converged: "):
+    if error < _HIGH or not has_converged(result.ended):
         return None
     bends = scene.run.smoothness, scene.run.min_radius, scene.run.min_tool_radius
     limited = state.shortfall or state.account.advice(scene) or grazed(scene) or any(bends)

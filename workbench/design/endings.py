@@ -1,10 +1,4 @@
-"""Why runs end, in words, and how these are found again in what a file says.
-
-A session keeps the English sentence alone, as other programs read it.
-"""
-
-import re
-from string import Formatter
+"""Why runs end: the messages, and which of them mean that a run has converged."""
 
 from workbench.said import Said
 
@@ -23,43 +17,13 @@ GAINED = (
 )
 FAILED = "failed: {why}"
 
-ENDINGS = (DONE, LOCKED, STOPPED, SMALL, LOWEST, SLOW, FLAT, IN_VAIN, NO_IMAGE, GAINED)
+CONVERGED = (SMALL, LOWEST, SLOW, FLAT)
+ENDINGS = (DONE, LOCKED, STOPPED, *CONVERGED, IN_VAIN, NO_IMAGE, GAINED)
 """All but failures, whose reasons are without number."""
 
 
-class _AsRead(str):
-    """A value as a sentence had it, whatever format it is put in again with."""
-
-    def __format__(self, spec: str) -> str:
-        return str(self)
-
-
-def ending(text: str) -> str:
-    """Why a run ended, as a sentence with values where it is one of `ENDINGS`.
-
-    Parameters
-    ----------
-    text : str
-        As a file has it.
-
-    Examples
-    --------
-    >>> ending("converged: error below 0.1 %; no iteration made the lens better").words
-    '{ended}; no iteration made the lens better'
-    >>> ending("by hand")
-    'by hand'
-    """
-    for words in ENDINGS:
-        if found := re.fullmatch(_pattern(words), text):
-            values = {name: _AsRead(value) for name, value in found.groupdict().items()}
-            if "ended" in values:
-                return Said(words, **values | {"ended": ending(values["ended"])})
-            return Said(words, **values)
-    return text
-
-
-def _pattern(words: str) -> str:
-    return "".join(
-        re.escape(literal) + (f"(?P<{name}>.+)" if name else "")
-        for literal, name, _, _ in Formatter().parse(words)
-    )
+def has_converged(ended: str) -> bool:
+    """Whether a run ended because nothing got better."""
+    if not isinstance(ended, Said):
+        return False
+    return ended.words in CONVERGED or has_converged(ended.values.get("ended", ""))

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.endings import ending
 from workbench.design.lens_state import FurtherLight, LensState, frozen
 from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.snapshot import Result
@@ -281,5 +280,5 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
         stage_starts=starts,
         stages_left=figures.stages_left or 0,
         seconds_at=entries.array(seconds, count) if seconds in entries else None,
-        ended=ending(figures.ended or ""),
+        ended=figures.to_ended(),
     )

@@ -5,11 +5,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer
 
+from workbench.design.endings import ENDINGS
 from workbench.design.lens_state import FurtherLight
 from workbench.design.session import VerifiedError
 from workbench.design.shortfall import Cause, Interval, Shortfall
 from workbench.design.snapshot import Result
 from workbench.optics.account import LOSSES, Account
+from workbench.said import Said
 from workbench.scene import NonNegative, Part, Positive
 
 # Far more than any source has, in any unit; sums and ratios of it stay finite.
@@ -106,6 +108,32 @@ class FurtherFigures(Part):
         )
 
 
+class Message(Part):
+    """A message of the program with its values, which the window can translate."""
+
+    words: Annotated[str, Field(max_length=LONGEST_REASON)]
+    values: dict[str, "int | float | Message"]
+
+    @classmethod
+    def of(cls, text: str) -> Self | None:
+        """The message of an ending of a run, if it is one of `ENDINGS`."""
+        if not isinstance(text, Said) or text.words not in ENDINGS:
+            return None
+        values = {name: cls.of(value) or value for name, value in text.values.items()}
+        return cls(words=text.words, values=values)
+
+    def to_text(self) -> str:
+        """The text with its words and values; empty where values are missing or unsuitable."""
+        values = {
+            name: value.to_text() if isinstance(value, Message) else value
+            for name, value in self.values.items()
+        }
+        try:
+            return Said(self.words, **values) if self.words in ENDINGS else ""
+        except (KeyError, OverflowError, ValueError):
+            return ""
+
+
 class Figures(Part):
     """All of a `Result` but its arrays, and its efficiency."""
 
@@ -117,6 +145,7 @@ class Figures(Part):
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
     stages_left: Count | None = None  # of one that ended before the last
     ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
+    ending: Message | None = None  # the same with its values apart
     shortfall: ShortfallFigures | None = None  # of a lens whose limits are too narrow
     further_images: tuple[FurtherFigures, ...] | None = None
 
@@ -134,6 +163,12 @@ class Figures(Part):
             stage_starts=result.stage_starts or None,
             stages_left=result.stages_left or None,
             ended=result.ended[:LONGEST_REASON] or None,
+            ending=Message.of(result.ended),
             shortfall=None if short is None else ShortfallFigures.of(short),
             further_images=tuple(map(FurtherFigures.of, state.further)) or None,
         )
+
+    def to_ended(self) -> str:
+        """Why the run ended."""
+        text = "" if self.ending is None else self.ending.to_text()
+        return text if text == self.ended else self.ended or ""

@@ -7,9 +7,11 @@ from ui.document.document import Document
 from ui.notices.coarse_net import CoarseNetNotice
 from ui.run.control import RunControl
 from ui.widgets.message_bar import MessageBar
+from workbench.design.endings import SLOW
+from workbench.said import Said
 from workbench.scene import AutoNet
 
-SLOW = "converged: less than 5 % better in 5 iterations"
+SLOW_RUN = Said(SLOW, gain=5, patience=5)
 
 
 @pytest.fixture
@@ -41,7 +43,7 @@ def desk(qtbot, session, as_run):
 
 
 def test_a_finer_net_is_offered_and_designed(desk, qtbot):
-    desk.design(SLOW)
+    desk.design(SLOW_RUN)
     assert "12 × 10 control points are too few for the detail of this target" in desk.messages.text
     (button,) = desk.messages.buttons
     assert button.text() == "Refine and start over"
@@ -57,5 +59,5 @@ def test_nothing_is_said_of_a_run_that_ran_out_of_iterations(desk):
 
 def test_notice_does_not_replace_another_message(desk):
     desk.messages.warn("The disk is full.")
-    desk.design(SLOW)
+    desk.design(SLOW_RUN)
     assert desk.messages.text == "The disk is full."
