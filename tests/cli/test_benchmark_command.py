@@ -3,20 +3,20 @@ import os
 
 import pytest
 
-from workbench.analysis.benchmark import frontier, suite
-from workbench.analysis.benchmark.comparison import Measured, table
+from workbench.analysis.benchmark import frontier, leds, suite
 from workbench.analysis.benchmark.frontier import Course
+from workbench.analysis.benchmark.leds import LedDesign
 from workbench.analysis.benchmark.names import BENCHMARKS
 
 ROWS = [
-    Measured("which way", "this", 2.0, 1.0, 1000, None),
-    Measured("which way", "that", 5.0, 2.5, 1000, 1e-3),
+    LedDesign("flat, freeform", seconds=16.0, efficiency=0.64, deviation=0.05),
+    LedDesign("freeform, freeform", seconds=30.0, efficiency=0.8, deviation=0.04),
 ]
 
 
 @pytest.fixture
 def fake_suite(monkeypatch):
-    """Puts a benchmark in place of ``kernels``: rows, or exceptions to raise."""
+    """Puts a benchmark in place of ``led``: rows, or exceptions to raise."""
 
     def put(*events):
         limits = []
@@ -30,9 +30,9 @@ def fake_suite(monkeypatch):
                 yield event
 
         def tables(rows):
-            return (table("Ways", rows),)
+            return (leds.table(rows),)
 
-        monkeypatch.setitem(suite.SUITE, "kernels", suite.Benchmark(measure, tables))
+        monkeypatch.setitem(suite.SUITE, "led", suite.Benchmark(measure, tables))
         return limits
 
     return put
@@ -41,52 +41,52 @@ def fake_suite(monkeypatch):
 def test_table_picture_and_json_agree(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
     folder = tmp_path / "new" / "folder"
-    status, stdout, stderr = freeform("benchmark", "kernels", "--output", folder)
+    status, stdout, stderr = freeform("benchmark", "led", "--output", folder)
     assert status == 0
     assert limits == [None]
-    assert "kernels: which way  soon" in stderr
-    markdown = table("Ways", ROWS).to_markdown()
-    assert (folder / "kernels.md").read_text("utf-8") == markdown
+    assert "led: which way  soon" in stderr
+    markdown = leds.table(ROWS).to_markdown()
+    assert (folder / "led.md").read_text("utf-8") == markdown
     assert stdout.rstrip().endswith(markdown.rstrip())
-    assert (folder / "kernels.png").read_bytes().startswith(b"\x89PNG")
-    kept = json.loads((folder / "kernels.json").read_text("utf-8"))
-    assert kept["Ways"] == table("Ways", ROWS).to_data()
+    assert (folder / "led.png").read_bytes().startswith(b"\x89PNG")
+    kept = json.loads((folder / "led.json").read_text("utf-8"))
+    assert kept[leds.table(ROWS).title] == leds.table(ROWS).to_data()
     assert {path.suffix for path in folder.iterdir()} == {".md", ".json", ".png"}
 
 
 def test_json_is_one_object_and_last(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
-    arguments = ("kernels", "--json", "--iterations", 7, "--output", tmp_path)
+    arguments = ("led", "--json", "--iterations", 7, "--output", tmp_path)
     status, stdout, _ = freeform("benchmark", *arguments)
     assert status == 0
     assert limits == [7]
     data = json.loads(stdout)
     assert data["machine"]["cores"] == len(os.sched_getaffinity(0))
-    assert data["benchmarks"]["kernels"]["Ways"] == table("Ways", ROWS).to_data()
+    assert data["benchmarks"]["led"][leds.table(ROWS).title] == leds.table(ROWS).to_data()
 
 
 def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
     fake_suite(ROWS[0], KeyboardInterrupt(), ROWS[1])
-    arguments = ("kernels", "precision", "--json", "--output", tmp_path)
+    arguments = ("led", "bound", "--json", "--output", tmp_path)
     status, stdout, stderr = freeform("benchmark", *arguments)
     assert status == 130
     assert f"interrupted; what was finished is in {tmp_path}" in stderr
     data = json.loads(stdout)
-    assert data["benchmarks"]["kernels"]["Ways"] == table("Ways", ROWS[:1]).to_data()
-    assert list(data["benchmarks"]) == ["kernels"]
-    assert (tmp_path / "kernels.png").exists()
+    assert data["benchmarks"]["led"][leds.table(ROWS).title] == leds.table(ROWS[:1]).to_data()
+    assert list(data["benchmarks"]) == ["led"]
+    assert (tmp_path / "led.png").exists()
 
 
 def test_ctrl_c_before_anything_is_finished(freeform, fake_suite, tmp_path):
     fake_suite(KeyboardInterrupt())
-    status, _, stderr = freeform("benchmark", "kernels", "--output", tmp_path)
+    status, _, stderr = freeform("benchmark", "led", "--output", tmp_path)
     assert status == 130 and "nothing was finished" in stderr
     assert list(tmp_path.iterdir()) == []
 
 
 def test_an_unknown_name_is_refused_with_those_there_are(freeform, tmp_path):
     folder = tmp_path / "untouched"
-    status, stdout, stderr = freeform("benchmark", "kernels", "speed", "--output", folder)
+    status, stdout, stderr = freeform("benchmark", "led", "speed", "--output", folder)
     assert (status, stdout) == (2, "")
     assert stderr == f"freeform: speed: is no benchmark; there are {', '.join(BENCHMARKS)}\n"
     assert not folder.exists()
@@ -95,7 +95,7 @@ def test_an_unknown_name_is_refused_with_those_there_are(freeform, tmp_path):
 def test_a_file_in_the_way_is_refused(freeform, fake_suite, tmp_path):
     limits = fake_suite(*ROWS)
     (tmp_path / "taken").write_text("")
-    status, _, stderr = freeform("benchmark", "kernels", "--output", tmp_path / "taken")
+    status, _, stderr = freeform("benchmark", "led", "--output", tmp_path / "taken")
     assert status == 2 and "cannot be made" in stderr
     assert limits == []
 
@@ -174,8 +174,8 @@ def test_an_earlier_result_is_neither_missing_nor_replaced(freeform, before, tmp
 
 def test_a_benchmark_without_curves_takes_no_earlier_result(freeform, before):
     file, _ = before
-    status, _, stderr = freeform("benchmark", "kernels", "--against", file)
-    assert status == 2 and stderr.startswith("freeform: kernels: has no curves")
+    status, _, stderr = freeform("benchmark", "led", "--against", file)
+    assert status == 2 and stderr.startswith("freeform: led: has no curves")
 
 
 def test_two_results_make_one_picture_and_nothing_is_measured(
@@ -203,7 +203,7 @@ def test_two_results_make_one_picture_and_nothing_is_measured(
 
 def test_a_result_has_the_curves_of_a_benchmark_that_has_some(freeform, before, tmp_path):
     file, drawn = before
-    for name, said in (("kernels", "kernels: has no curves"), ("speed", "speed: has no curves")):
+    for name, said in (("led", "led: has no curves"), ("speed", "speed: has no curves")):
         status, _, stderr = freeform(
             "benchmark", name, "--result", file, "--output", tmp_path / "none"
         )

@@ -8,12 +8,10 @@ from PIL import Image
 
 from workbench.analysis.benchmark import experiments
 from workbench.analysis.benchmark.bounds import BoundedDesign
-from workbench.analysis.benchmark.comparison import Measured
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.leds import LedDesign
 from workbench.analysis.benchmark.names import BENCHMARKS
-from workbench.analysis.benchmark.precision import PrecisionDifference
 from workbench.pictures import benchmark
 from workbench.pictures.experiments import page
 
@@ -23,15 +21,6 @@ COURSES = [
         "flame", "auto", times=(0.1, 1.0), errors=(0.8, 0.1), own_curve=((0.1, 0.7), (0.5, 0.2))
     ),
     Course("letter", "auto", failure="no light"),
-]
-MEASURED = [
-    Measured("which way", "this", 2.0, 1.0, 1000, None),
-    Measured("which way", "that", 5.0, 2.5, 1000, 1e-3),
-    Measured("how far", "near", 1.0, 1.0, 1000, None),
-]
-DIFFERENCES = [
-    PrecisionDifference("flame", 1e-6, 1e-7, 1e-5),
-    PrecisionDifference("ball", 2e-6, 2e-7, 2e-5),
 ]
 TRACED = [SimpleNamespace(scene="one face, point", difference=0.02, noise=0.019)]
 BOUNDED = [BoundedDesign("letter", sharp=0.12, bound=0.048, spots=0.052, light=0.049, lens=0.057)]
@@ -67,8 +56,6 @@ def test_every_benchmark_has_a_picture():
     ("name", "rows"),
     [
         ("quick", COURSES),
-        ("kernels", MEASURED),
-        ("precision", DIFFERENCES),
         ("bound", BOUNDED),
         ("led", LIT),
         ("mitsuba", TRACED),
@@ -95,24 +82,6 @@ def test_courses_have_a_panel_each_scene_and_a_line_each_method():
     assert own.get_color() == lines["auto"].get_color()
     np.testing.assert_array_equal(own.get_xydata(), COURSES[1].own_curve)
     assert not letter.lines
-
-
-def test_comparisons_have_a_bar_each_variant():
-    ways, far = benchmark.comparisons(MEASURED).axes
-    assert [bar.get_width() for bar in ways.patches] == [2.0, 5.0]
-    assert [text.get_text() for text in ways.texts] == [" 2 ms", " 5 ms, × 2.5"]
-    assert [label.get_text() for label in ways.get_yticklabels()] == ["this", "that"]
-    assert len(far.patches) == 1
-
-
-def test_differences_have_a_mark_each():
-    (axes,) = benchmark.differences(DIFFERENCES).axes
-    values = {line.get_label(): list(line.get_xdata()) for line in axes.lines}
-    assert values == {
-        "image": [1e-6, 2e-6],
-        "loss": [1e-7, 2e-7],
-        "gradient": [1e-5, 2e-5],
-    }
 
 
 def test_the_page_shows_each_experiment(designs, derivative, tmp_path):

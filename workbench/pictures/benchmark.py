@@ -3,7 +3,6 @@
 import math
 import textwrap
 from collections.abc import Callable, Sequence
-from itertools import groupby
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from matplotlib.axes import Axes
@@ -14,10 +13,8 @@ from workbench.pictures.experiments import page
 
 if TYPE_CHECKING:
     from workbench.analysis.benchmark.bounds import BoundedDesign
-    from workbench.analysis.benchmark.comparison import Measured
     from workbench.analysis.benchmark.frontier import Course
     from workbench.analysis.benchmark.leds import LedDesign
-    from workbench.analysis.benchmark.precision import PrecisionDifference
     from workbench.analysis.benchmark.second_tracer import SeenTwice
 
 _FONT = 8
@@ -31,8 +28,6 @@ COLOURS = {
     "auto, before": "#9aa0a8",
     "auto": "#2f86d1",
 }
-_BAR = "#2f86d1"
-_KINDS = (("image", "o"), ("loss", "s"), ("gradient", "^"))
 _TRACED = (("difference", "o"), ("noise", "|"))
 _ERRORS = (("sharp", "s"), ("bound", "|"), ("spots", "1"), ("light", "o"), ("lens", "^"))
 _LIT = (("efficiency", "o"), ("merit", "^"), ("deviation", "|"))
@@ -94,33 +89,6 @@ def courses(rows: Sequence["Course"]) -> Figure:
     return figure
 
 
-def comparisons(rows: Sequence["Measured"]) -> Figure:
-    """Times as bars, a panel for each question."""
-    questions = [(name, list(each)) for name, each in groupby(rows, lambda row: row.question)]
-    figure, panels = _panels(len(questions), width=4.6, height=2.2)
-    for axes, (question, variants) in zip(panels, questions, strict=True):
-        places = range(len(variants))
-        times = [each.milliseconds for each in variants]
-        axes.barh(places, times, color=_BAR, height=0.6)
-        for place, each in zip(places, variants, strict=True):
-            caption = f" {each.milliseconds:{'.0f' if each.milliseconds >= 100 else '.3g'}} ms"
-            if place:
-                caption += f", × {each.ratio:.2g}"
-            axes.text(each.milliseconds, place, caption, va="center", fontsize=_FONT)
-        axes.set_yticks(places, [each.variant for each in variants])
-        axes.set_xlim(0, 1.45 * max(times))
-        axes.set_ylim(len(variants) - 0.5, -0.5)
-        axes.set_title(question, fontsize=_FONT + 1, loc="left")
-        axes.tick_params(labelsize=_FONT)
-        axes.spines[["top", "right"]].set_visible(False)
-    return figure
-
-
-def differences(rows: Sequence["PrecisionDifference"]) -> Figure:
-    """Relative differences as marks on one logarithmic scale."""
-    return _marks(rows, _KINDS, "relative difference of float32 from float64")
-
-
 def bounds(rows: Sequence["BoundedDesign"]) -> Figure:
     """Errors of lenses beside their bounds as marks on one logarithmic scale."""
     return _marks(rows, _ERRORS, "relative L2 error")
@@ -176,9 +144,6 @@ _DRAWN: dict[str, Callable[[Sequence[Any]], Figure]] = {
     "quick": courses,
     "frontier": courses,
     "large": courses,
-    "kernels": comparisons,
-    "precision": differences,
-    "skips": comparisons,
     "bound": bounds,
     "led": leds,
     "mitsuba": tracers,

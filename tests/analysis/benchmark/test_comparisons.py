@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.analysis.benchmark import kernels, skips
-from workbench.analysis.benchmark.comparison import Variant, compare, image_error, table
+from tests.benchmarks import kernels, skips
+from tests.benchmarks.comparison import Variant, compare, image_error, table
+from tests.benchmarks.kernels import Descent, rays_of
+from tests.benchmarks.precision import difference, differences
+from tests.benchmarks.precision import table as precision_table
 from workbench.analysis.benchmark.examples import wavy
-from workbench.analysis.benchmark.kernels import Descent, rays_of
-from workbench.analysis.benchmark.precision import difference, differences
-from workbench.analysis.benchmark.precision import table as precision_table
 from workbench.design.loss import paper_loss, share
 from workbench.optics.plan import Plan
 

@@ -2,8 +2,8 @@ import itertools
 
 import pytest
 
-from workbench.analysis.benchmark import timing
-from workbench.analysis.benchmark.timing import Times, in_turns
+from tests.benchmarks import timing
+from tests.benchmarks.timing import Times, in_turns
 
 
 @pytest.fixture

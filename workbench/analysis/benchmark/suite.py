@@ -3,17 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
-from workbench.analysis.benchmark import (
-    bounds,
-    comparison,
-    experiments,
-    frontier,
-    kernels,
-    leds,
-    precision,
-    second_tracer,
-    skips,
-)
+from workbench.analysis.benchmark import bounds, experiments, frontier, leds, second_tracer
 from workbench.analysis.benchmark.examples import Notify
 from workbench.analysis.benchmark.table import Table
 
@@ -45,14 +35,6 @@ SUITE = {
     "quick": _courses(frontier.quick),
     "frontier": _courses(frontier.frontier),
     "large": _courses(frontier.large),
-    "kernels": Benchmark(
-        kernels.measurements, lambda rows: (comparison.table("Loss and gradient", rows),)
-    ),
-    "precision": Benchmark(precision.differences, lambda rows: (precision.table(rows),)),
-    "skips": Benchmark(
-        skips.measurements,
-        lambda rows: (comparison.table("What each skip saves, the skip first", rows),),
-    ),
     "bound": Benchmark(bounds.lenses, lambda rows: (bounds.table(rows),)),
     "led": Benchmark(leds.lenses, lambda rows: (leds.table(rows),)),
     "mitsuba": Benchmark(

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tests.benchmarks.timing import in_turns
 from workbench.analysis.benchmark.table import Table, TableColumn
-from workbench.analysis.benchmark.timing import in_turns
 from workbench.arrays import Array
 
 _NOTE = (

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import torch
 
-from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
+from tests.benchmarks.comparison import Measured, Variant, compare, image_error
+from tests.benchmarks.kernels import Descent, rays_of
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
-from workbench.analysis.benchmark.kernels import Descent, rays_of
 from workbench.design.levels import light_extent_of
 from workbench.design.wide_image import WideImage
 from workbench.optics.beam_plan import BeamPlan

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import torch
 
-from workbench.analysis.benchmark.comparison import Measured, Variant, compare, image_error
+from tests.benchmarks.comparison import Measured, Variant, compare, image_error
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
 from workbench.analysis.validation import validate
 from workbench.arrays import Array, Mask

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 import torch
 
+from tests.benchmarks.kernels import Descent
 from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, wavy
-from workbench.analysis.benchmark.kernels import Descent
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.arrays import Array
 
