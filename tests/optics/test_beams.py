@@ -134,7 +134,7 @@ def test_the_account_of_beams_adds_up(lit, wavy):
 
 def test_beams_and_many_rays_give_the_same_image(lit, wavy):
     image, account = BeamPlan(lit, (400, 400), dtype=torch.float64).trace({"exit": wavy})
-    rays, others = Plan(lit, filter=BoxFilter(), samples=(2400, 2400)).trace({"exit": wavy})
+    rays, others = Plan(lit, filter=BoxFilter(), samples=Corners(2400, 2400)).trace({"exit": wavy})
     assert (image - rays).norm() < 0.01 * rays.norm()
     assert account.on_screen == pytest.approx(others.on_screen, abs=1e-4)
 

@@ -8,7 +8,6 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
 from workbench.optics.emission import emit
 from workbench.optics.entering import entering
-from workbench.optics.lattice import make_lattice
 from workbench.optics.transmittance import TransmittanceLaw
 
 _ALONG = 60  # points along each axis of the grid
@@ -42,11 +41,8 @@ def test_many_points_take_as_many_steps_as_four(make_scene, emission):
         "rays": lambda s: emit(s.source, s.lens, seed=0),
         "check": lambda s: light_source(s.source, s.lens, Pose(), 1000, 1),
         "account": lambda s: entering.__wrapped__(s.source, s.lens, TransmittanceLaw.of(s.lens)[0]),
-        "samples": lambda s: make_lattice(
-            s.source, s.lens, (400, 400), TransmittanceLaw.of(s.lens)[0]
-        ),
     }
     for name, work in parts.items():
         work(few)  # imports and caches
-        # The account goes row by row, and samples look for the best order of a row.
+        # The account goes row by row.
         assert calls_of(lambda w=work: w(many)) <= calls_of(lambda w=work: w(few)) + 2000, name

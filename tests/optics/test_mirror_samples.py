@@ -6,9 +6,9 @@ import torch
 
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed, Reflection
-from workbench.optics.mirror_samples import MirrorSamples, SharedMirror
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
+from workbench.optics.sampled import SampledTrain, SampledWalk
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
 
@@ -38,9 +38,9 @@ def scene_of(source, **mirror):
 
 def sampled(scene, heights, corners):
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=corners)
-    shared = SharedMirror.of(path)
-    assert shared is not None
-    return MirrorSamples(shared, path).walk({"mirror": torch.as_tensor(heights)})
+    train = SampledTrain.of(path)
+    assert train is not None
+    return SampledWalk(train, path).walk({"mirror": torch.as_tensor(heights)})
 
 
 @pytest.mark.parametrize("source", SOURCES)
@@ -97,8 +97,8 @@ def test_a_mirror_is_sampled_whatever_it_does_to_light(monkeypatch):
 
     monkeypatch.setattr("workbench.optics.steps.Reflection", lambda *_: Dark())
     net = ControlNet((9, 7), (3, 3), (1.0, 0.8))
-    path = Path.of(scene_of("point"), net, torch.float64, samples=(20, 16))
+    path = Path.of(scene_of("point"), net, torch.float64, samples=Corners(20, 16))
     arrival = Reference(path).arrival({"mirror": torch.zeros(9, 7, dtype=torch.float64)})
-    assert arrival.rays.flux.shape == (20, 16)
+    assert arrival.rays.flux.shape == (21, 17)
     lost = sum(part.item() for part in arrival.lost.values())
     assert lost == pytest.approx(1, abs=1e-9)

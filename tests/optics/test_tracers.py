@@ -10,14 +10,14 @@ from tests.optics.rays import Given, bundle
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed
-from workbench.optics.kernels.collimated import FusedCollimatedRays
-from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.reference import Reference
+from workbench.optics.samples import Corners
 from workbench.optics.surfaces import Plane
 from workbench.optics.tracers import Tracers
+from workbench.optics.train.compiled import CompiledTrain
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 MESH = POINT | {"intersection": {"method": "mesh"}}
@@ -48,20 +48,20 @@ def changed(path, emitter=None, steps=None):
 
 
 def kind(path):
-    return Tracers(path, (False, False), None).kind
+    return Tracers(path, (False, False)).kind
 
 
 @pytest.mark.parametrize(
     ("source", "samples", "expected"),
     [
-        (COLLIMATED, None, FusedCollimatedRays),
-        (COLLIMATED, (20, 20), FusedCollimatedRays),
+        (COLLIMATED, None, CompiledTrain),
+        (COLLIMATED, (20, 20), CompiledTrain),
         (POINT, None, FusedPointRays),
         (GRID, None, FusedPointRays),
         (MESH, None, None),
-        (POINT, (20, 20), FusedFaceSamples),
-        (GRID, (20, 20), FusedFaceSamples),
-        (MESH, (20, 20), FusedFaceSamples),
+        (POINT, Corners(20, 20), CompiledTrain),
+        (GRID, Corners(20, 20), CompiledTrain),
+        (MESH, Corners(20, 20), None),
     ],
 )
 def test_the_special_case_follows_from_the_elements(make_scene, source, samples, expected):
@@ -116,12 +116,11 @@ def test_light_of_an_emitter_that_no_kernel_knows_is_traced_by_the_one_that_take
     assert account(lights[0]) == pytest.approx(account(lights[1]), abs=1e-12)
 
 
-@pytest.mark.parametrize("kernel", [FusedCollimatedRays, FusedFaceSamples])
-def test_a_kernel_refuses_a_path_that_it_does_not_match(make_scene, kernel):
+def test_the_compiled_train_refuses_a_path_whose_face_is_not_sampled(make_scene):
     path = path_of(make_scene({"source": POINT}))
-    assert not kernel.matches(path)
-    with pytest.raises(TypeError, match="does not match"):
-        kernel(path)
+    assert not CompiledTrain.matches(path)
+    with pytest.raises(TypeError, match="not sampled"):
+        CompiledTrain(path)
 
 
 class Measuring(Unchanged):
@@ -136,7 +135,7 @@ class Measuring(Unchanged):
 def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
     """So that what depends on the way in the glass is right for them, too."""
     scene = make_scene({"source": POINT | {"position": [0, 0, -2.0]}})
-    path, measuring = path_of(scene, (31, 31)), Measuring()
+    path, measuring = path_of(scene, Corners(30, 30)), Measuring()
     entrance, exit_face = path.steps
     steps = [entrance, exit_face._replace(interface=measuring)]
     Reference(changed(path, steps=steps)).arrival(
@@ -144,7 +143,7 @@ def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
     )
     # Straight on the axis, and refracted where light enters at the radius e: e + d tan = ρ.
     assert measuring.way[15, 15].item() == pytest.approx(0.5)
-    x = 1 / 31 * 30
+    x = 1.0
     sine = measuring.way[30, 15].item()
     slope = np.sqrt(sine**2 - 0.25) / 0.5
     entered = x - 0.5 * slope

@@ -12,8 +12,6 @@ from tests.stress.scenes import Case, Heights
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.kernels.collimated import FusedCollimatedRays
-from workbench.optics.kernels.face import FusedFaceSamples
 from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
@@ -21,6 +19,7 @@ from workbench.optics.plan import Plan
 from workbench.optics.precision import nearly_touches
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners, places_of_points
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.scene import (
     AnyReceiver,
     CollimatedSource,
@@ -57,22 +56,18 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
     scene = case.scene
     net, source = ControlNet.of(scene.optic), scene.source
 
-    def path(scene: Scene, samples: tuple[int, int] | None = None) -> Path:
-        return Path.of(scene, net, dtype, samples=samples)
+    def path(scene: Scene) -> Path:
+        return Path.of(scene, net, dtype)
 
     search: list[Make] = [
         lambda scene: Reference(path(scene)),
         lambda scene: FusedPointRays(path(scene)),
     ]
     if isinstance(source, CollimatedSource):
-        return {"collimated": [*search, lambda scene: FusedCollimatedRays(path(scene))]}
+        return {"collimated": [*search, lambda scene: CompiledTrain(path(scene))]}
     if not isinstance(source.intersection, ExactMethod):
         search.pop()
-    samples: list[Make] = [
-        lambda scene: Reference(path(scene, case.samples)),
-        lambda scene: FusedFaceSamples(path(scene, case.samples)),
-    ]
-    return {source.intersection.method: search, "samples": samples}
+    return {source.intersection.method: search}
 
 
 class _Beams:

@@ -34,7 +34,7 @@ class FilteredImage:
     def __init__(self, scene: Scene, target: Array, locked: Mask | None = None) -> None:
         scene.check_one_image("the paper's method")
         device = device_of(scene)
-        self._scene, self._plan = scene, Plan(scene, locked=locked)
+        self._scene, self._plan = scene, Plan(scene)
         self._wanted = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         self._relative = measure_of(scene.receiver, device)
         self._pixel_measure = scene.receiver.pixel_measure

@@ -31,7 +31,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Corners
-from workbench.optics.tracers import beam_kernel_of
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.system_memory import as_bytes, available_memory
@@ -150,7 +150,7 @@ def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
     nodes = (cells.x + 1) * (cells.y + 1) * grids
     traced = _OF_SAMPLES if cells.of_source else _TRACED
     traced += _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
-    if beam_kernel_of(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)) is None:
+    if not CompiledTrain.matches(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)):
         traced += _WITHOUT_KERNEL
     drawn = _DRAWN if grids == 1 else 0  # several grids are drawn one after the other
     pixels = math.prod(max(finer, 1) * n * (1 + 2 * MARGINS[0]) for n in scene.receiver.pixels)

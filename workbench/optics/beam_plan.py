@@ -22,7 +22,7 @@ from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 from workbench.optics.source_beams import Spots, between_origins, light_apart, spots_of
 from workbench.optics.split_cells import split_light
-from workbench.optics.tracers import beam_kernel_of
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -83,11 +83,10 @@ class BeamPlan:
         self.boxes = many and corners.of_source is None
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
-        self._kernel, self._promised = beam_kernel_of(path), mirrored
+        self._promised = mirrored
         fine = dtype is None and needed == torch.float64
-        self._choice = Choice(
-            path, None if self._kernel is None else self._kernel.name, fused, fine
-        )
+        compiled = CompiledTrain.name if CompiledTrain.matches(path) else None
+        self._choice = Choice(path, compiled, fused, fine)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -202,6 +201,4 @@ class BeamPlan:
 
     @cached_property
     def _compiled(self) -> BeamTracer:
-        if self._kernel is None:
-            raise TypeError("there is no kernel for this path")
-        return self._kernel(self._choice.path, self._promised)
+        return CompiledTrain(self._choice.path, self._promised)

@@ -16,25 +16,16 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.aperture import part_within, seen
+from workbench.optics.glass_face import LitSamples, side_by_side
 from workbench.optics.path import Path
 from workbench.optics.patterns import Patterns, interpolated
-from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Places, areas_of
 from workbench.optics.sources.origins import Origins
 from workbench.optics.surfaces import Meeting
 
 # Light that is narrower than this in the aperture, over what it is at a sample, is all or nothing.
 _GRAZING = 1e-12
-
-
-class LitSamples(NamedTuple):
-    """Rays at a face, before it does anything to them, and where they meet it.
-
-    Shapes are (samples along x, origins × samples along y).
-    """
-
-    rays: RayBundle
-    meeting: Meeting
 
 
 class _Light(NamedTuple):
@@ -118,9 +109,9 @@ class LitFace:
         along = (s_x.square() + s_y.square() + 1).rsqrt()
         length = (face_x.square() + face_y.square() + 1).rsqrt()
         shape = flux.shape
-        at = _side_by_side((self._x, self._y, z + self._lift), shape)
-        normal = _side_by_side((-face_x * length, -face_y * length, length), shape)
-        direction = _side_by_side((s_x * along, s_y * along, along), shape)
+        at = side_by_side((self._x, self._y, z + self._lift), shape)
+        normal = side_by_side((-face_x * length, -face_y * length, length), shape)
+        direction = side_by_side((s_x * along, s_y * along, along), shape)
         flux, met = (part.reshape(shape[0], -1) for part in (flux, met.expand(shape)))
         return LitSamples(RayBundle(at, direction, flux, met), Meeting(at, normal, met))
 
@@ -174,9 +165,3 @@ class LitFace:
             across = p_x - p_z * s_x, p_y - p_z * s_y
             density = density * interpolated(self._patterns, across)
         return _Light((s_x, s_y), density, self._ahead / way)
-
-
-def _side_by_side(parts: Vector, shape: torch.Size) -> Vector:
-    """Vectors of [samples along x, origins, samples along y], one origin beside the other."""
-    x, y, z = (part.expand(shape).reshape(shape[0], -1) for part in parts)
-    return x, y, z

@@ -5,13 +5,14 @@ from collections.abc import Mapping
 import torch
 from torch import Tensor
 
-from workbench.arrays import Array, Mask
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.choice import Choice
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
+from workbench.optics.samples import Samples
 from workbench.optics.tracers import Tracers
 from workbench.said import Said
 from workbench.scene import Filter, Scene
@@ -32,16 +33,12 @@ class Plan:
         Float type of the trace; by default the one that the scene needs, see `precision_of`.
     fused : bool
         False asks for the reference.
-    samples : tuple[int, int], optional
-        Rays of collimated light along x and y; those of the source by default. For light of points
-        they mean samples of the exit face, in place of rays that search for it.
+    samples : tuple[int, int] or Corners, optional
+        Rays of collimated light along x and y; or corners of cells of any light, of which the first
+        freeform face is sampled. By default the rays of the source.
     mirrored : tuple[bool, bool]
         The caller's promise that heights, lens and source are mirror images of themselves in x,
-        in y. Kernels for collimated light and for samples then trace one half of them only.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        The caller's promise that these control points of the exit face have the same heights in all
-        lenses that are traced. The kernel for collimated light then traces rays that see no others
-        only once.
+        in y. The kernel for collimated light then traces one half of the rays only.
 
     Raises
     ------
@@ -56,9 +53,8 @@ class Plan:
         filter: Filter | None = None,
         dtype: torch.dtype | None = None,
         fused: bool = True,
-        samples: tuple[int, int] | None = None,
+        samples: Samples | None = None,
         mirrored: tuple[bool, bool] = (False, False),
-        locked: Mask | None = None,
     ) -> None:
         self._filter = filter or scene.filter
         net = net or ControlNet.of(scene.optic)
@@ -67,7 +63,7 @@ class Plan:
         fine = dtype is None and needed == torch.float64
         self._redrawn = scene.source.redrawn
         path = Path.of(scene, net, dtype or needed, device_of(scene), samples)
-        self._tracers = Tracers(path, mirrored, locked)
+        self._tracers = Tracers(path, mirrored)
         kind = self._tracers.kind
         self._choice = Choice(path, None if kind is None else kind.name, fused, fine)
 

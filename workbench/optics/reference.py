@@ -11,13 +11,10 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.optics.account import Account
 from workbench.optics.arrival import Arrival
-from workbench.optics.face_samples import FaceSamples, SampledFace
-from workbench.optics.front_samples import FrontGrid, FrontSamples
 from workbench.optics.irradiance import reconstruct
 from workbench.optics.light import Light, Nodes
-from workbench.optics.mirror_samples import MirrorSamples, SharedMirror
 from workbench.optics.path import Path
-from workbench.optics.shared_grid import SharedGrid, SharedSamples
+from workbench.optics.sampled import SampledTrain, SampledWalk, is_even
 from workbench.optics.sources import Emitter
 from workbench.scene import Filter
 
@@ -43,26 +40,11 @@ class Reference:
         self._path = path
         self._walk: Callable[[Mapping[str, Tensor]], Arrival] = path.walk
         self.notes: list[str] = []
-        self._corners: SharedMirror | SampledFace | SharedGrid | FrontGrid | Emitter = path.emitter
-        # The kernel for samples of points, too, knows upright screens and rectangles alone.
-        by_points = path.outline.whole and path.receiver.upright
-        face, shared = SampledFace.of(path), SharedGrid.of(path)
-        if (mirror := SharedMirror.of(path)) is not None:
-            self._begin(mirror, MirrorSamples(mirror, path))
-        elif shared is not None and (face is None or not by_points):
-            self._begin(shared, SharedSamples(shared, path))
-        elif face is not None:
-            self._begin(face, FaceSamples(face, path))
-        elif (front := FrontGrid.of(path)) is not None:
-            self._begin(front, FrontSamples(front, path))
-
-    def _begin(
-        self,
-        corners: SharedMirror | SampledFace | SharedGrid | FrontGrid,
-        samples: MirrorSamples | FaceSamples | SharedSamples | FrontSamples,
-    ) -> None:
-        """Let light start at samples of a face, in place of a walk from the source."""
-        self._corners, self._walk, self.notes = corners, samples.walk, [samples.note]
+        self._corners: SampledTrain | Emitter = path.emitter
+        train = SampledTrain.of(path)
+        if train is not None and not is_even(path):
+            self._corners, self.notes = train, [train.note]
+            self._walk = SampledWalk(train, path).walk
 
     def arrival(self, heights: Mapping[str, Tensor]) -> Arrival:
         """The light of a lens at the receiver, before it becomes an image."""

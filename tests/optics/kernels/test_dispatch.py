@@ -11,6 +11,7 @@ from workbench import compiled
 from workbench.optics import tracers
 from workbench.optics.kernels import ready
 from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface
 
 
@@ -92,7 +93,7 @@ def test_a_program_alone_compiles_what_it_needs_at_once(make_scene, nothing_comp
     plan = Plan(make_scene(), dtype=torch.float64)
     assert plan.notes[0].startswith("fused kernels")
     assert plan.notes[0].endswith("float64")
-    assert ("collimated", torch.float64) in ready._ready
+    assert ("train", torch.float64) in ready._ready
 
 
 def test_compiling_ahead_can_be_interrupted(nothing_compiled):
@@ -100,7 +101,7 @@ def test_compiling_ahead_can_be_interrupted(nothing_compiled):
     assert not ready._ready
     answers = iter([True, False])
     ready.compile_all(lambda: next(answers))
-    assert ready._ready == {("collimated", torch.float32)}
+    assert ready._ready == {("train", torch.float32)}
     assert not ready.is_compiled()
 
 
@@ -113,10 +114,10 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
         tried.append(dtype)
         raise ValueError("no such register")
 
-    monkeypatch.setitem(ready._COMPILERS, "collimated", fail)
+    monkeypatch.setitem(ready._COMPILERS, "train", fail)
     with pytest.raises(ValueError, match="no such register"):
         ready.compile_all()
-    others = {"face", "mirror", "point", "origins", "two faces", "beams", "boxes"}
+    others = {"point", "beams", "boxes"}
     assert ready._ready == {(name, torch.float32) for name in others}
     assert ready.is_compiled()  # nothing is left to wait for
     scene = make_scene()
@@ -141,7 +142,7 @@ def test_a_run_says_that_kernels_cannot_be_kept(make_scene, monkeypatch):
 
 
 @pytest.mark.parametrize("source", [{}, {"source": {"kind": "point", "position": [0, 0, -4]}}])
-@pytest.mark.parametrize("samples", [None, (32, 32)])
+@pytest.mark.parametrize("samples", [None, Corners(32, 32)])
 def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, source, samples):
     def refuse(*_):
         raise AssertionError("the reference was made")

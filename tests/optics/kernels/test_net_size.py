@@ -56,7 +56,6 @@ def test_beams_refuse_heights_of_a_net_of_another_size(kernel):
     data, face = BEAMS[kernel]
     scene = Scene.from_data(REST | data)
     plan = BeamPlan(scene, (6, 6))
-    assert plan._kernel.name == kernel.partition(",")[0]
     refused(plan, scene, face)
 
 
@@ -65,5 +64,4 @@ def test_rays_refuse_heights_of_a_net_of_another_size(kernel):
     data, face = RAYS[kernel]
     scene = Scene.from_data(REST | data)
     plan = Plan(scene)
-    assert plan._tracers.kind.name == kernel
     refused(plan, scene, face)

@@ -9,7 +9,6 @@ from workbench.arrays import Array
 from workbench.design.transport.between import Pair
 from workbench.design.transport.face import SlopeFit
 from workbench.geometry.surface import ControlNet
-from workbench.optics.face_samples import SampledFace
 from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
@@ -60,12 +59,10 @@ class FaceLight:
                 self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
         self._sharp = origins
         samples = cells // _SHARED, cells // _SHARED
-        path = Path.of(scene, net, torch.float64, samples=samples)
-        # From beside a curved outline no cell of the face has a ray of its own, but corners have.
-        by_cells = origins.infinite or scene.mirror is not None or SampledFace.of(path) is not None
-        self._by_corners = not by_cells
-        if not by_cells:
-            path = Path.of(scene, net, torch.float64, samples=Corners(*samples))
+        # Points have no rays through the middles of cells, but through corners they have.
+        self._by_corners = not (origins.infinite or scene.mirror is not None)
+        by_corners = Corners(*samples) if self._by_corners else samples
+        path = Path.of(scene, net, torch.float64, samples=by_corners)
         self._reference = Reference(path)
 
     def flux(self, heights: Array) -> Array | None:

@@ -9,8 +9,6 @@ from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray
 from workbench.geometry.surface import ControlNet
-from workbench.optics.account import Account
-from workbench.optics.light import Nodes
 
 
 class Sums(NamedTuple):
@@ -69,46 +67,14 @@ def trace(
     ValueError
         If these are heights of a net of another size.
     """
-    _check_size(heights, net)
+    check_size(heights, net)
     sums: list[Sums] = []
     flux = _Trace.apply(passes, sums, (heights - level).to(dtype))  # type: ignore[no-untyped-call]
     return flux, sums[0]
 
 
-class PassesOfTwo(Protocol):
-    """A trace through two faces and its adjoint; shapes as for `Passes`."""
-
-    def forward(
-        self, first: AnyArray, second: AnyArray
-    ) -> tuple[tuple[AnyArray, AnyArray], Account]:
-        """Nodes and rooms, and the account of their light."""
-        ...
-
-    def backward(
-        self, first: AnyArray, second: AnyArray, *cotangents: AnyArray
-    ) -> tuple[AnyArray, AnyArray]:
-        """Cotangents of the heights of both faces."""
-        ...
-
-
-def trace_two(
-    heights: tuple[Tensor, Tensor],
-    nets: tuple[ControlNet, ControlNet],
-    levels: tuple[float, float],
-    dtype: torch.dtype,
-    passes: PassesOfTwo,
-) -> Nodes:
-    """As `trace`, through two faces."""
-    for each, net in zip(heights, nets, strict=True):
-        _check_size(each, net)
-    accounts: list[Account] = []
-    above = [(each - z).to(dtype) for each, z in zip(heights, levels, strict=True)]
-    nodes, room = _Trace.apply(passes, accounts, *above)  # type: ignore[no-untyped-call]
-    return Nodes(nodes, accounts[0], room)
-
-
-def _check_size(heights: Tensor, net: ControlNet) -> None:
-    """Refuse heights beyond which a kernel would read: it knows the size of its own net alone."""
+def check_size(heights: Tensor, net: ControlNet) -> None:
+    """Refuse heights of another size than the net that a kernel is made for."""
     if heights.shape != net.shape:
         ours, theirs = (" × ".join(map(str, shape)) for shape in (net.shape, heights.shape))
         raise ValueError(f"the kernel traces {ours} control heights, not {theirs}")
@@ -116,24 +82,19 @@ def _check_size(heights: Tensor, net: ControlNet) -> None:
 
 class _Trace(torch.autograd.Function):
     @staticmethod
-    def forward(
-        ctx: Any, passes: Passes | PassesOfTwo, sums: list[Any], *heights: Tensor
-    ) -> Tensor | tuple[Tensor, ...]:
+    def forward(ctx: Any, passes: Passes, sums: list[Any], heights: Tensor) -> Tensor:
         ctx.passes = passes
-        ctx.save_for_backward(*heights)
-        made, found = passes.forward(*map(_array, heights))
+        ctx.save_for_backward(heights)
+        made, found = passes.forward(_array(heights))
         sums.append(found)
-        if isinstance(made, tuple):
-            return tuple(torch.from_numpy(each) for each in made)
         return torch.from_numpy(made)
 
     @staticmethod
     @once_differentiable
-    def backward(ctx: Any, *cotangents: Tensor) -> tuple[Tensor | None, ...]:
-        heights = ctx.saved_tensors
-        found = ctx.passes.backward(*map(_array, heights), *map(_array, cotangents))
-        gradients = found if isinstance(found, tuple) else (found,)
-        return None, None, *(torch.from_numpy(each).to(heights[0].dtype) for each in gradients)
+    def backward(ctx: Any, cotangent: Tensor) -> tuple[None, None, Tensor]:
+        (heights,) = ctx.saved_tensors
+        gradient = ctx.passes.backward(_array(heights), _array(cotangent))
+        return None, None, torch.from_numpy(gradient).to(heights.dtype)
 
 
 def _array(values: Tensor) -> AnyArray:

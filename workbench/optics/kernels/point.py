@@ -12,7 +12,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from workbench.arrays import AnyArray, Mask
+from workbench.arrays import AnyArray
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.exit_face import ExitFace
@@ -52,7 +52,7 @@ class FusedPointRays:
     ----------
     path : Path
         One that `matches`.
-    mirrored, locked
+    mirrored
         What else is known of the lenses; no use is made of that.
     """
 
@@ -69,7 +69,6 @@ class FusedPointRays:
         self,
         path: Path,
         mirrored: tuple[bool, bool] = (False, False),
-        locked: Mask | None = None,
     ) -> None:
         face = ExitFace.rectangular(path)
         if face is None:

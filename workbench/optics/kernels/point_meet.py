@@ -163,7 +163,8 @@ def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
     span_x = span_of(u, kind(net.spans[0] - 1))
     span_y = span_of(v, kind(net.spans[1] - 1))
     s, t = u - (span_x + kind(0.5)), v - (span_y + kind(0.5))
-    coefficients = table[np.int32(span_x) * np.int32(net.spans[1]) + np.int32(span_y)]
+    patch = np.int32(span_x) * np.int32(net.spans[1]) + np.int32(span_y)
+    coefficients = table[patch + np.int32(net.first)]
     z, z_s, z_t = kind(0), kind(0), kind(0)
     for a in range(coefficients.shape[0] - 1, -1, -1):
         inner, inner_t = kind(0), kind(0)

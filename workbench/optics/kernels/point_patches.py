@@ -50,6 +50,8 @@ class Net(NamedTuple):
         Knot spans per unit of length.
     spans : tuple[int, int]
         Numbers of knot spans.
+    first : int
+        Number of the first patch in a table that holds those of several faces.
     """
 
     half_x: np.floating[Any]
@@ -59,6 +61,7 @@ class Net(NamedTuple):
     per_x: np.floating[Any]
     per_y: np.floating[Any]
     spans: tuple[int, int]
+    first: int = 0
 
 
 def make_net(net: ControlNet, kind: type[np.floating[Any]]) -> Net:
@@ -104,7 +107,7 @@ def place(net, w, count, patch):  # type: ignore[no-untyped-def]
         span_x, span_y = span_of(u, last_x), span_of(v, last_y)
         w[at(S, ray)] = u - (span_x + half)
         w[at(T, ray)] = v - (span_y + half)
-        new = np.int32(span_x) * up + np.int32(span_y)
+        new = np.int32(span_x) * up + np.int32(span_y) + np.int32(net.first)
         changed += np.int32(new != patch[ray])
         patch[ray] = new
     return changed

@@ -20,27 +20,15 @@ from enum import Enum
 
 import torch
 
-from workbench.optics.kernels import (
-    beam_image,
-    box_image,
-    collimated,
-    face,
-    mirror,
-    origins,
-    point,
-    two_faces,
-)
+from workbench.optics.kernels import beam_image, box_image, point
+from workbench.optics.train import compiled
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
-    "collimated": collimated.compile_for,
-    "face": face.compile_for,
-    "mirror": mirror.compile_for,
-    "point": point.compile_for,
-    "origins": origins.compile_for,
-    "two faces": two_faces.compile_for,
+    "train": compiled.compile_for,
     "beams": beam_image.compile_for,
     "boxes": box_image.compile_for,
+    "point": point.compile_for,
 }
 
 
@@ -65,7 +53,7 @@ def obtain(name: str, dtype: torch.dtype) -> bool:
     Parameters
     ----------
     name : str
-        "collimated", "face", "mirror", "point", "origins", "two faces", "beams" or "boxes".
+        "train", "beams", "boxes" or "point".
     dtype : torch.dtype
         Float type of the trace.
     """

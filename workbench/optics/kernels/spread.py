@@ -87,16 +87,30 @@ def make_spread(receiver: Receiver, filter: Filter, kind: type[np.floating[Any]]
     kind : type
         Float type of the kernels.
     """
-    plane, (n_x, n_y) = receiver.numbers(), receiver.part.pixels
+    plane = receiver.numbers()
     (x, y, _), per_x, per_y = plane.point, plane.column[0], plane.row[1]
+    return make_image_spread(receiver.part.pixels, filter, kind)._replace(
+        column_0=kind(plane.column_0 - per_x * x),
+        per_x=kind(per_x),
+        row_0=kind(plane.row_0 - per_y * y),
+        per_y=kind(per_y),
+    )
+
+
+def make_image_spread(
+    pixels: tuple[int, int], filter: Filter, kind: type[np.floating[Any]]
+) -> Spread:
+    """The same for hits that are in columns and rows already."""
+    n_x, n_y = pixels
+    zero, one = kind(0), kind(1)
     return Spread(
-        kind(plane.column_0 - per_x * x),
-        kind(per_x),
-        kind(plane.row_0 - per_y * y),
-        kind(per_y),
-        kind(0),
+        zero,
+        one,
+        zero,
+        one,
+        zero,
         kind(n_x),
-        kind(0),
+        zero,
         kind(n_y),
         (n_x, n_y),
         make_taps(filter.alpha, filter.size[0], kind),

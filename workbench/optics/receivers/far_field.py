@@ -57,5 +57,5 @@ class FarFieldReceiver:
         per_h, per_v = n_x / math.radians(2 * half_h), -n_y / math.radians(2 * half_v)
         column, row = (per_h, 0.0, 0.0), (per_v, 0.0, 0.0)
         return ReceiverNumbers(
-            True, _NOWHERE, _NOWHERE, column, row, *self.part.to_pixels(0.0, 0.0)
+            True, _NOWHERE, _NOWHERE, column, row, *self.part.to_pixels(0.0, 0.0), self._onwards
         )

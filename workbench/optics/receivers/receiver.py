@@ -30,7 +30,9 @@ class ReceiverNumbers(NamedTuple):
     column, row : tuple of three floats
         Columns and rows for each scene unit along x, y and z.
     column_0, row_0 : float
-        Those of the point, or of the direction +z.
+        Those of the point, or of the direction along the axis.
+    onwards : int
+        1 for light to +z, -1 for light to -z, whose ``d_z`` a far field counts the other way.
     """
 
     far: bool
@@ -40,6 +42,7 @@ class ReceiverNumbers(NamedTuple):
     row: Triple
     column_0: float
     row_0: float
+    onwards: int = 1
 
 
 class Receiver(Protocol):

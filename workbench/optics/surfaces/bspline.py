@@ -69,12 +69,12 @@ class BSplineSurface:
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the face; see `Surface.meet`."""
-        meeting = self.meet_rectangle(rays, heights)
+        meeting = self.meet_unbounded(rays, heights)
         x, y, _ = meeting.position
         within = self.outline.contains(x.detach() / RIM, y.detach() / RIM)
         return meeting._replace(met=meeting.met & within)
 
-    def meet_rectangle(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
+    def meet_unbounded(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """As `meet`, also beside the outline but within the rectangle of the net."""
         # Counted from the datum, float32 keeps the digits that make the shape.
         above = (heights[self.name] - self._datum).to(self._dtype)

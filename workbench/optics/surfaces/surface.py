@@ -55,3 +55,7 @@ class Surface(Protocol):
             Control heights (n_u, n_v) of the freeform surfaces by name, z counted as in the scene.
         """
         ...
+
+    def meet_unbounded(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
+        """As `meet`, also where the outline would cut the surface off."""
+        ...

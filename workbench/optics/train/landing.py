@@ -1,4 +1,4 @@
-"""Where light that has left the lens lands, in pixels: on a plane, or by its direction alone."""
+"""Where rays arrive, in pixels: on a plane, or by their direction alone."""
 
 from typing import Any, NamedTuple
 
@@ -6,12 +6,31 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.compiled import jit
-from workbench.optics.kernels.grid import Z
-from workbench.optics.kernels.origin_trace import D_O_X, D_O_Y, D_O_Z, D_P_Z, O_X, O_Y, O_Z
-from workbench.optics.kernels.rows import COLUMN, D_COLUMN, D_ROW, ROW
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.receivers import Receiver
 from workbench.optics.receivers.receiver import ACROSS
+from workbench.optics.train.registers import (
+    COLUMN,
+    D_COLUMN,
+    D_O_X,
+    D_O_Y,
+    D_O_Z,
+    D_OUT,
+    D_P_X,
+    D_P_Y,
+    D_P_Z,
+    D_ROW,
+    D_WEIGHT,
+    FLUX,
+    O_X,
+    O_Y,
+    O_Z,
+    P_X,
+    P_Y,
+    P_Z,
+    ROW,
+    WEIGHT,
+)
 
 _ACROSS2 = ACROSS**2
 Number = np.floating[Any]
@@ -33,7 +52,9 @@ class Landing(NamedTuple):
         Columns and rows for each length along x, y and z of a place on a plane. Of a far field the
         first of each: columns for each radian of H, rows for each of V.
     column_0, row_0 : floating
-        Those of the origin; or of the direction +z.
+        Those of the origin; or of the direction along the axis.
+    onwards : floating
+        1 for a far field of light to +z, -1 for one of light to -z.
     """
 
     far: bool
@@ -43,6 +64,7 @@ class Landing(NamedTuple):
     row: Triple
     column_0: Number
     row_0: Number
+    onwards: Number
 
 
 def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
@@ -61,6 +83,7 @@ def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
         _triple(row, kind),
         kind(column_0),
         kind(row_0),
+        kind(numbers.onwards),
     )
 
 
@@ -150,44 +173,67 @@ def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[
     return d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
 
 
-@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def receive(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Columns and rows of a batch of samples; see `on_plane`."""
-    x, y = across.place[i:], up.place[j]
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def receive(landing, w, lanes, t):  # type: ignore[no-untyped-def]
+    """Columns, rows and flux of a batch at the receiver; see `on_plane`.
+
+    Parameters
+    ----------
+    landing : Landing
+        The receiver.
+    w, t : array
+        Registers of the last face, and of the first.
+    lanes : int
+        How many rays there are.
+    """
+    zero, onwards = t.dtype.type(0), landing.onwards
     if landing.far:
         for lane in range(np.uintp(lanes)):
-            column, row = by_direction(landing, t[O_X + lane], t[O_Y + lane], t[O_Z + lane])
+            o_z = onwards * w[O_Z + lane]
+            column, row = by_direction(landing, w[O_X + lane], w[O_Y + lane], o_z)
             t[COLUMN + lane] = column
             t[ROW + lane] = row
-        return
+    else:
+        for lane in range(np.uintp(lanes)):
+            x, y, z = w[P_X + lane], w[P_Y + lane], w[P_Z + lane]
+            o_x, o_y, o_z = w[O_X + lane], w[O_Y + lane], w[O_Z + lane]
+            column, row = on_plane(landing, x, y, z, o_x, o_y, o_z)
+            t[COLUMN + lane] = column
+            t[ROW + lane] = row
     for lane in range(np.uintp(lanes)):
-        o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
-        column, row = on_plane(landing, x[lane], y, t[Z + lane], o_x, o_y, o_z)
-        t[COLUMN + lane] = column
-        t[ROW + lane] = row
+        t[WEIGHT + lane] = max(w[FLUX + lane], zero)
 
 
-@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def receive_back(landing, across, i, up, j, lanes, t):  # type: ignore[no-untyped-def]
-    """Adjoint of `receive`: cotangents of the direction, and of the height."""
-    x, y = across.place[i:], up.place[j]
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def receive_back(landing, w, lanes, t):  # type: ignore[no-untyped-def]
+    """Adjoint of `receive`: cotangents of the rays behind the last face."""
+    zero, onwards = t.dtype.type(0), landing.onwards
     if landing.far:
         for lane in range(np.uintp(lanes)):
-            o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
+            o_z = onwards * w[O_Z + lane]
             d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
-            d_x, d_y, d_z = by_direction_back(landing, o_x, o_y, o_z, d_column, d_row)
-            t[D_O_X + lane] = d_x
-            t[D_O_Y + lane] = d_y
-            t[D_O_Z + lane] = d_z
-            t[D_P_Z + lane] = t.dtype.type(0)
-        return
+            d_x, d_y, d_z = by_direction_back(
+                landing, w[O_X + lane], w[O_Y + lane], o_z, d_column, d_row
+            )
+            w[D_O_X + lane] = d_x
+            w[D_O_Y + lane] = d_y
+            w[D_O_Z + lane] = onwards * d_z
+            w[D_P_X + lane] = zero
+            w[D_P_Y + lane] = zero
+            w[D_P_Z + lane] = zero
+    else:
+        for lane in range(np.uintp(lanes)):
+            x, y, z = w[P_X + lane], w[P_Y + lane], w[P_Z + lane]
+            o_x, o_y, o_z = w[O_X + lane], w[O_Y + lane], w[O_Z + lane]
+            d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
+            (p_x, p_y, p_z), (d_x, d_y, d_z) = on_plane_back(
+                landing, x, y, z, o_x, o_y, o_z, d_column, d_row
+            )
+            w[D_O_X + lane] = d_x
+            w[D_O_Y + lane] = d_y
+            w[D_O_Z + lane] = d_z
+            w[D_P_X + lane] = p_x
+            w[D_P_Y + lane] = p_y
+            w[D_P_Z + lane] = p_z
     for lane in range(np.uintp(lanes)):
-        o_x, o_y, o_z = t[O_X + lane], t[O_Y + lane], t[O_Z + lane]
-        d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
-        d_place, (d_x, d_y, d_z) = on_plane_back(
-            landing, x[lane], y, t[Z + lane], o_x, o_y, o_z, d_column, d_row
-        )
-        t[D_O_X + lane] = d_x
-        t[D_O_Y + lane] = d_y
-        t[D_O_Z + lane] = d_z
-        t[D_P_Z + lane] = d_place[2]
+        w[D_OUT + lane] = t[D_WEIGHT + lane]

@@ -14,11 +14,11 @@ from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
-from workbench.optics.kernels.origins import FusedOrigins, halved
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
+from workbench.optics.train.compiled import CompiledTrain, halved
 from workbench.scene import Scene
 
 
@@ -123,7 +123,7 @@ def test_twins_agree_in_float64(changes, receiver, origins, cells, amplitude, se
     shape = 3, len(origins.flux) * (cells[1] + 1), cells[0] + 1
     cotangent = torch.tensor(np.random.default_rng(seed).normal(size=shape))
     (nodes, light, gradient), (fused, fused_light, fused_gradient) = (
-        landed(tracer, heights, cotangent) for tracer in (Reference(path), FusedOrigins(path))
+        landed(tracer, heights, cotangent) for tracer in (Reference(path), CompiledTrain(path))
     )
     # A ray at the rim of total reflection or of the horizon may be on either side of it.
     same = (nodes[0] != 0) == (fused[0] != 0)
@@ -145,7 +145,7 @@ def test_single_precision_is_enough(make_scene, light):
     heights = lens(scene, 1, 0.01)
     cotangent = torch.tensor(np.random.default_rng(0).normal(size=(3, len(light.flux) * 41, 51)))
     found = [
-        landed(FusedOrigins(path_of(scene, light, (50, 40), dtype)), heights, cotangent.to(dtype))
+        landed(CompiledTrain(path_of(scene, light, (50, 40), dtype)), heights, cotangent.to(dtype))
         for dtype in (torch.float64, torch.float32)
     ]
     (nodes, exact, gradient), (single, rounded, single_gradient) = found
@@ -158,7 +158,7 @@ def test_single_precision_is_enough(make_scene, light):
 def test_gradients_are_those_of_central_differences(make_scene, beams):
     scene = make_scene({"lens.reflection": "fresnel", "lens.absorption": 0.2})
     light = from_near(3, (0.2, 0, -2), 0.3) if beams else from_far(3, 0.1, (0.2, 0.1), 0.9)
-    tracer, heights = FusedOrigins(path_of(scene, light, (20, 16))), lens(scene, 1, 0.01)
+    tracer, heights = CompiledTrain(path_of(scene, light, (20, 16))), lens(scene, 1, 0.01)
     generator = np.random.default_rng(0)
     cotangent = torch.tensor(generator.normal(size=(3, 51, 21)))
     way = torch.tensor(generator.normal(size=heights.shape))
@@ -179,7 +179,7 @@ def test_samples_shared_by_points_make_the_image_of_samples_of_each(make_scene):
     heights = {"exit": lens(scene, 1, 0.005)}
     each = BeamPlan(scene, (160, 160), dtype=torch.float64).trace(heights)
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=Corners(160, 160))
-    shared = FusedOrigins(path)
+    shared = CompiledTrain(path)
     image, _ = beam_image(shared.nodes(heights).hits, scene.screen.pixels, shared.splits)
     assert (image - each.flux).norm() < 2e-3 * each.flux.norm()
 
@@ -189,8 +189,8 @@ def test_light_of_one_straight_direction_is_collimated_light(make_scene):
     heights = {"exit": lens(scene, 1, 0.005)}
     collimated = BeamPlan(scene, (40, 30), dtype=torch.float64).trace(heights)
     path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=Corners(40, 30))
-    nodes, light, _ = FusedOrigins(path).nodes(heights)
-    splits = FusedOrigins(path).splits
+    nodes, light, _ = CompiledTrain(path).nodes(heights)
+    splits = CompiledTrain(path).splits
     image, _ = beam_image(nodes, scene.screen.pixels, splits)
     assert (image - collimated.flux).abs().max() < 1e-13
     assert light.lost["fresnel_entrance"] == pytest.approx(0.04, abs=1e-14)
@@ -222,7 +222,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, mirrored):
         cotangent = cotangent + cotangent.flip(1 - axis)
     found = []
     for promise in (mirrored, (False, False)):
-        tracer, leaf = FusedOrigins(path_of(scene, light, (80, 60)), promise), heights.clone()
+        tracer, leaf = CompiledTrain(path_of(scene, light, (80, 60)), promise), heights.clone()
         hits, account, _ = tracer.nodes({"exit": leaf.requires_grad_()})
         image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
         for axis in (0, 1):
@@ -241,6 +241,6 @@ def test_all_light_is_accounted_for(make_scene):
     scene = make_scene({"lens.absorption": 0.1})
     heights = {"exit": lens(scene, 1, 0.05)}
     for light in (from_far(3, 0.4), from_near(3, (1, 0, -1), 0.3, lambertian=True)):
-        found = FusedOrigins(path_of(scene, light, (30, 30))).nodes(heights).account
+        found = CompiledTrain(path_of(scene, light, (30, 30))).nodes(heights).account
         assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
         assert found.lost["absorbed"] > 0.005

@@ -1,12 +1,12 @@
-"""Light of many origins by samples of the exit face that they all share: the reference.
+"""Light behind a plane entrance face at samples of the freeform face behind it: the reference.
 
-A grid of places on the exit face sees the light of each origin once, wherever that entered. So the
-face is evaluated once for all origins, no ray has to search for it, and the compiled twin
-(`workbench.optics.kernels.origins`) needs some 10 ns for a ray.
+A grid of places on that face sees the light of each origin once, wherever that entered. So the face
+is evaluated once for all origins, and no ray has to search for it. The compiled twin is
+`workbench.optics.train.glass_light`.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -17,102 +17,83 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet, GridBasis
 from workbench.optics.aperture import part_within, seen
-from workbench.optics.arrival import Arrival
 from workbench.optics.glass import FlatGlass
-from workbench.optics.interfaces import Refraction
 from workbench.optics.path import Path
 from workbench.optics.patterns import Patterns, interpolated, tabulated
 from workbench.optics.rays import RayBundle, Vector
-from workbench.optics.samples import Corners, Places, parts_inside, places, splits_side_by_side
+from workbench.optics.samples import Places, parts_inside
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
-from workbench.optics.surfaces import BSplineSurface, Meeting, Plane
+from workbench.optics.surfaces import Meeting
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.said import Said
 
 _NODE, _WEIGHT = np.polynomial.legendre.leggauss(20)
 _MetLight = tuple[tuple[Array, Array], tuple[Array, Array, Array], Tensor]
 
 
-class SharedGrid(NamedTuple):
-    """A path whose exit face is sampled for all origins of its light.
+class LitSamples(NamedTuple):
+    """Rays at a face, before it does anything to them, and where they meet it.
+
+    Shapes are (samples along x, origins × samples along y).
+    """
+
+    rays: RayBundle
+    meeting: Meeting
+
+
+class Glass(NamedTuple):
+    """A plane entrance face, the light before it and the freeform face behind it.
 
     Attributes
     ----------
     origins : Origins
         Where the light comes from; points are all at one distance from the entrance face.
-    corners : Corners
-        Cells between the samples.
-    entrance_z : float
-        Where the entrance face is, scene units.
-    entrance, exit : FaceStep
-        The faces.
+    step : FaceStep
+        The entrance face.
     law : TransmittanceLaw
-        Of the entrance face.
+        How much of the light it refracts.
+    z : float
+        Where it is, scene units.
     net : ControlNet
-        Where the control heights of the exit face sit.
+        Where the control heights of the face behind it sit.
     level : float
-        z of the scene that kernels count these heights from.
+        z of the scene that these heights are counted from.
     outline : Outline
-        Of the lens.
-    missed, reflected : str
-        Names of light that is lost before and at the entrance face.
+        Of both faces.
+    crowded : tuple of two Places, optional
+        Samples of the face behind it along x and y; None where they are even.
     """
 
     origins: Origins
-    corners: Corners
-    entrance_z: float
-    entrance: FaceStep
-    exit: FaceStep
+    step: FaceStep
     law: TransmittanceLaw
+    z: float
     net: ControlNet
     level: float
     outline: Outline
-    missed: str
-    reflected: str
-
-    @classmethod
-    def of(cls, path: Path) -> "SharedGrid | None":
-        """Light whose corners are wanted, a flat face and a B-spline; else None."""
-        emitter = path.emitter
-        if not isinstance(emitter.samples, Corners):
-            return None
-        origins = emitter.origins
-        match path.steps:
-            case (
-                FaceStep(Plane(z=z), Refraction(law=law, reflected=reflected), missed) as entrance,
-                FaceStep(
-                    BSplineSurface(net=net, subdivisions=None, level=level), Refraction()
-                ) as exit_face,
-            ) if origins.infinite or np.ptp(origins.places[:, 2]) == 0:
-                z, corners = z + path.datum, emitter.samples
-                elements = z, entrance, exit_face, law, net, level, path.outline
-                return cls(origins, corners, *elements, missed, reflected)
-        return None
-
-    @property
-    def half_width(self) -> tuple[float, float]:
-        """Of the faces, scene units."""
-        return self.net.half_width
+    crowded: tuple[Places, Places] | None
 
     @property
     def distance(self) -> float:
         """From points to the entrance face; 0 of light from infinitely far."""
-        if self.origins.infinite:
-            return 0.0
-        return self.entrance_z - float(self.origins.places[0, 2])
+        return 0.0 if self.origins.infinite else self.z - float(self.origins.places[0, 2])
+
+    @property
+    def reflected(self) -> str:
+        """Name of the light that the entrance face reflects."""
+        return self.step.interface.reflected  # type: ignore[attr-defined, no-any-return]
 
     def before(self) -> dict[str, float]:
         """Flux that is lost before the glass, by its names in the light account: by quadrature."""
         met = passed = 0.0
         for place, direction, flux in self._met():
             met += float(flux.sum())
-            passed += float(_turned(self.entrance, place, direction, flux).flux.sum())
-        return {self.missed: 1 - met, self.reflected: met - passed}
+            passed += float(_turned(self.step, place, direction, flux).flux.sum())
+        return {self.step.missed: 1 - met, self.reflected: met - passed}
 
     def _met(self) -> Iterator[_MetLight]:
         """Places of the entrance face, directions and flux of the light of each origin there."""
-        origins, z = self.origins, self.entrance_z
+        origins, z = self.origins, self.z
         if origins.emitted is not None:  # the sum over directions is 1, and within the outline less
             lit, x, y = origins.emitted.onto(self.distance)
             x, y = x + origins.places[0, 0], y + origins.places[0, 1]
@@ -129,36 +110,22 @@ class SharedGrid(NamedTuple):
         """Intensities of each origin towards places of the entrance face; see `tabulated`."""
         if self.origins.pattern is None:
             return None
-        entered = None if self.corners.even else (self._entered(0), self._entered(1))
-        return tabulated(self.origins, self.half_width, self.entrance_z, entered)
+        entered = None if self.crowded is None else (self._entered(0), self._entered(1))
+        return tabulated(self.origins, self.net.half_width, self.z, entered)
 
     def _entered(self, axis: int) -> Places:
         """Where light of samples of a flat face crosses the entrance face, scene units."""
+        assert self.crowded is not None
         foot = float(self.origins.places[:, axis].mean())
         glass = FlatGlass(self.distance, self.law, lambertian=False)
-        depth = torch.tensor(max(self.level - self.entrance_z, 0.0), dtype=torch.float64)
+        depth = torch.tensor(max(self.level - self.z, 0.0), dtype=torch.float64)
 
         def crossing(part: Array) -> Array:
-            away = (2 * part - 1) * self.half_width[axis] - foot
+            away = (2 * part - 1) * self.net.half_width[axis] - foot
             ratio = glass.light(torch.as_tensor(away).square(), depth).radius_ratio
             return np.asarray(foot + ratio.numpy() * away)
 
-        return Places(*map(crossing, self.lines[axis]))
-
-    @property
-    def lines(self) -> tuple[Places, Places]:
-        """Samples along x and y, and what each stands for, as parts of the way across the lens."""
-        return places(self.corners, 0), places(self.corners, 1)
-
-    @property
-    def inside(self) -> Array:
-        """Which part of what each sample stands for is inside the outline, shape (m_x, m_y)."""
-        return parts_inside(self.outline, *self.lines)
-
-    @property
-    def splits(self) -> tuple[Array, Array]:
-        """See `workbench.optics.light.BeamTracer`: origins one after the other along y."""
-        return splits_side_by_side(*self.lines, len(self.origins.places))
+        return Places(*map(crossing, self.crowded[axis]))
 
 
 def _turned(
@@ -205,37 +172,33 @@ def _along(middle: float, scale: float) -> tuple[Array, Array]:
     return middle + scale * np.sinh(a), scale * weight * np.cosh(a)
 
 
-class SharedSamples:
-    """A tensor grid of samples of the exit face, with all that does not depend on the heights.
+class GlassFace:
+    """Samples of the face behind the glass, with all that does not depend on its heights.
 
     Parameters
     ----------
-    shared : SharedGrid
+    glass : Glass
         What is sampled.
+    lines : tuple of two Places
+        Samples along x and y.
     path : Path
         The path of the light.
     """
 
-    note = Said("samples on the exit face, shared by all origins of the light")
-
-    def __init__(self, shared: SharedGrid, path: Path) -> None:
-        self._shared, self._path, self._before = shared, path, shared.before()
+    def __init__(self, glass: Glass, lines: tuple[Places, Places], path: Path) -> None:
+        self._glass = glass
         # Near the mean height of the surface float32 keeps the digits that make its shape.
-        self._level, self._thickness = shared.level, shared.level - shared.entrance_z
-        self._entrance = shared.entrance_z - path.datum
-        self._index = 1 / shared.law.ratio
+        self._level, self._thickness = glass.level, glass.level - glass.z
+        self._entrance = glass.z - path.datum
+        self._index = 1 / glass.law.ratio
 
         def constant(values: Array) -> Tensor:
             return torch.as_tensor(values, dtype=path.dtype, device=path.device).contiguous()
 
-        across, up = shared.lines
-        basis = shared.net.grid(across.part, up.part)
-        self._basis = GridBasis(
-            *(constant(part) for part in (
-                basis.along_x, basis.slope_x, basis.along_y, basis.slope_y
-            ))
-        )  # fmt: skip
-        r_x, r_y = shared.net.half_width
+        across, up = lines
+        basis = glass.net.grid(across.part, up.part)
+        self._basis = GridBasis(*map(constant, vars(basis).values()))
+        r_x, r_y = glass.net.half_width
         shape_x, shape_y = (-1, 1, 1), (1, 1, -1)  # [samples along x, origins, samples along y]
         self._x, self._low_x, self._high_x = (
             constant((2 * part - 1) * r_x).reshape(shape_x) for part in across
@@ -244,34 +207,33 @@ class SharedSamples:
             constant((2 * part - 1) * r_y).reshape(shape_y) for part in up
         )
         # A curved outline leaves light out by what of a sample's part it holds.
-        whole = shared.outline.whole
+        whole = glass.outline.whole
         self._half_width = (r_x, r_y) if whole else (math.inf, math.inf)
-        self._inside = None if whole else constant(shared.inside)[:, None]
-        patterns = shared.patterns()
+        self._inside = None if whole else constant(parts_inside(glass.outline, *lines))[:, None]
+        patterns = glass.patterns()
         self._patterns = patterns and patterns.as_tensor(path.dtype, path.device)
-        self._flux = constant(shared.origins.flux).reshape(1, -1, 1)
-        self._at = tuple(constant(part).reshape(1, -1, 1) for part in shared.origins.places.T)
+        self._flux = constant(glass.origins.flux).reshape(1, -1, 1)
+        self._at = tuple(constant(part).reshape(1, -1, 1) for part in glass.origins.places.T)
 
-    def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
-        """Follow the light from the exit face to the receiver; see `Path.walk`."""
-        surface, interface, missed = self._shared.exit
-        above = (heights[surface.name] - self._level).to(self._x.dtype)
+    def light(self, heights: Tensor) -> LitSamples:
+        """The light that meets a face with control heights (n_u, n_v), z as in the scene."""
+        above = (heights - self._level).to(self._x.dtype)
         z, face_x, face_y = (part[:, None] for part in self._basis.evaluate(above))
         depth = z + self._thickness
         inside = depth > 0
         depth = torch.where(inside, depth, 0.0)
-        from_origin = self._from_sky if self._shared.origins.infinite else self._from_points
+        from_origin = self._from_sky if self._glass.origins.infinite else self._from_points
         place, direction, flux = from_origin(depth)
         if self._inside is not None:
             size = self._high_x - self._low_x, self._high_y - self._low_y
-            held = part_within((self._x, self._y), place, size, self._shared.half_width)
+            held = part_within((self._x, self._y), place, size, self._glass.outline.half_width)
             flux = flux * self._inside * held
 
         shape = flux.shape
         zero, one = flux.new_zeros(()), flux.new_ones(())
         alive = inside.expand(shape)
         rays = RayBundle((*place, flux.new_tensor(self._entrance)), direction, flux, alive)
-        behind = self._shared.entrance.interface.turn(
+        behind = self._glass.step.interface.turn(
             rays, Meeting(rays.position, (zero, zero, one), alive)
         )
         d_x, d_y, d_z = behind.rays.direction
@@ -280,20 +242,12 @@ class SharedSamples:
         met = alive & (lean > 0)  # a face that leans away further has met the light before
         flux = torch.where(met, behind.rays.flux * lean, 0.0)
         length = (face_x.square() + face_y.square() + 1).rsqrt()
-        at = (self._x, self._y, depth + self._entrance)
-        normal = (-face_x * length, -face_y * length, length)
-        rays = RayBundle(rays.position, behind.rays.direction, flux, met)
-        passed = interface.turn(rays, Meeting(at, normal, met))
-        with torch.no_grad():
-            lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
-            for name, before in self._before.items():
-                lost[name] = flux.new_tensor(before, dtype=torch.float64)
-            # What entered and did not come to the face; with the error of the sum over samples.
-            entered = 1 - sum(self._before.values())
-            lost[missed] = entered - flux.sum(dtype=torch.float64)
-        side_by_side = shape[0], shape[1] * shape[2]
-        out = _reshaped(passed.rays, shape, side_by_side)
-        return Arrival(*self._path.receiver.places(out), out, lost)
+        at = side_by_side((self._x, self._y, depth + self._entrance), shape)
+        normal = side_by_side((-face_x * length, -face_y * length, length), shape)
+        begin = side_by_side(rays.position, shape)
+        direction = side_by_side(behind.rays.direction, shape)
+        flux, met = (part.reshape(shape[0], -1) for part in (flux, met.expand(shape)))
+        return LitSamples(RayBundle(begin, direction, flux, met), Meeting(at, normal, met))
 
     def _seen(self, low: Tensor, high: Tensor, axis: int) -> Tensor:
         """What of intervals lies within the entrance face."""
@@ -309,18 +263,18 @@ class SharedSamples:
         wide_y = self._seen(self._low_y - shift_y, self._high_y - shift_y, 1)
         x, y = self._x - shift_x, self._y - shift_y
         beside2 = x.square() + y.square() - (x * d_x + y * d_y).square()
-        even = self._flux * d_z * torch.exp(-2 * beside2 / self._shared.origins.waist**2)
+        even = self._flux * d_z * torch.exp(-2 * beside2 / self._glass.origins.waist**2)
         flux = even * wide_x * wide_y
         return (x, y), (d_x, d_y, d_z), flux
 
     def _from_points(self, depth: Tensor) -> tuple[tuple[Tensor, Tensor], Vector, Tensor]:
         """As `_from_sky`."""
         p_x, p_y, _ = self._at
-        distance = self._shared.distance
+        distance = self._glass.distance
         away_x, away_y = self._x - p_x, self._y - p_y
         radius2 = away_x.square() + away_y.square()
-        glass = FlatGlass(distance, self._shared.law, lambertian=False)
-        light = glass.light(radius2, depth)
+        flat = FlatGlass(distance, self._glass.law, lambertian=False)
+        light = flat.light(radius2, depth)
         radius_ratio = light.radius_ratio
         apparent = distance * self._index
         narrow = 1 / (1 + depth * (apparent * light.steepness).square() * light.steepness)
@@ -335,7 +289,7 @@ class SharedSamples:
         wide_y = self._seen(low_y, high_y, 1)
         cos = (1 + radius_ratio.square() * radius2 / distance**2).rsqrt()
         lit = cos.square() * cos / distance**2
-        if self._shared.origins.lambertian:
+        if self._glass.origins.lambertian:
             lit = lit * cos
         # Of a ring around the axis 1 / (p dρ_e/dρ) is lit, of a sample's part 1 / p².
         flux = self._flux * lit * wide_x * wide_y * narrow / radius_ratio
@@ -346,10 +300,7 @@ class SharedSamples:
         return (x, y), (slope_x * cos, slope_y * cos, cos), flux
 
 
-def _reshaped(rays: RayBundle, shape: torch.Size, to: tuple[int, int]) -> RayBundle:
-    def vector(parts: Vector) -> Vector:
-        x, y, z = (part.expand(shape).reshape(to) for part in parts)
-        return x, y, z
-
-    flux, alive = (part.expand(shape).reshape(to) for part in (rays.flux, rays.alive))
-    return RayBundle(vector(rays.position), vector(rays.direction), flux, alive)
+def side_by_side(parts: Vector, shape: torch.Size) -> Vector:
+    """Vectors of [samples along x, origins, samples along y], one origin beside the other."""
+    x, y, z = (part.expand(shape).reshape(shape[0], -1) for part in parts)
+    return x, y, z

@@ -5,10 +5,10 @@ import pytest
 import torch
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels.mirror import FusedMirrorRays
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.scene import Scene
 
 RECEIVERS = {
@@ -43,8 +43,8 @@ def scene_of(receiver, mirror, source=None):
 
 def twins(scene, dtype=torch.float64, samples=None):
     path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=samples)
-    assert FusedMirrorRays.matches(path)
-    return Reference(path), FusedMirrorRays(path)
+    assert CompiledTrain.matches(path)
+    return Reference(path), CompiledTrain(path)
 
 
 def heights_of(scene, amplitude, seed=2):

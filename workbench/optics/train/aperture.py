@@ -10,7 +10,9 @@ import numpy as np
 
 from workbench.arrays import AnyArray
 from workbench.compiled import jit
-from workbench.optics.kernels.front_light import (
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.train.outlines import held
+from workbench.optics.train.registers import (
     BRIGHT,
     BY_WAY,
     BY_Z_X,
@@ -19,10 +21,10 @@ from workbench.optics.kernels.front_light import (
     NARROWED,
     S_X,
     S_Y,
+    Z_X,
+    Z_Y,
+    Z,
 )
-from workbench.optics.kernels.grid import Z_X, Z_Y, Z
-from workbench.optics.kernels.outlines import held
-from workbench.optics.kernels.taps import FAST
 
 Number = np.floating[Any]
 

@@ -12,23 +12,24 @@ slope is p g away, and what is seen is the sample's part narrowed by p.
 import numpy as np
 
 from workbench.compiled import jit
-from workbench.optics.kernels.grid import Z
-from workbench.optics.kernels.outlines import held
-from workbench.optics.kernels.rows import OWN
-from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
+from workbench.optics.train.outlines import held
+from workbench.optics.train.registers import (
+    ABSORBED,
+    BRIGHT,
+    D_BRIGHT,
+    D_S_X,
+    D_S_Y,
+    S_X,
+    S_Y,
+    Z,
+)
 
 _ONE = np.uintp(1)
-# Numbers of a batch: slopes in the glass, flux of a level sample, what the glass has taken of it,
-# and derivatives by the depth.
-S_X, S_Y, BRIGHT, ABSORBED, D_S_X, D_S_Y, D_BRIGHT, NEXT = (
-    OWN + np.uintp(BATCH * k) for k in range(8)
-)
-"""The first number that is free for the rest of the way."""
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
     """Weigh light with the pattern of its point, by bilinear interpolation."""
     kind = t.dtype.type
@@ -56,7 +57,7 @@ def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
         t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * value + bright * rise
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _seen(low, high, d_low, d_high, half_width):  # type: ignore[no-untyped-def]
     """What of an interval lies within the entrance face, and its derivative."""
     zero = type(low)(0)
@@ -65,7 +66,7 @@ def _seen(low, high, d_low, d_high, half_width):  # type: ignore[no-untyped-def]
     return max(within, zero), rise if within > zero else zero
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def from_sky(sky, k, across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one direction at a batch of samples."""
     zero = t.dtype.type(0)
@@ -90,7 +91,7 @@ def from_sky(sky, k, across, i, up, j, outline, medium, lanes, t):  # type: igno
     _absorb(medium, lanes, t)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _narrow(sky, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
     """Let the flux of a beam fall from its middle: in a loop of its own, exp does not vectorise."""
     two = t.dtype.type(2)
@@ -107,7 +108,7 @@ def _narrow(sky, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
         t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * left - bright * sky.narrowing * rise
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
     """What a curved outline keeps off: at the exit face by area, and at the entrance face."""
     if not outline.curved:
@@ -130,7 +131,7 @@ def _leave_out(across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-
         t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * left + bright * d_left
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _absorb(medium, lanes, t):  # type: ignore[no-untyped-def]
     """What the glass takes on the way to the face."""
     one, zero = t.dtype.type(1), t.dtype.type(0)
@@ -150,7 +151,7 @@ def _absorb(medium, lanes, t):  # type: ignore[no-untyped-def]
         t[D_BRIGHT + lane] = left * (t[D_BRIGHT + lane] - bright * medium.absorption * longer)
 
 
-@jit(fastmath=FAST, error_model="numpy", forceinline=True)
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
 def from_point(points, k, across, i, up, j, outline, medium, lanes, t):  # type: ignore[no-untyped-def]
     """Light of one point at a batch of samples."""
     kind = t.dtype.type

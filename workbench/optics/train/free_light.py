@@ -10,21 +10,22 @@ import numpy as np
 
 from workbench.arrays import AnyArray
 from workbench.compiled import jit
-from workbench.optics.kernels.grid import Z
-from workbench.optics.kernels.rows import OWN
-from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.train.registers import (
+    BRIGHT,
+    BY_WAY,
+    D_BRIGHT,
+    D_S_X,
+    D_S_Y,
+    NARROWED,
+    S_X,
+    S_Y,
+    Z,
+)
 
 Number = np.floating[Any]
 
 _ONE = np.uintp(1)
-# Numbers of a batch: slopes of the light, its flux per area across the axis, and derivatives by z;
-# one by the distance of the origin along z (0 of one that is infinitely far); how wide light is in
-# the aperture that is of width 1 at samples; and derivatives of the flux by slopes of the face.
-S_X, S_Y, BRIGHT, D_S_X, D_S_Y, D_BRIGHT, BY_WAY, NARROWED, BY_Z_X, BY_Z_Y, NEXT = (
-    OWN + np.uintp(BATCH * k) for k in range(11)
-)
-"""The first number that is free for the rest of the way."""
 
 
 class FarLight(NamedTuple):

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from tests.optics.kernels.twins import account, lens, losses, with_gradient
 from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels.collimated import FusedCollimatedRays
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.scene import GaussianFilter
 
 # Rays nearer than this to the edge of a pixel may count on either side in float32, in pixels.
@@ -22,7 +22,7 @@ BAND = 1e-4
 
 def twins(scene, dtype, mirrored=(False, False)):
     path = Path.of(scene, ControlNet.of(scene.lens), dtype)
-    return Reference(path), FusedCollimatedRays(path, mirrored)
+    return Reference(path), CompiledTrain(path, mirrored)
 
 
 def share_in_band(scene, heights):

@@ -6,7 +6,7 @@ import torch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.optics.kernels.test_origins_kernel import (
+from tests.optics.train.test_behind_glass import (
     Light,
     changes,
     from_far,
@@ -18,13 +18,13 @@ from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beams import beam_image
 from workbench.optics.interfaces import Refraction
-from workbench.optics.kernels.two_faces import FusedTwoFaces
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
+from workbench.optics.train.compiled import CompiledTrain
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import Scene
 
@@ -82,7 +82,7 @@ def test_twins_agree_in_float64(changes, receiver, origins, cells, amplitude, se
     shape = 4, len(origins.flux) * (cells[1] + 1), cells[0] + 1
     cotangent = torch.tensor(np.random.default_rng(seed).normal(size=shape))
     (nodes, light, gradients), (fused, fused_light, fused_gradients) = (
-        landed(tracer, heights, cotangent) for tracer in (Reference(path), FusedTwoFaces(path))
+        landed(tracer, heights, cotangent) for tracer in (Reference(path), CompiledTrain(path))
     )
     # A ray at the rim of the exit face, of total reflection or of the horizon is on either side.
     same = (nodes[2] > 0) == (fused[2] > 0)
@@ -105,7 +105,7 @@ LIGHTS = {
 @pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
 def test_gradients_are_those_of_central_differences(make_scene, light):
     scene = make_scene({"lens.reflection": "fresnel", "lens.absorption": 0.2})
-    tracer, heights = FusedTwoFaces(two_faces(scene, light, (20, 16))), faces(scene, 1, 0.01)
+    tracer, heights = CompiledTrain(two_faces(scene, light, (20, 16))), faces(scene, 1, 0.01)
     generator = np.random.default_rng(0)
     cotangent = torch.tensor(generator.normal(size=(4, len(light.flux) * 17, 21)))
     *_, gradients = landed(tracer, heights, cotangent)
@@ -129,7 +129,7 @@ def test_single_precision_is_enough(make_scene, light):
     heights = faces(scene, 1, 0.01)
     cotangent = torch.tensor(np.random.default_rng(0).normal(size=(4, len(light.flux) * 41, 51)))
     found = [
-        landed(FusedTwoFaces(two_faces(scene, light, (50, 40), dtype)), heights, cotangent)
+        landed(CompiledTrain(two_faces(scene, light, (50, 40), dtype)), heights, cotangent)
         for dtype in (torch.float64, torch.float32)
     ]
     (nodes, exact, gradients), (single, rounded, single_gradients) = found
@@ -154,7 +154,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene):
         cotangent = cotangent + cotangent.flip(1 - axis)
     found = []
     for promise in ((True, True), (False, False)):
-        tracer = FusedTwoFaces(two_faces(scene, light, (40, 30)), promise)
+        tracer = CompiledTrain(two_faces(scene, light, (40, 30)), promise)
         leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
         hits, account, _ = tracer.nodes(leaves)
         image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
@@ -174,6 +174,6 @@ def test_all_light_is_accounted_for(make_scene):
     scene = make_scene({"lens.absorption": 0.1})
     heights = faces(scene, 1, 0.05)
     for light in LIGHTS.values():
-        found = FusedTwoFaces(two_faces(scene, light, (30, 30))).nodes(heights).account
+        found = CompiledTrain(two_faces(scene, light, (30, 30))).nodes(heights).account
         assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
         assert found.lost["absorbed"] > 0.002

@@ -1,0 +1,403 @@
+"""The further elements of a compiled train: where rays meet their faces, what these do, adjoints.
+
+Each face has a frame in which light comes from below, and z counts from its vertex, or from near
+the mean height of a B-spline. A ray is a line (X + a z, Y + b z, z) there. By the implicit function
+theorem a ray's depth moves by −δf / f' where the face, or the ray, moves.
+"""
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.point_meet import MET, meet
+from workbench.optics.kernels.point_patches import (
+    D_S,
+    D_T,
+    D_Z,
+    DEPTH,
+    SLOPE_X,
+    SLOPE_Y,
+    STATE,
+    Z_S,
+    Z_SS,
+    Z_ST,
+    Z_T,
+    Z_TT,
+    X,
+    Y,
+    at,
+    collect,
+    evaluate_to_second_order,
+    fill,
+    place,
+)
+from workbench.optics.kernels.point_patches import (
+    FLUX as ARRIVING,
+)
+from workbench.optics.kernels.point_trace import polish
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
+from workbench.optics.train.first_face import NO_RAY
+from workbench.optics.train.numbers import BSPLINE
+from workbench.optics.train.registers import (
+    BLOCK,
+    D_A,
+    D_B,
+    D_FLUX,
+    D_O_X,
+    D_O_Y,
+    D_O_Z,
+    D_OUT,
+    D_P_X,
+    D_P_Y,
+    D_P_Z,
+    D_RIM,
+    D_START,
+    D_X,
+    D_Y,
+    FADE,
+    FLUX,
+    O_X,
+    O_Y,
+    O_Z,
+    P_X,
+    P_Y,
+    P_Z,
+    RIM,
+)
+from workbench.optics.train.snell import snell, snell_back
+
+# A ray goes on to +z if it goes at least so far up.
+_ONWARD = 1e-6
+# Sums of an element: flux absorbed before it, that meets it, that is not totally reflected, that
+# goes on; and the steepest slopes of its rays.
+ABSORBED, MET_FLUX, PASSED, LEFT, STEEP_X, STEEP_Y = range(6)
+SUMS = 6
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def transfer(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
+    """Rays of a batch as lines in the frame of an element.
+
+    Parameters
+    ----------
+    element : Element
+        The element.
+    pair : array
+        Registers of the face before it, and behind them its own.
+    lanes : int
+        How many rays there are.
+    sums : array, shape (SUMS,)
+        Its sums; changed.
+    """
+    kind = pair.dtype.type
+    zero, one = kind(0), kind(1)
+    steep_x, steep_y = zero, zero
+    for lane in range(np.uintp(lanes)):
+        o_z = pair[O_Z + lane]
+        exists = (pair[FLUX + lane] >= zero) & (o_z > kind(_ONWARD))
+        by_z = one / (o_z if exists else one)
+        a = pair[O_X + lane] * by_z if exists else zero
+        b = pair[O_Y + lane] * by_z if exists else zero
+        start = pair[P_Z + lane] + element.lift
+        pair[BLOCK + at(X, lane)] = pair[P_X + lane] - a * start
+        pair[BLOCK + at(Y, lane)] = pair[P_Y + lane] - b * start
+        pair[BLOCK + at(SLOPE_X, lane)] = a
+        pair[BLOCK + at(SLOPE_Y, lane)] = b
+        pair[BLOCK + at(ARRIVING, lane)] = pair[FLUX + lane] if exists else kind(NO_RAY)
+        steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
+    sums[STEEP_X] = max(sums[STEEP_X], steep_x)
+    sums[STEEP_Y] = max(sums[STEEP_Y], steep_y)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def transfer_back(pair, lanes):  # type: ignore[no-untyped-def]
+    """Adjoint of `transfer`, with what the length of the way in the medium adds."""
+    kind = pair.dtype.type
+    zero, one = kind(0), kind(1)
+    for lane in range(np.uintp(lanes)):
+        o_z = pair[O_Z + lane]
+        exists = pair[BLOCK + at(ARRIVING, lane)] >= zero
+        by_z = one / (o_z if exists else one)
+        a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
+        d_a, d_b = pair[BLOCK + D_A + lane] * by_z, pair[BLOCK + D_B + lane] * by_z
+        pair[D_O_X + lane] = d_a
+        pair[D_O_Y + lane] = d_b
+        pair[D_O_Z + lane] = -(d_a * a + d_b * b)
+        pair[D_P_X + lane] = pair[BLOCK + D_X + lane]
+        pair[D_P_Y + lane] = pair[BLOCK + D_Y + lane]
+        pair[D_P_Z + lane] = pair[BLOCK + D_START + lane]
+        pair[D_OUT + lane] = pair[BLOCK + D_FLUX + lane]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def search(element, table, w, depths, lanes, patch, before, columns):  # type: ignore[no-untyped-def]
+    """Where rays meet the face: depth, state and slopes.
+
+    Parameters
+    ----------
+    element, table
+        The element, and the patches of all B-splines.
+    w : array
+        Its registers.
+    depths : array
+        Of the batch for the last train: where the search for a B-spline begins. Changed: infinite
+        for rays that do not meet it.
+    lanes : int
+        How many rays there are.
+    patch, before, columns
+        See `workbench.optics.kernels.point_meet.meet`.
+    """
+    kind = w.dtype.type
+    if element.kind == BSPLINE:
+        for lane in range(lanes):
+            w[at(DEPTH, lane)] = depths[lane]
+        meet(element.net, element.bounds, table, w, lanes, patch, before, columns)
+        polish(element.net, w, lanes)
+        for lane in range(lanes):
+            met = w[at(STATE, lane)] == kind(MET)
+            depths[lane] = w[at(DEPTH, lane)] if met else kind(np.inf)
+    else:
+        _meet_conic(element, w, lanes)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def search_again(element, table, w, depths, lanes, patch, columns):  # type: ignore[no-untyped-def]
+    """The same with the depths that were found, and the second derivatives of the face."""
+    kind = w.dtype.type
+    if element.kind == BSPLINE:
+        for lane in range(lanes):
+            met = depths[lane] < kind(np.inf)
+            w[at(DEPTH, lane)] = depths[lane] if met else kind(0)
+            w[at(STATE, lane)] = kind(MET) if met else kind(MET - 1)
+        place(element.net, w, lanes, patch)
+        fill(table, patch, lanes, columns)
+        evaluate_to_second_order(columns, w, lanes)
+    else:
+        _meet_conic(element, w, lanes)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def _meet_conic(element, w, lanes):  # type: ignore[no-untyped-def]
+    """Where lines meet a conic z = c r² / (1 + √(1 − (1 + k) c² r²)), in closed form.
+
+    Welford, *Aberrations of Optical Systems*, section 4.3. A plane has the curvature 0.
+    """
+    kind = w.dtype.type
+    zero, one = kind(0), kind(1)
+    c, k_1 = element.curvature, one + element.conic
+    for lane in range(lanes):
+        x, y = w[at(X, lane)], w[at(Y, lane)]
+        a, b = w[at(SLOPE_X, lane)], w[at(SLOPE_Y, lane)]
+        half = one - c * (a * x + b * y)
+        first = c * (x * x + y * y)
+        square = half * half - c * (a * a + b * b + k_1) * first
+        root = half + np.sqrt(max(square, zero))
+        there = (square >= zero) & (root > zero)
+        depth = first / (root if there else one)
+        x, y = x + a * depth, y + b * depth
+        rest = one - k_1 * c * c * (x * x + y * y)
+        there = there & (rest > zero) & (one - k_1 * c * depth > zero)
+        by_root = one / np.sqrt(rest if there else one)
+        bend = c * by_root
+        cubed = k_1 * bend * bend * bend
+        w[at(DEPTH, lane)] = depth
+        w[at(STATE, lane)] = kind(MET) if there else kind(MET - 1)
+        w[at(Z_S, lane)] = bend * x
+        w[at(Z_T, lane)] = bend * y
+        w[at(Z_SS, lane)] = bend + cubed * x * x
+        w[at(Z_ST, lane)] = cubed * x * y
+        w[at(Z_TT, lane)] = bend + cubed * y * y
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _radius(element, x, y):  # type: ignore[no-untyped-def]
+    """Distance from the axis as a part of that of the rim."""
+    x2, y2 = x * x * element.by_x2, y * y * element.by_y2
+    return np.sqrt(x2 + y2 if element.curved else max(x2, y2))
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _at_face(element, pair, lane):  # type: ignore[no-untyped-def]
+    """Place on the face, slopes there, whether it is met, and its distance to the rim.
+
+    See `workbench.optics.rim`.
+    """
+    kind = pair.dtype.type
+    a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
+    depth = pair[BLOCK + at(DEPTH, lane)]
+    x, y = pair[BLOCK + at(X, lane)] + a * depth, pair[BLOCK + at(Y, lane)] + b * depth
+    exists = pair[BLOCK + at(ARRIVING, lane)] >= kind(0)
+    met = (pair[BLOCK + at(STATE, lane)] == kind(MET)) & exists
+    rim = element.rim - _radius(element, x, y)
+    # Samples beside a curved outline stand for parts that it cuts: their rim is where they are.
+    wider = max(_radius(element, pair[P_X + lane], pair[P_Y + lane]), kind(1)) - kind(1)
+    rim += wider * element.rim if element.curved & element.behind_samples else kind(0)
+    met = met & ((rim >= kind(0)) | (not element.cuts))
+    rim = max(rim, kind(0)) if met else (kind(-1) if exists else kind(0))
+    z_x = pair[BLOCK + at(Z_S, lane)] * element.net.per_x
+    z_y = pair[BLOCK + at(Z_T, lane)] * element.net.per_y
+    return x, y, depth, a, b, z_x, z_y, met, rim
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _fade(element, pair, lanes):  # type: ignore[no-untyped-def]
+    """Transmittance of the medium before the face; in a loop of its own: exp does not vectorise."""
+    one = pair.dtype.type(1)
+    if element.absorption == pair.dtype.type(0):
+        for lane in range(np.uintp(lanes)):
+            pair[BLOCK + FADE + lane] = one
+        return
+    for lane in range(np.uintp(lanes)):
+        a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
+        deep = abs(pair[BLOCK + at(DEPTH, lane)] - pair[P_Z + lane] - element.lift)
+        way = deep * np.sqrt(one + a * a + b * b)
+        pair[BLOCK + FADE + lane] = np.exp(-element.absorption * way)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def cross(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
+    """Rays behind the face; see `transfer`."""
+    kind = pair.dtype.type
+    zero, one, two = kind(0), kind(1), kind(2)
+    absorbed, met_flux, passed, left = zero, zero, zero, zero
+    n = element.law.ratio
+    _fade(element, pair, lanes)
+    for lane in range(np.uintp(lanes)):
+        x, y, z, a, b, z_x, z_y, met, rim = _at_face(element, pair, lane)
+        refracted = snell(n, element.ratio2_minus_1, element.critical, a, b, z_x, z_y)
+        lean, q, gamma, by_both, passes = refracted
+        passes = met & (passes | element.reflects)
+        flux = pair[BLOCK + at(ARRIVING, lane)] if met else zero
+        arriving = flux * pair[BLOCK + FADE + lane]
+        part = transmittance(element.law, abs(lean) * by_both, q * by_both)
+        on = arriving * (element.reflectance if element.reflects else part)
+        twice = two * lean / (one + z_x * z_x + z_y * z_y)
+        o_x = a + twice * z_x if element.reflects else n * a - gamma * z_x
+        o_y = b + twice * z_y if element.reflects else n * b - gamma * z_y
+        o_z = one - twice if element.reflects else n + gamma
+        before = pair[RIM + lane]
+        pair[BLOCK + P_X + lane] = x
+        pair[BLOCK + P_Y + lane] = y
+        pair[BLOCK + P_Z + lane] = z
+        pair[BLOCK + O_X + lane] = o_x if passes else zero
+        pair[BLOCK + O_Y + lane] = o_y if passes else zero
+        pair[BLOCK + O_Z + lane] = o_z if passes else zero
+        pair[BLOCK + FLUX + lane] = on if passes else kind(NO_RAY)
+        pair[BLOCK + RIM + lane] = min(rim, before)
+        absorbed += flux - arriving
+        met_flux += arriving
+        passed += arriving if passes else zero
+        left += on if passes else zero
+    sums[ABSORBED] += absorbed
+    sums[MET_FLUX] += met_flux
+    sums[PASSED] += passed
+    sums[LEFT] += left
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def cross_back(element, pair, lanes):  # type: ignore[no-untyped-def]
+    """Adjoint of `cross` and of the search: cotangents of the line, and of the face."""
+    _fade(element, pair, lanes)
+    if element.reflects:
+        _reflect_back(element, pair, lanes)
+    else:
+        _refract_back(element, pair, lanes)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _refract_back(element, pair, lanes):  # type: ignore[no-untyped-def]
+    kind = pair.dtype.type
+    n = element.law.ratio
+    for lane in range(np.uintp(lanes)):
+        x, y, _, a, b, z_x, z_y, _, rim = _at_face(element, pair, lane)
+        refracted = snell(n, element.ratio2_minus_1, element.critical, a, b, z_x, z_y)
+        lean, q, _, by_both, _ = refracted
+        passes = pair[BLOCK + FLUX + lane] >= kind(0)
+        cos_in, cos_out = lean * by_both, q * by_both
+        arriving = pair[BLOCK + at(ARRIVING, lane)] * pair[BLOCK + FADE + lane]
+        d_on = pair[BLOCK + D_OUT + lane]
+        by_in, by_out = transmittance_slopes(element.law, cos_in, cos_out)
+        d_arriving = d_on * transmittance(element.law, cos_in, cos_out)
+        slopes = snell_back(
+            n, element.ratio2_minus_1, a, b, z_x, z_y, refracted, kind(0),
+            pair[BLOCK + D_O_X + lane], pair[BLOCK + D_O_Y + lane], pair[BLOCK + D_O_Z + lane],
+            d_on * arriving * by_in, d_on * arriving * by_out,
+        )  # fmt: skip
+        at_face = x, y, z_x, z_y, rim
+        _meeting_back(element, pair, lane, at_face, slopes, arriving, d_arriving, passes)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _reflect_back(element, pair, lanes):  # type: ignore[no-untyped-def]
+    kind = pair.dtype.type
+    one, two = kind(1), kind(2)
+    for lane in range(np.uintp(lanes)):
+        x, y, _, a, b, z_x, z_y, _, rim = _at_face(element, pair, lane)
+        passes = pair[BLOCK + FLUX + lane] >= kind(0)
+        arriving = pair[BLOCK + at(ARRIVING, lane)] * pair[BLOCK + FADE + lane]
+        d_arriving = pair[BLOCK + D_OUT + lane] * element.reflectance
+        d_o_x, d_o_y = pair[BLOCK + D_O_X + lane], pair[BLOCK + D_O_Y + lane]
+        lean, by_face2 = one - a * z_x - b * z_y, one / (one + z_x * z_x + z_y * z_y)
+        d_twice = d_o_x * z_x + d_o_y * z_y - pair[BLOCK + D_O_Z + lane]
+        twice = two * lean * by_face2
+        d_lean, d_face2 = two * by_face2 * d_twice, -twice * by_face2 * d_twice
+        slopes = (
+            d_o_x - d_lean * z_x,
+            d_o_y - d_lean * z_y,
+            twice * d_o_x - d_lean * a + two * z_x * d_face2,
+            twice * d_o_y - d_lean * b + two * z_y * d_face2,
+        )
+        at_face = x, y, z_x, z_y, rim
+        _meeting_back(element, pair, lane, at_face, slopes, arriving, d_arriving, passes)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _meeting_back(  # type: ignore[no-untyped-def]
+    element, pair, lane, at_face, slopes, arriving, d_arriving, passes
+):
+    """From cotangents at the face to those of the line that meets it, and of the face."""
+    kind = pair.dtype.type
+    x, y, z_x, z_y, rim = at_face
+    zero, one = kind(0), kind(1)
+    d_a, d_b, d_z_x, d_z_y = slopes
+    a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
+    deep = pair[BLOCK + at(DEPTH, lane)] - pair[P_Z + lane] - element.lift
+    own = rim < pair[RIM + lane]
+    radius = _radius(element, x, y)
+    d_rim = pair[BLOCK + D_RIM + lane]
+    pair[D_RIM + lane] = zero if own else d_rim
+    d_radius = -d_rim / radius if own & (rim > zero) & (radius > zero) else zero
+    by_x = x * x * element.by_x2 >= y * y * element.by_y2
+    d_p_x, d_p_y = pair[BLOCK + D_P_X + lane], pair[BLOCK + D_P_Y + lane]
+    d_p_x += d_radius * x * element.by_x2 if element.curved | by_x else zero
+    d_p_y += d_radius * y * element.by_y2 if element.curved | (not by_x) else zero
+    # Slopes of the face at a place that moves with the ray.
+    d_s, d_t = d_z_x * element.net.per_x, d_z_y * element.net.per_y
+    z_ss, z_st = pair[BLOCK + at(Z_SS, lane)], pair[BLOCK + at(Z_ST, lane)]
+    d_p_x += (d_s * z_ss + d_t * z_st) * element.net.per_x
+    d_p_y += (d_s * z_st + d_t * pair[BLOCK + at(Z_TT, lane)]) * element.net.per_y
+    stretch = np.sqrt(one + a * a + b * b)
+    d_way = -element.absorption * arriving * d_arriving
+    d_way = d_way if deep > zero else -d_way
+    d_depth = pair[BLOCK + D_P_Z + lane] + d_p_x * a + d_p_y * b + d_way * stretch
+    slope = min(a * z_x + b * z_y - one, kind(-1e-3))
+    d_root = -d_depth / slope
+    d_p_x += d_root * z_x
+    d_p_y += d_root * z_y
+    by_stretch = d_way * deep / stretch
+    pair[BLOCK + at(D_Z, lane)] = d_root if passes else zero
+    pair[BLOCK + at(D_S, lane)] = d_s if passes else zero
+    pair[BLOCK + at(D_T, lane)] = d_t if passes else zero
+    pair[BLOCK + D_X + lane] = d_p_x if passes else zero
+    pair[BLOCK + D_Y + lane] = d_p_y if passes else zero
+    pair[BLOCK + D_A + lane] = d_a + d_p_x * deep + by_stretch * a if passes else zero
+    pair[BLOCK + D_B + lane] = d_b + d_p_y * deep + by_stretch * b if passes else zero
+    pair[BLOCK + D_START + lane] = -d_p_x * a - d_p_y * b - d_way * stretch if passes else zero
+    pair[BLOCK + D_FLUX + lane] = d_arriving * pair[BLOCK + FADE + lane] if passes else zero
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def face_back(element, w, lanes, patch, columns, d_table):  # type: ignore[no-untyped-def]
+    """Add the cotangents of a B-spline to those of its patches."""
+    if element.kind == BSPLINE:
+        collect(w, lanes, patch, columns, d_table)

@@ -1,0 +1,141 @@
+"""The faces of a train in numbers, for its compiled loops."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import torch
+
+from workbench.arrays import AnyArray
+from workbench.optics.interfaces import Reflection, Refraction
+from workbench.optics.intersection import RIM
+from workbench.optics.kernels.function import kind_of
+from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
+from workbench.optics.sampled import SampledTrain
+from workbench.optics.steps import FaceStep
+from workbench.optics.surfaces import BSplineSurface, Plane
+from workbench.optics.train.first_face import REFLECTS, REFRACTS, REFRACTS_STRAIGHT
+from workbench.optics.train.numbers import BSPLINE, CONIC, Elements, FirstFace
+from workbench.optics.transmittance import TransmittanceLaw
+
+# No slope of light between two faces is larger.
+_STEEPEST = 1e9
+_ANY_LAW = TransmittanceLaw.constant(1.0, 0.0)
+
+
+def first_face(train: SampledTrain, straight: bool, kind: type[np.floating[Any]]) -> FirstFace:
+    """The first face of a train; whether its light goes along the axis."""
+    interface, lift = train.first.interface, 0.0
+    if train.glass is not None:
+        lift = train.level - train.glass.z
+    law, absorption, reflectance, does = _ANY_LAW, 0.0, 1.0, REFLECTS
+    if isinstance(interface, Refraction):
+        law, absorption = interface.law, interface.absorption
+        does = REFRACTS_STRAIGHT if straight else REFRACTS
+    elif isinstance(interface, Reflection):
+        reflectance = interface.reflectance
+    n = law.ratio
+    numbers = kind(n), kind(n * n - 1), kind(lift), kind(16 * np.finfo(kind).eps), kind(absorption)
+    return FirstFace(does, *numbers, law.cast(kind), kind(reflectance))
+
+
+class FurtherFaces:
+    """The faces behind the first one, with the B-splines among them as one table of patches.
+
+    Parameters
+    ----------
+    train : SampledTrain
+        The train.
+    dtype : torch.dtype
+        Float type of the trace.
+
+    Attributes
+    ----------
+    elements : Elements
+        The faces in numbers; bounds of B-splines as `prepare` finds them.
+    splines : list of BSplineSurface
+        Those that are B-splines.
+    levels : list of float
+        z of the scene from which positions on the first face, and on each further one, are counted.
+    steepest : ndarray, shape (faces, 2)
+        The most that slopes of the rays before them were for the last train.
+    """
+
+    def __init__(self, train: SampledTrain, dtype: torch.dtype) -> None:
+        self._kind = kind_of(dtype)
+        surfaces = [step.surface for step in train.rest]
+        self.splines = [each for each in surfaces if isinstance(each, BSplineSurface)]
+        self._faces = {
+            number: Face(surface.net, dtype)
+            for number, surface in enumerate(surfaces)
+            if isinstance(surface, BSplineSurface)
+        }
+        self.levels = [train.level, *(_level(step, train) for step in train.rest)]
+        self.steepest = np.full((len(train.rest), 2), _STEEPEST)  # as long as they are not known
+        degrees = [(len(x), len(y)) for x, y in (face.powers for face in self._faces.values())]
+        self._terms = tuple(max((each[axis] for each in degrees), default=1) for axis in (0, 1))
+        self._first, patches = {}, 0
+        for number, face in self._faces.items():
+            self._first[number] = patches
+            patches += face.net.spans[0] * face.net.spans[1]
+        self._patches = patches
+        self.elements = self._elements(train)
+
+    def prepare(self, heights: Sequence[AnyArray]) -> AnyArray:
+        """Patches of all B-splines with heights above their levels; finds their bounds, too."""
+        table = np.zeros((self._patches, *self._terms), self._kind)
+        for (number, face), each in zip(self._faces.items(), heights, strict=True):
+            steepest = self.steepest[number].astype(self._kind)
+            self.elements.bounds[number] = face.bounds(each, steepest)
+            found, begin = make_table(each, face.powers), self._first[number]
+            _, p, q = found.shape
+            table[begin : begin + len(found), :p, :q] = found
+        return table
+
+    def cotangents(self, d_tables: AnyArray, heights: Sequence[AnyArray]) -> list[AnyArray]:
+        """Those of the heights of the B-splines from those of the patches, by parts."""
+        found: list[AnyArray] = []
+        for (number, face), each in zip(self._faces.items(), heights, strict=True):
+            p, q = (len(powers) for powers in face.powers)
+            begin, count = self._first[number], face.net.spans[0] * face.net.spans[1]
+            some = np.ascontiguousarray(d_tables[:, begin : begin + count, :p, :q])
+            found.append(heights_cotangent(some, each.shape, face.powers))
+        return found
+
+    def _elements(self, train: SampledTrain) -> Elements:
+        count, kind = len(train.rest), self._kind
+        flags, numbers = np.zeros((count, 5), bool), np.zeros((count, 19), kind)
+        spans = np.zeros((count, 3), np.int64)
+        kinds = np.full(count, CONIC, np.int32)
+        (r_x, r_y), curved = train.half_width, not train.outline.whole
+        for number, step in enumerate(train.rest):
+            spline = number in self._faces
+            interface = step.interface
+            law, absorption, reflectance = _ANY_LAW, 0.0, 1.0
+            if isinstance(interface, Refraction):
+                law, absorption = interface.law, interface.absorption
+            elif isinstance(interface, Reflection):
+                reflectance = interface.reflectance
+            n, lift = law.ratio, self.levels[number] - self.levels[number + 1]
+            mirror, cuts = isinstance(interface, Reflection), curved or not spline
+            flags[number] = mirror, curved, number == 0, cuts, law.exact
+            net: Sequence[Any] = 1.0, 1.0, 1.0, 1.0, 1.0, 1.0
+            if spline:
+                kinds[number] = BSPLINE
+                *net, (spans_x, spans_y), _ = self._faces[number].net
+                spans[number] = spans_x, spans_y, self._first[number]
+            eps = 16 * float(np.finfo(kind).eps)
+            numbers[number] = (
+                lift, n * n - 1, eps, absorption, reflectance, 1 / r_x**2, 1 / r_y**2, RIM,
+                0.0, 0.0, law.ratio, law.passing, law.grazing, *net,
+            )  # fmt: skip
+        return Elements(kinds, flags, numbers, np.zeros((count, 9), kind), spans)
+
+
+def _level(step: FaceStep, train: SampledTrain) -> float:
+    match step.surface:
+        case BSplineSurface(level=level):
+            return level
+        case Plane(z=z):
+            return z + train.datum
+    raise TypeError(f"the compiled train has no {step.surface.kind}")

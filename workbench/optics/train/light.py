@@ -1,0 +1,88 @@
+"""Light of one origin at a batch of samples of the first face, whatever its kind."""
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.train.aperture import stop
+from workbench.optics.train.free_light import from_far, from_near
+from workbench.optics.train.glass_light import from_point, from_sky
+from workbench.optics.train.numbers import EVEN, FAR, POINTS, SKY
+from workbench.optics.train.registers import (
+    ABSORBED,
+    BRIGHT,
+    BY_Z_X,
+    BY_Z_Y,
+    D_BRIGHT,
+    Z,
+)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def shine(light, k, samples, i, j, face, lanes, t):  # type: ignore[no-untyped-def]
+    """Slopes and flux of the light at samples, and their derivatives by the height of the face.
+
+    Parameters
+    ----------
+    light : Light
+        The light.
+    k : int
+        Which of its origins.
+    samples : tuple of SampleLine, SampleLine and OutlineNumbers
+        All samples along x and y, and the outline.
+    i, j : int
+        The first sample of the batch along x; that along y.
+    face : FirstFace
+        The first face.
+    lanes : int
+        How many samples there are.
+    t : array
+        Registers of the first face, with its heights and slopes; those of light are 0 at first.
+    """
+    across, up, outline = samples
+    if light.kind == EVEN:
+        _even(light.even, i, j, face, lanes, t)
+        return
+    if light.kind == SKY:
+        from_sky(light.sky, k, across, i, up, j, outline, face, lanes, t)
+    elif light.kind == POINTS:
+        from_point(light.points, k, across, i, up, j, outline, face, lanes, t)
+    else:
+        x, y = across.place[i:], up.place[j]
+        if light.kind == FAR:
+            from_far(light.far, k, x, y, lanes, t)
+        else:
+            from_near(light.near, k, x, y, lanes, t)
+        stop(light.aperture, x, y, i, j, lanes, t)
+        _weigh(light.areas[j, i:], t.dtype.type(1), lanes, t)
+    if len(light.share_y):
+        _weigh(light.share_x[i:], light.share_y[j], lanes, t)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _even(even, i, j, face, lanes, t):  # type: ignore[no-untyped-def]
+    kind = t.dtype.type
+    across, row = even.across[i:], even.inside[j if len(even.inside) > 1 else 0, i:]
+    flux = even.flux * even.up[j]
+    for lane in range(np.uintp(lanes)):
+        t[BRIGHT + lane] = across[lane] * row[lane] * flux  # the other registers stay 0
+    if face.absorption > kind(0):
+        for lane in range(np.uintp(lanes)):
+            depth, bright = t[Z + lane] + face.lift, t[BRIGHT + lane]
+            left = np.exp(-face.absorption * abs(depth))
+            per_depth = face.absorption if depth > kind(0) else -face.absorption
+            t[ABSORBED + lane] = bright * (kind(1) - left)
+            t[BRIGHT + lane] = bright * left
+            t[D_BRIGHT + lane] = -per_depth * bright * left
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _weigh(part, whole, lanes, t):  # type: ignore[no-untyped-def]
+    """Multiply the flux of samples by factors, with its derivatives."""
+    for lane in range(np.uintp(lanes)):
+        factor = part[lane] * whole
+        t[BRIGHT + lane] *= factor
+        t[D_BRIGHT + lane] *= factor
+        t[ABSORBED + lane] *= factor
+        t[BY_Z_X + lane] *= factor
+        t[BY_Z_Y + lane] *= factor

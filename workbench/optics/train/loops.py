@@ -1,0 +1,235 @@
+"""The loops over samples of the first face of a train, and at each batch of them over all origins.
+
+A batch is up to ``BATCH`` samples with one v and neighbouring u. For a block of so many u the
+control heights are contracted with the basis along x once, into rows that lie side by side; each v
+then blends q + 1 of these rows. So loops run along u over neighbouring numbers, and vectorise. What
+a batch sees of the first face is evaluated once, whatever the number of origins.
+"""
+
+import numpy as np
+
+from workbench.compiled import jit
+from workbench.optics.kernels.grid import blend, blend_back, contract, contract_back, make_rows
+from workbench.optics.kernels.point_patches import make_columns
+from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
+from workbench.optics.train.elements import (
+    cross,
+    cross_back,
+    face_back,
+    search,
+    search_again,
+    transfer,
+    transfer_back,
+)
+from workbench.optics.train.first_face import pass_first, pass_first_back
+from workbench.optics.train.landing import receive, receive_back
+from workbench.optics.train.light import shine
+from workbench.optics.train.numbers import element_of
+from workbench.optics.train.registers import (
+    BLOCK,
+    COLUMN,
+    D_COLUMN,
+    D_RIM,
+    D_ROW,
+    D_WEIGHT,
+    P_X,
+    P_Y,
+    P_Z,
+    RIM,
+    ROW,
+    SUM_Z,
+    SUM_Z_X,
+    SUM_Z_Y,
+    WEIGHT,
+    Z_X,
+    Z_Y,
+    Z,
+)
+
+# Sums of the first face: flux absorbed before it, that meets it, that is not totally reflected,
+# that goes on.
+FIRST_SUMS = 4
+
+
+@jit(name="train_land", fastmath=FAST, error_model="numpy")
+def land(  # type: ignore[no-untyped-def]
+    heights, bases, samples, light, train, landing, table, depths, begin, end, nodes, rims, sums
+):
+    """Trace samples to the receiver.
+
+    Parameters
+    ----------
+    heights : array, shape (n_u, n_v)
+        Of the first face, above its level.
+    bases : tuple of two Axis
+        Basis functions at the samples along x and y.
+    samples, light
+        See `workbench.optics.train.light.shine`.
+    train : tuple of FirstFace and Elements
+        The faces.
+    landing : Landing
+        The receiver.
+    table : array, shape (patches, p, q)
+        Patches of all further B-splines.
+    depths : array, shape (elements, origins × samples along y, samples along x)
+        Where rays met the elements of the last train; changed.
+    begin, end : int
+        Which samples along x to trace.
+    nodes : array, shape (3, origins × samples along y, samples along x)
+        Columns, rows and flux at the receiver; changed.
+    rims : array, shape (origins × samples along y, samples along x)
+        Distances to the rims of the elements, if there are any; changed.
+    sums : array of float64, shape (elements + 1, SUMS)
+        Sums of the faces, see `FIRST_SUMS` and `workbench.optics.train.elements`; changed.
+    """
+    (across, up), (face, elements) = bases, train
+    rows, count = make_rows(heights), len(elements.kind)
+    t = make_registers(count, heights)
+    columns = make_columns(table)
+    patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
+    lines = len(up.first)
+    blocks = (end - begin + BATCH - 1) // BATCH
+    for part in range(blocks):
+        i = begin + (end - begin) * part // blocks
+        lanes = begin + (end - begin) * (part + 1) // blocks - i
+        contract(heights, across, i, lanes, rows)
+        for j in range(lines):
+            blend(rows, up, j, lanes, t)
+            _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
+            for k in range(light.origins):
+                row = k * lines + j
+                shine(light, k, samples, i, j, face, lanes, t)
+                found = pass_first(face, lanes, t)
+                for number in range(FIRST_SUMS):
+                    sums[0, number] += found[number]
+                for e in range(count):
+                    element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
+                    w = pair[BLOCK:]
+                    transfer(element, pair, lanes, sums[e + 1])
+                    search(element, table, w, depths[e, row, i:], lanes, patch, before, columns)
+                    cross(element, pair, lanes, sums[e + 1])
+                w = t[np.uintp(count) * BLOCK :]
+                receive(landing, w, lanes, t)
+                _put(t, i, row, lanes, nodes)
+                if count > 0:
+                    _put_rims(w, i, row, lanes, rims)
+
+
+@jit(name="train_back", fastmath=FAST, error_model="numpy")
+def back(  # type: ignore[no-untyped-def]
+    heights, bases, samples, light, train, landing, table, depths, begin, end,
+    d_nodes, d_rims, gradient, d_table,
+):  # fmt: skip
+    """Adjoint of `land`.
+
+    Parameters
+    ----------
+    heights, bases, samples, light, train, landing, table, begin, end
+        As there.
+    depths : array
+        Those that `land` found.
+    d_nodes, d_rims : array
+        Cotangents of nodes and rims.
+    gradient : array of float64, shape (n_u, n_v)
+        Of the heights; changed.
+    d_table : array of float64, shape (patches, p, q)
+        Of the patches; changed.
+    """
+    (across, up), (face, elements) = bases, train
+    kind, count = heights.dtype.type, len(elements.kind)
+    rows, d_rows = make_rows(heights), make_rows(heights)
+    t = make_registers(count, heights)
+    columns = make_columns(table)
+    patches, sums = np.zeros((count, BATCH), np.int32), np.zeros((count, 6))
+    lines = len(up.first)
+    blocks = (end - begin + BATCH - 1) // BATCH
+    for part in range(blocks):
+        i = begin + (end - begin) * part // blocks
+        lanes = begin + (end - begin) * (part + 1) // blocks - i
+        contract(heights, across, i, lanes, rows)
+        d_rows[:] = kind(0)
+        for j in range(lines):
+            blend(rows, up, j, lanes, t)
+            _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
+            for lane in range(np.uintp(lanes)):
+                t[SUM_Z + lane] = kind(0)
+                t[SUM_Z_X + lane] = kind(0)
+                t[SUM_Z_Y + lane] = kind(0)
+            for k in range(light.origins):
+                row = k * lines + j
+                shine(light, k, samples, i, j, face, lanes, t)
+                pass_first(face, lanes, t)
+                for e in range(count):
+                    element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
+                    transfer(element, pair, lanes, sums[e])
+                    depth, w = depths[e, row, i:], pair[BLOCK:]
+                    search_again(element, table, w, depth, lanes, patches[e], columns)
+                    cross(element, pair, lanes, sums[e])
+                w = t[np.uintp(count) * BLOCK :]
+                _take(d_nodes, i, row, lanes, t)
+                receive_back(landing, w, lanes, t)
+                if count > 0:
+                    _take_rims(d_rims, i, row, lanes, w)
+                for e in range(count - 1, -1, -1):
+                    element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
+                    cross_back(element, pair, lanes)
+                    face_back(element, pair[BLOCK:], lanes, patches[e], columns, d_table)
+                    transfer_back(pair, lanes)
+                pass_first_back(face, lanes, t)
+            for lane in range(np.uintp(lanes)):
+                t[Z + lane] = t[SUM_Z + lane]
+                t[Z_X + lane] = t[SUM_Z_X + lane]
+                t[Z_Y + lane] = t[SUM_Z_Y + lane]
+            blend_back(d_rows, up, j, lanes, t)
+        contract_back(d_rows, across, i, lanes, gradient)
+
+
+@jit()
+def make_registers(elements, like):  # type: ignore[no-untyped-def]
+    """Registers of a batch for so many further elements: 0, but for the rims before the first."""
+    t = np.zeros((elements + 1) * int(BLOCK), like.dtype)
+    for lane in range(np.uintp(BATCH)):
+        t[RIM + lane] = like.dtype.type(np.inf)
+    return t
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _begin(x, y, lanes, t):  # type: ignore[no-untyped-def]
+    """Positions of rays on the first face: those of the samples."""
+    for lane in range(np.uintp(lanes)):
+        t[P_X + lane] = x[lane]
+        t[P_Y + lane] = y
+        t[P_Z + lane] = t[Z + lane]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _put(t, i, row, lanes, nodes):  # type: ignore[no-untyped-def]
+    columns, rows, flux = nodes[0, row, i:], nodes[1, row, i:], nodes[2, row, i:]
+    for lane in range(np.uintp(lanes)):
+        columns[lane] = t[COLUMN + lane]
+        rows[lane] = t[ROW + lane]
+        flux[lane] = t[WEIGHT + lane]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _take(d_nodes, i, row, lanes, t):  # type: ignore[no-untyped-def]
+    columns, rows, flux = d_nodes[0, row, i:], d_nodes[1, row, i:], d_nodes[2, row, i:]
+    for lane in range(np.uintp(lanes)):
+        t[D_COLUMN + lane] = columns[lane]
+        t[D_ROW + lane] = rows[lane]
+        t[D_WEIGHT + lane] = flux[lane]
+
+
+@jit(allocates=False, forceinline=True)
+def _put_rims(w, i, row, lanes, rims):  # type: ignore[no-untyped-def]
+    rim = rims[row, i:]
+    for lane in range(np.uintp(lanes)):
+        rim[lane] = w[RIM + lane]
+
+
+@jit(allocates=False, forceinline=True)
+def _take_rims(d_rims, i, row, lanes, w):  # type: ignore[no-untyped-def]
+    d_rim = d_rims[row, i:]
+    for lane in range(np.uintp(lanes)):
+        w[D_RIM + lane] = d_rim[lane]

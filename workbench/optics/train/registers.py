@@ -1,0 +1,39 @@
+"""The registers of a batch of rays: rows of one flat array, a block for each face of the train.
+
+Row k of a block begins at k BATCH. Distances between rows that the compiler knows let it vectorise
+loops over rays without checks. Block 0 belongs to the first face, where rays begin; block e to the
+e-th further element, whose first rows are those of `workbench.optics.kernels.point_patches`. Rays
+that leave a face are in the same rows of every block.
+"""
+
+import numpy as np
+
+from workbench.optics.kernels.spread import BATCH
+
+# The first face: height and slopes (as in `workbench.optics.kernels.grid`).
+Z, Z_X, Z_Y = (np.uintp(BATCH * k) for k in range(3))
+# Where rays arrive at the receiver in pixels, their flux, and the cotangents.
+COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT = (np.uintp(BATCH * k) for k in range(3, 9))
+# Incident light: slopes, flux of a level sample, flux absorbed before the face, and derivatives
+# of slopes and flux by the height of the face.
+S_X, S_Y, BRIGHT, ABSORBED, D_S_X, D_S_Y, D_BRIGHT = (np.uintp(BATCH * k) for k in range(9, 16))
+# 1 over the distance to a point along z; width of the light in the aperture over that at the
+# sample; derivatives of the flux by the slopes of the face.
+BY_WAY, NARROWED, BY_Z_X, BY_Z_Y = (np.uintp(BATCH * k) for k in range(16, 20))
+# Q and Γ of `workbench.optics.train.snell`.
+Q, GAMMA = (np.uintp(BATCH * k) for k in range(20, 22))
+# Sums over origins of the cotangents of height and slopes.
+SUM_Z, SUM_Z_X, SUM_Z_Y = (np.uintp(BATCH * k) for k in range(22, 25))
+SUMS_END = np.uintp(BATCH * 25)
+
+# An element: transmittance of the medium before it, cotangents of the line in the element's frame,
+# of its slopes, of where it begins and of its flux.
+FADE, D_X, D_Y, D_A, D_B, D_START, D_FLUX = (np.uintp(BATCH * k) for k in range(32, 39))
+# Rays behind a face: position, direction of any length, flux (below 0: no ray), and distance
+# within the rims of the elements so far; then the cotangents.
+P_X, P_Y, P_Z, O_X, O_Y, O_Z, FLUX, RIM = (np.uintp(BATCH * k) for k in range(39, 47))
+D_P_X, D_P_Y, D_P_Z, D_O_X, D_O_Y, D_O_Z, D_OUT, D_RIM = (
+    np.uintp(BATCH * k) for k in range(47, 55)
+)
+BLOCK = np.uintp(BATCH * 55)
+"""Length of a block."""
