@@ -82,8 +82,7 @@ class SampledTrain(NamedTuple):
             case FaceStep(Plane(z=z), Refraction(law=law)) if len(steps) > 1:
                 one_distance = origins.infinite or np.ptp(origins.places[:, 2]) == 0
                 surface = steps[1].surface
-                refracts = isinstance(steps[1].interface, Refraction)
-                if not (one_distance and refracts and isinstance(surface, BSplineSurface)):
+                if not (one_distance and isinstance(surface, BSplineSurface)):
                     return None
                 shape = surface.net, surface.level, path.outline
                 lines = places(samples, 0), places(samples, 1)

@@ -82,7 +82,12 @@ class CompiledTrain:
             or (isinstance(step.surface, BSplineSurface) and step.surface.subdivisions is None)
             for step in steps
         )
-        return known and all(isinstance(step.interface, Refraction) for step in steps[:-1])
+        before, last = [step.interface for step in steps[:-1]], steps[-1].interface
+        return (
+            known
+            and all(isinstance(each, Refraction) for each in before)
+            and isinstance(last, Refraction | Reflection)
+        )
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool] = (False, False)) -> None:
         train = SampledTrain.of(path)
