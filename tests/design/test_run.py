@@ -12,7 +12,7 @@ from workbench.design.methods import method_of
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 
 METHODS = [{"method": "auto"}, {"method": "paper", "learning_rate": 3e-3}]
 

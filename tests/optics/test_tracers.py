@@ -1,4 +1,4 @@
-"""Which compiled special case serves a path, and that the walk serves all others."""
+"""Which compiled tracer serves a path, and that the walk serves all others."""
 
 import numpy as np
 import pytest
@@ -64,7 +64,7 @@ def kind(path):
         (MESH, Corners(20, 20), None),
     ],
 )
-def test_the_special_case_follows_from_the_elements(make_scene, source, samples, expected):
+def test_the_compiled_tracer_follows_from_the_elements(make_scene, source, samples, expected):
     assert kind(path_of(make_scene({"source": source}), samples)) is expected
 
 

@@ -60,7 +60,7 @@ def garbage_in_the_thread_of_the_window(qapp):
 @pytest.fixture(scope="session")
 def kernels():
     """Kernels compiled beforehand: no run waits a minute for them."""
-    from workbench.optics.kernels.ready import compile_all
+    from workbench.optics.ready import compile_all
 
     compile_all()
 

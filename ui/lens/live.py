@@ -17,7 +17,7 @@ from ui.threads.failure import sentence_of
 from ui.words import tr
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History
-from workbench.optics.kernels.ready import without_waiting
+from workbench.optics.ready import without_waiting
 
 if TYPE_CHECKING:
     from workbench.design.snapshot import Result
@@ -83,11 +83,11 @@ class LiveLens(QObject):
     def _trace(self, draft: Draft, task: Task) -> Frame:
         """Meant for the thread, which alone touches the evaluator."""
         session, heights = draft.session, draft.heights
-        scene, target, locked = session.scene, session.target, session.locked
+        scene, target = session.scene, session.target
         with without_waiting():
             there = self._evaluator
-            if there is None or not there.suits(scene, target, heights, locked):
-                self._evaluator = there = Evaluator(scene, target, heights, locked)
+            if there is None or not there.suits(scene, target):
+                self._evaluator = there = Evaluator(scene, target, heights)
             snapshot = there.snapshot(heights, draft.earlier)
         return make_frame(session, snapshot, History(draft.earlier))
 

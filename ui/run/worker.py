@@ -159,7 +159,7 @@ def _show(job: RunJob) -> None:
     if result is not None:
         job.mailbox.put(frame_of(job.session, result))
         return
-    from workbench.optics.kernels.ready import without_waiting
+    from workbench.optics.ready import without_waiting
 
     snapshots = _snapshots(job)
     try:
@@ -190,7 +190,7 @@ def _post(job: RunJob, snapshot: Snapshot) -> None:
 
 def _ready() -> bool:
     """Whether a run would begin at once, as far as kernels go."""
-    from workbench.optics.kernels.ready import is_compiled
+    from workbench.optics.ready import is_compiled
 
     return is_compiled()
 

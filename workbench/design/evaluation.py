@@ -1,12 +1,11 @@
 """The light of one lens after the other, for people who shape them by hand."""
 
-import numpy as np
 import torch
 
 from workbench.arrays import Array
 from workbench.design.methods import method_of
 from workbench.design.snapshot import Result, Snapshot
-from workbench.geometry.faces import NO_LOCKS, ControlHeights, Locks
+from workbench.geometry.faces import ControlHeights
 from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
 
@@ -24,8 +23,6 @@ class Evaluator:
         The wanted image in any scale, row 0 at +y.
     heights : ControlHeights
         Control heights of a lens like those to come, scene units; says how far their light falls.
-    locked : Locks
-        Control points whose heights are the same in all lenses to come; see `suits`.
 
     Raises
     ------
@@ -33,25 +30,13 @@ class Evaluator:
         If the scene asks for a device that is not there.
     """
 
-    def __init__(
-        self, scene: Scene, target: Array, heights: ControlHeights, locked: Locks = NO_LOCKS
-    ) -> None:
-        self._scene, self._target, self._locked = scene, target, locked
-        self._kept = heights
-        self._image = method_of(scene).image(
-            scene, target, tensors_of(heights, scene), locked.get(scene.optic.face)
-        )
+    def __init__(self, scene: Scene, target: Array, heights: ControlHeights) -> None:
+        self._scene, self._target = scene, target
+        self._image = method_of(scene).image(scene, target, tensors_of(heights, scene))
 
-    def suits(
-        self, scene: Scene, target: Array, heights: ControlHeights, locked: Locks = NO_LOCKS
-    ) -> bool:
-        """Whether it can judge a lens of this scene and target, with these locks."""
-        if scene is not self._scene or target is not self._target or locked != self._locked:
-            return False
-        return all(
-            np.array_equal(heights[face][mask], self._kept[face][mask])
-            for face, mask in locked.items()
-        )
+    def suits(self, scene: Scene, target: Array) -> bool:
+        """Whether it can judge lenses of this scene and target."""
+        return scene is self._scene and target is self._target
 
     def snapshot(self, heights: ControlHeights, earlier: Result | None = None) -> Snapshot:
         """A lens and its light, as the last of its run.

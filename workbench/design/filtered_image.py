@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import torch
 from torch import Tensor
 
-from workbench.arrays import Array, Mask
+from workbench.arrays import Array
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
 from workbench.design.step import Step
@@ -22,8 +22,6 @@ class FilteredImage:
         The design task.
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
-    locked : ndarray of bool, shape (n_u, n_v), optional
-        Control points whose heights are the same in all lenses; see `workbench.optics.plan.Plan`.
 
     Raises
     ------
@@ -31,7 +29,7 @@ class FilteredImage:
         If the scene asks for a device that is not there, or for several images.
     """
 
-    def __init__(self, scene: Scene, target: Array, locked: Mask | None = None) -> None:
+    def __init__(self, scene: Scene, target: Array) -> None:
         scene.check_one_image("the paper's method")
         device = device_of(scene)
         self._scene, self._plan = scene, Plan(scene)

@@ -10,7 +10,7 @@ from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.meeting import met
 from workbench.design.transport.perspective import in_perspective
 from workbench.design.transport.push import mapped, push
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 
 
 def compile_all(

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 
 from torch import Tensor
 
-from workbench.arrays import Array, Mask
+from workbench.arrays import Array
 from workbench.design.auto import auto_judged, auto_steps
 from workbench.design.filtered_image import FilteredImage
 from workbench.design.levels import finest_image
@@ -40,8 +40,8 @@ class Method(NamedTuple):
     steps : callable
         Evaluates lens after lens in a room and returns why it ended.
     image : callable
-        What it judges lenses by: for a scene, a target, the heights of a lens like those to come,
-        and control points that they have in common.
+        What it judges lenses by: for a scene, a target and the heights of a lens like those to
+        come.
     check : callable
         Refuses a scene that it cannot design.
     notes : callable
@@ -52,7 +52,7 @@ class Method(NamedTuple):
     """
 
     steps: Callable[[Room], Generator[Step, None, str]]
-    image: Callable[[Scene, Array, Heights, Mask | None], Image]
+    image: Callable[[Scene, Array, Heights], Image]
     check: Callable[[Scene], None]
     notes: Callable[[Scene], tuple[str, ...]]
     judged: Callable[[Scene, Array, ControlHeights], Step | None]
@@ -63,15 +63,11 @@ def method_of(scene: Scene) -> Method:
     return _METHODS[scene.run.method]
 
 
-def _finest(scene: Scene, target: Array, heights: Heights, locked: Mask | None) -> Image:
-    return finest_image(scene, target, heights)
-
-
 _METHODS = {
-    "auto": Method(auto_steps, _finest, check_auto, memory_notes, auto_judged),
+    "auto": Method(auto_steps, finest_image, check_auto, memory_notes, auto_judged),
     "paper": Method(
         paper_steps,
-        lambda scene, target, heights, locked: FilteredImage(scene, target, locked),
+        lambda scene, target, heights: FilteredImage(scene, target),
         check_paper,
         notes=lambda scene: (),
         judged=lambda scene, target, heights: None,

@@ -53,7 +53,7 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     """
     scene, start = room.scene, room.start
     device = device_of(scene)
-    image = FilteredImage(scene, room.target, room.locked.get(scene.optic.face))
+    image = FilteredImage(scene, room.target)
     free = room.height_range(device)
     smoothness = Smoothness.of(scene, room.target, device)
     shifts = {

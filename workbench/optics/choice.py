@@ -1,11 +1,11 @@
-"""Which tracer serves a path: the compiled special case, if there is one and it is ready."""
+"""Which tracer serves a path: a compiled one, if there is one and it is ready."""
 
 from typing import NamedTuple
 
 import torch
 
 from workbench.compiled import unkept
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 from workbench.optics.path import Path
 from workbench.said import Said
 
@@ -18,7 +18,7 @@ class Choice(NamedTuple):
     path : Path
         The way of the light.
     kernel : str, optional
-        Name of the compiled special case in `workbench.optics.kernels.ready`.
+        Name of the compiled tracer in `workbench.optics.ready`.
     fused : bool
         False asks for the reference.
     fine : bool
@@ -32,7 +32,7 @@ class Choice(NamedTuple):
 
     @property
     def compiled(self) -> bool:
-        """Whether the kernel does the work; see `workbench.optics.kernels.ready`."""
+        """Whether the kernel does the work; see `workbench.optics.ready`."""
         on_cpu = torch.device(self.path.device).type == "cpu"
         wanted = self.fused and on_cpu and self.kernel is not None
         return wanted and self.kernel is not None and ready.obtain(self.kernel, self.path.dtype)

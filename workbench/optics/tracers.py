@@ -16,7 +16,7 @@ class Kernel(Protocol):
     Attributes
     ----------
     name : str
-        What it is called in `workbench.optics.kernels.ready`.
+        What it is called in `workbench.optics.ready`.
     """
 
     name: str

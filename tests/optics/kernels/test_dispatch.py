@@ -9,7 +9,7 @@ import torch
 
 from workbench import compiled
 from workbench.optics import tracers
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface

@@ -8,7 +8,7 @@ from PySide6.QtCore import QThread
 
 from ui.run.runner import Runner
 from workbench.errors import RunFailed
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 
 
 class Heard:

@@ -17,7 +17,7 @@ from workbench.arrays import Array
 from workbench.design.run import run
 from workbench.design.snapshot import History, Result
 from workbench.errors import Refused, RunFailed
-from workbench.optics.kernels import ready
+from workbench.optics import ready
 from workbench.scene import Scene
 
 DESIGNS = (

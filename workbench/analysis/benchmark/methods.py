@@ -14,7 +14,7 @@ from workbench.design.run import run
 from workbench.design.transport import transport_start
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels.ready import held_back
+from workbench.optics.ready import held_back
 from workbench.scene import Scene
 
 

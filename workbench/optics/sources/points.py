@@ -23,7 +23,7 @@ class PointEmitter:
     optic : Optic
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
-        Of the exit face along x and y; see `workbench.optics.face_samples`.
+        Corners of cells of the first freeform face; rays drawn at random by default.
     """
 
     beside = 0.0
