@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from typing import Any
 
-import numpy as np
 import torch
 
 from tests.benchmarks.comparison import Measured, Variant, compare, image_error
@@ -73,19 +72,6 @@ def _mirrored(*axes: bool) -> list[Variant]:
     )
 
 
-def _locked() -> list[Variant]:
-    """A quarter of the lens free to move, the rest locked, and all rays traced all the same."""
-    example = BenchmarkTask.of("flame")
-    heights = wavy(example.scene)
-    locked = np.ones(heights.shape, dtype=np.bool_)
-    locked[: len(heights) // 2, : heights.shape[1] // 2] = False
-    return _pair(
-        ("a quarter traced", Descent(example, heights, still=locked, locked=locked)),
-        ("all traced", Descent(example, heights, still=locked)),
-        rays_of(example.scene),
-    )
-
-
 def _pixels() -> list[Variant]:
     """The image of a run, as wide as its light falls and as wide as it could ever fall."""
     example = BenchmarkTask.of("flame")
@@ -126,6 +112,5 @@ SKIPS: dict[str, Callable[[], list[Variant]]] = {
     "pixels that no light reaches": _pixels,
     "symmetric in x: one half": lambda: _mirrored(True, False),
     "symmetric in x and y: three quarters": lambda: _mirrored(True, True),
-    "locked control points: three quarters": _locked,
 }
 """What is left out, and the two ways to compare."""

@@ -14,8 +14,8 @@ neighbours overlap or leave gaps.
 
 from torch import Tensor
 
-from workbench.optics.beam_reference import reference_beam_image
 from workbench.optics import ready
+from workbench.optics.beam_reference import reference_beam_image
 from workbench.optics.kernels.beam_image import compiled_beam_image
 from workbench.optics.kernels.cell_image import Splits
 

@@ -25,8 +25,8 @@ processor for either lens, in place of 1.31 and 1.18 s by beams. The shifts are 
 
 from torch import Tensor
 
-from workbench.optics.box_reference import reference_box_image
 from workbench.optics import ready
+from workbench.optics.box_reference import reference_box_image
 from workbench.optics.kernels.box_image import compiled_box_image
 from workbench.optics.kernels.cell_image import Splits
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import torch
 from torch import Tensor
 
-from workbench.optics.beam_reference import drawn, first_lines
 from workbench.optics import ready
+from workbench.optics.beam_reference import drawn, first_lines
 from workbench.optics.kernels.beam_image import repeated
 from workbench.optics.kernels.beam_raster import FARTHEST, SLIVER
 from workbench.optics.kernels.cell_image import Splits

@@ -8,8 +8,7 @@ import pytest
 import torch
 
 from workbench import compiled
-from workbench.optics import tracers
-from workbench.optics import ready
+from workbench.optics import ready, tracers
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface
