@@ -8855,16 +8855,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>übersetzte Rechenkerne ließen sich nicht aufbewahren ({reason}), darum übersetzt sie jeder Start neu</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/face_samples.py" />
-            <source>samples on the exit face: no ray has to search for it</source>
-            <translation>Stützstellen auf der Austrittsfläche: kein Strahl muss sie suchen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/front_samples.py" />
-            <source>samples on the entrance face, shared by all origins of the light</source>
-            <translation>Stützstellen auf der Eintrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
-        </message>
-        <message>
             <location filename="../../workbench/optics/halves.py" />
             <source>mirror symmetry: a quarter of the rays</source>
             <translation>Spiegelsymmetrie: ein Viertel der Strahlen</translation>
@@ -8873,51 +8863,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/optics/halves.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>Spiegelsymmetrie: die Hälfte der Strahlen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/collimated.py" />
-            <source>collimated light: entrance refraction and intersection left out</source>
-            <translation>kollimiertes Licht: Brechung am Eintritt und Schnittpunktsuche entfallen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/mirror.py" />
-            <source>collimated light: intersection left out</source>
-            <translation>kollimiertes Licht: Schnittpunktsuche entfällt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>1 direction of light</source>
-            <translation>1 Lichtrichtung</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>{count} directions of light</source>
-            <translation>{count} Lichtrichtungen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>1 point of light</source>
-            <translation>1 Lichtpunkt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>{count} points of light</source>
-            <translation>{count} Lichtpunkte</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>mirror symmetry: {some} of them are traced</source>
-            <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/parallel.py" />
-            <source>locked control points: {part:.0f} % of the rays after the first iteration</source>
-            <translation>gesperrte Kontrollpunkte: {part:.0f} % der Strahlen nach der ersten Iteration</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/mirror_samples.py" />
-            <source>samples on the mirror, shared by all origins of the light</source>
-            <translation>Stützstellen auf dem Spiegel, gemeinsam für alle Ursprünge des Lichts</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
@@ -8930,14 +8875,49 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>'cuda' braucht eine NVIDIA-GPU, die torch benutzen kann, und es gibt keine; 'cpu'</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/shared_grid.py" />
+            <location filename="../../workbench/optics/sampled.py" />
             <source>samples on the exit face, shared by all origins of the light</source>
             <translation>Stützstellen auf der Austrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
+            <source>samples on the entrance face, shared by all origins of the light</source>
+            <translation>Stützstellen auf der Eintrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
+            <source>samples on the mirror, shared by all origins of the light</source>
+            <translation>Stützstellen auf dem Spiegel, gemeinsam für alle Ursprünge des Lichts</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />
             <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
             <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>1 direction of light</source>
+            <translation>1 Lichtrichtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>{count} directions of light</source>
+            <translation>{count} Lichtrichtungen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>1 point of light</source>
+            <translation>1 Lichtpunkt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>{count} points of light</source>
+            <translation>{count} Lichtpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>mirror symmetry: {some} of them are traced</source>
+            <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />

@@ -8855,16 +8855,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>les noyaux compilés n'ont pas pu être conservés ({reason}), chaque démarrage les compile donc à nouveau</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/face_samples.py" />
-            <source>samples on the exit face: no ray has to search for it</source>
-            <translation>échantillons sur la face de sortie : aucun rayon n'a à la chercher</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/front_samples.py" />
-            <source>samples on the entrance face, shared by all origins of the light</source>
-            <translation>échantillons sur la face d'entrée, communs à toutes les origines de la lumière</translation>
-        </message>
-        <message>
             <location filename="../../workbench/optics/halves.py" />
             <source>mirror symmetry: a quarter of the rays</source>
             <translation>symétrie miroir : un quart des rayons</translation>
@@ -8873,51 +8863,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/optics/halves.py" />
             <source>mirror symmetry: half of the rays</source>
             <translation>symétrie miroir : la moitié des rayons</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/collimated.py" />
-            <source>collimated light: entrance refraction and intersection left out</source>
-            <translation>lumière collimatée : réfraction d'entrée et intersection omises</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/mirror.py" />
-            <source>collimated light: intersection left out</source>
-            <translation>lumière collimatée : intersection omise</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>1 direction of light</source>
-            <translation>1 direction de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>{count} directions of light</source>
-            <translation>{count} directions de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>1 point of light</source>
-            <translation>1 point de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>{count} points of light</source>
-            <translation>{count} points de lumière</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/origins.py" />
-            <source>mirror symmetry: {some} of them are traced</source>
-            <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/kernels/parallel.py" />
-            <source>locked control points: {part:.0f} % of the rays after the first iteration</source>
-            <translation>points de contrôle verrouillés : {part:.0f} % des rayons après la première itération</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/optics/mirror_samples.py" />
-            <source>samples on the mirror, shared by all origins of the light</source>
-            <translation>échantillons sur le miroir, communs à toutes les origines de la lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/plan.py" />
@@ -8930,14 +8875,49 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>'cuda' demande une carte NVIDIA que torch puisse utiliser, et il n'y en a pas ; 'cpu'</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/shared_grid.py" />
+            <location filename="../../workbench/optics/sampled.py" />
             <source>samples on the exit face, shared by all origins of the light</source>
             <translation>échantillons sur la face de sortie, communs à toutes les origines de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
+            <source>samples on the entrance face, shared by all origins of the light</source>
+            <translation>échantillons sur la face d'entrée, communs à toutes les origines de la lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
+            <source>samples on the mirror, shared by all origins of the light</source>
+            <translation>échantillons sur le miroir, communs à toutes les origines de la lumière</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/total_reflection.py" />
             <source>{part} % of the light is totally reflected at the {face}, most of it around x = {x}, y = {y}</source>
             <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>1 direction of light</source>
+            <translation>1 direction de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>{count} directions of light</source>
+            <translation>{count} directions de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>1 point of light</source>
+            <translation>1 point de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>{count} points of light</source>
+            <translation>{count} points de lumière</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/optics/train/compiled.py" />
+            <source>mirror symmetry: {some} of them are traced</source>
+            <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
         </message>
         <message>
             <location filename="../../workbench/reading.py" />
