@@ -19,7 +19,7 @@ TWO_FACES = {"shape": "freeform", "control_points": [8, 8], "degree": [3, 3]}
     [
         ({}, "collimated light: "),
         ({"run.method": "paper"}, "fused kernels, "),
-        ({"source": POINT}, "samples on the exit face: "),
+        ({"source": POINT}, "samples on the exit face, "),
         ({"source": AREA}, "beams run between points "),
         ({"source": SUN}, "its light is blurred over "),
         ({"lens.entrance": TWO_FACES}, "first lens: "),

@@ -25,7 +25,7 @@ from workbench.optics.path import Path
 from workbench.optics.patterns import Patterns, tabulated
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Places, Samples, areas_of, places, splits_side_by_side
-from workbench.optics.sources import CollimatedEmitter
+from workbench.optics.sources import CollimatedEmitter, PointEmitter
 from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Plane
@@ -75,7 +75,7 @@ class SampledTrain(NamedTuple):
         """Light of which samples are wanted, and a B-spline behind a plane face or none."""
         emitter, steps = path.emitter, path.steps
         samples = emitter.samples
-        if samples is None or not (isinstance(samples, Corners) or _even(path)):
+        if samples is None or not (isinstance(samples, Corners) or _by_middles(path)):
             return None
         origins, glass = emitter.origins, None
         match steps[0]:
@@ -150,6 +150,11 @@ class SampledTrain(NamedTuple):
 def is_even(path: Path) -> bool:
     """Whether light along the axis meets one freeform face, so that a walk needs no search."""
     return _even(path) and len(path.shaped) == 1
+
+
+def _by_middles(path: Path) -> bool:
+    """Whether samples in the middles of cells are those of the first freeform face."""
+    return isinstance(path.emitter, CollimatedEmitter | PointEmitter)
 
 
 def _are_even(samples: Samples) -> bool:

@@ -13,7 +13,6 @@ from workbench.optics.glass import FlatGlass
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
-from workbench.optics.samples import Corners
 from workbench.optics.sources import emitter_of
 from workbench.optics.transmittance import TransmittanceLaw
 from workbench.scene import ExactMethod, PointSource, Scene
@@ -59,21 +58,13 @@ class FaceLight:
                 self._glass = FlatGlass(self._entrance_z - z, entering, origins.lambertian)
         self._sharp = origins
         samples = cells // _SHARED, cells // _SHARED
-        # Points have no rays through the middles of cells, but through corners they have.
-        self._by_corners = not (origins.infinite or scene.mirror is not None)
-        by_corners = Corners(*samples) if self._by_corners else samples
-        path = Path.of(scene, net, torch.float64, samples=by_corners)
-        self._reference = Reference(path)
+        self._reference = Reference(Path.of(scene, net, torch.float64, samples=samples))
 
     def flux(self, heights: Array) -> Array | None:
         """Flux that leaves the face, in each cell; all together 1. None if there is none."""
         with torch.no_grad():
             leaving = self._reference.arrival({self._face: torch.as_tensor(heights)}).rays.flux
         flux = leaving.numpy().astype(np.float64)
-        if self._by_corners:
-            across, up = self._reference.splits
-            flux = flux[:-1] * across[:-1, 1:2] + flux[1:] * across[1:, :1]
-            flux = flux[:, :-1] * up[:-1, 1] + flux[:, 1:] * up[1:, 0]
         flux = flux.repeat(_SHARED, 0).repeat(_SHARED, 1)
         if self._given.pattern is not None:
             flux = flux * self._brighter(self._fit.surface(heights))

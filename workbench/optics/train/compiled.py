@@ -302,8 +302,9 @@ def compile_for(dtype: torch.dtype) -> None:
     scene = Scene.from_data(_SMALL)
     path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=Corners(2, 2))
     heights = torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64, requires_grad=True)
-    light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
-    light.flux.sum().backward()  # type: ignore[no-untyped-call]
+    with torch.enable_grad():  # whoever asks, the way back is compiled, too
+        light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
+        light.flux.sum().backward()  # type: ignore[no-untyped-call]
 
 
 def _array(values: Tensor) -> AnyArray:
