@@ -27,7 +27,7 @@ from workbench.optics.path import Path
 from workbench.optics.sampled import SampledTrain, is_even
 from workbench.optics.samples import Corners
 from workbench.optics.sources.origins import Origins
-from workbench.optics.surfaces import BSplineSurface, Plane
+from workbench.optics.surfaces import BSplineSurface, Conic, Plane
 from workbench.optics.train.elements import ABSORBED, MET_FLUX, STEEP_X, SUMS
 from workbench.optics.train.faces import FurtherFaces, first_face
 from workbench.optics.train.incident import NewtonSteps, incident_light, sample_lines
@@ -78,7 +78,7 @@ class CompiledTrain:
             return False
         steps = (train.first, *train.rest)
         known = all(
-            isinstance(step.surface, Plane)
+            isinstance(step.surface, Plane | Conic)
             or (isinstance(step.surface, BSplineSurface) and step.surface.subdivisions is None)
             for step in steps
         )

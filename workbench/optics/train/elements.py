@@ -192,7 +192,7 @@ def _meet_conic(element, w, lanes):  # type: ignore[no-untyped-def]
         first = c * (x * x + y * y)
         square = half * half - c * (a * a + b * b + k_1) * first
         root = half + np.sqrt(max(square, zero))
-        there = (square >= zero) & (root > zero)
+        there = (square > zero) & (root > zero)
         depth = first / (root if there else one)
         x, y = x + a * depth, y + b * depth
         rest = one - k_1 * c * c * (x * x + y * y)
@@ -268,7 +268,7 @@ def cross(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
         lean, q, gamma, by_both, passes = refracted
         passes = met & (passes | element.reflects)
         flux = pair[BLOCK + at(ARRIVING, lane)] if met else zero
-        arriving = flux * pair[BLOCK + FADE + lane]
+        arriving = flux * pair[BLOCK + FADE + lane] if met else zero  # else there may be no way
         part = transmittance(element.law, abs(lean) * by_both, q * by_both)
         on = arriving * (element.reflectance if element.reflects else part)
         twice = two * lean / (one + z_x * z_x + z_y * z_y)

@@ -13,7 +13,7 @@ from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
 from workbench.optics.sampled import SampledTrain
 from workbench.optics.steps import FaceStep
-from workbench.optics.surfaces import BSplineSurface, Plane
+from workbench.optics.surfaces import BSplineSurface, Conic, Plane
 from workbench.optics.train.first_face import REFLECTS, REFRACTS, REFRACTS_STRAIGHT
 from workbench.optics.train.numbers import BSPLINE, CONIC, Elements, FirstFace
 from workbench.optics.transmittance import TransmittanceLaw
@@ -127,15 +127,23 @@ class FurtherFaces:
             eps = 16 * float(np.finfo(kind).eps)
             numbers[number] = (
                 lift, n * n - 1, eps, absorption, reflectance, 1 / r_x**2, 1 / r_y**2, RIM,
-                0.0, 0.0, law.ratio, law.passing, law.grazing, *net,
+                *_conic(step), law.ratio, law.passing, law.grazing, *net,
             )  # fmt: skip
         return Elements(kinds, flags, numbers, np.zeros((count, 9), kind), spans)
+
+
+def _conic(step: FaceStep) -> tuple[float, float]:
+    """Curvature and conic constant; of a plane, and of a B-spline, 0."""
+    match step.surface:
+        case Conic(curvature=curvature, conic=conic):
+            return curvature, conic
+    return 0.0, 0.0
 
 
 def _level(step: FaceStep, train: SampledTrain) -> float:
     match step.surface:
         case BSplineSurface(level=level):
             return level
-        case Plane(z=z):
+        case Plane(z=z) | Conic(z=z):
             return z + train.datum
     raise TypeError(f"the compiled train has no {step.surface.kind}")
