@@ -10,6 +10,7 @@ from scipy.fft import dctn
 from workbench.design.descent import Descent, descend
 from workbench.design.lbfgs import Evaluation
 from workbench.design.waves import FaceWaves
+from workbench.optics.account import Account, UnbalancedAccount
 
 SHAPE = 16, 12
 ALL = Descent(1.0, 0.01, 0.0)
@@ -80,3 +81,41 @@ def test_all_descents_together_take_no_more_steps_than_are_left(wanted, left):
     nets, _ = _descended(wanted, LONG, ALL, left=left)
     whole, _ = _descended(wanted, LONG, ALL)
     assert len(nets) == min(left, len(whole))
+
+
+class _Unbalanced:
+    """An objective whose light does not add up beyond some distance, or at some evaluation."""
+
+    def __init__(self, wanted, most=np.inf, at=-1):
+        self.wanted, self.most, self.at, self.count, self.refused = wanted, most, at, -1, 0
+
+    def __call__(self, x, nets):
+        self.count += 1
+        net = nets["exit"]
+        if self.count == self.at or net.detach().abs().max() > self.most:
+            self.refused += 1
+            raise UnbalancedAccount(Account(1.2, {"left_side": -0.2}))
+        value = (net - self.wanted).square().sum() / self.wanted.square().sum()
+        return Evaluation(value.item(), lambda: torch.autograd.grad(value, [x])[0], net.detach())
+
+
+def _run(wanted, objective, left=40):
+    begin = {"exit": torch.zeros_like(wanted)}
+    waves = FaceWaves(begin, ALL.power, (False, False), {"exit": 1.0})
+    return list(
+        descend(SimpleNamespace(effort=768**2), objective, begin, lambda _: waves, [ALL], left)
+    )
+
+
+def test_a_trial_whose_light_does_not_add_up_makes_its_step_shorter(wanted):
+    most = 0.5 * wanted.abs().max().item()
+    objective = _Unbalanced(wanted, most)
+    nets = _run(wanted, objective)
+    assert objective.refused > 0
+    assert all(net.abs().max() <= most for net in nets)
+    assert (nets[-1] - wanted).norm() < 0.9 * wanted.norm()
+
+
+def test_a_beginning_whose_light_does_not_add_up_is_a_defect(wanted):
+    with pytest.raises(UnbalancedAccount, match="left_side"):
+        _run(wanted, _Unbalanced(wanted, at=0))

@@ -5,6 +5,7 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 from itertools import islice
 from typing import NamedTuple
 
+import torch
 from torch import Tensor
 
 from workbench.design.endings import FLAT, LOWEST, SLOW, SMALL
@@ -12,6 +13,7 @@ from workbench.design.lbfgs import Evaluation, minimise
 from workbench.design.several_images import AnyImage
 from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
+from workbench.optics.account import UnbalancedAccount
 from workbench.said import Said
 
 # The most that a step may change a parameter. Far out tanh is flat: a height that one bold step
@@ -109,15 +111,30 @@ def descend(
     -------
     str
         Why the last descent ended of its own accord.
+
+    Raises
+    ------
+    UnbalancedAccount
+        If the light of the beginning does not add up. Of a later trial this makes its step shorter.
     """
     patience = min(max(_STEPS, round(_STEPS * _BEAMS / image.effort)), _MOST_STEPS)
     every = [waves_of(descent) for descent in descents]
     waves = every[-1]
     x = waves.values(parameters)
 
-    def objective(x: Tensor) -> Evaluation[Step]:
+    begun = False
+
+    def objective(x: Tensor) -> Evaluation[Step | None]:
+        nonlocal begun
         x = x.detach().requires_grad_()
-        return evaluated(x, waves.nets(x))
+        try:
+            found = evaluated(x, waves.nets(x))
+        except UnbalancedAccount:  # the samples are too few for this trial: a shorter step is next
+            if not begun:
+                raise
+            return Evaluation(math.inf, lambda: torch.zeros_like(x), None)
+        begun = True
+        return found
 
     for number, descent in enumerate(descents):
         found = minimise(objective, x, _MAX_STEP, every[number].eased)
@@ -127,6 +144,7 @@ def descend(
         ended: str | None = None
         for here, there in islice(found, left):
             x, left = here, left - 1
+            assert there.seen is not None  # no step ends where the account does not add up
             yield there.seen
             errors.append(math.sqrt(there.value))
             if errors[-1] < _SMALLEST:

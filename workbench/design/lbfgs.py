@@ -10,7 +10,7 @@ from typing import Generic, NamedTuple, TypeVar
 import torch
 from torch import Tensor
 
-Seen = TypeVar("Seen")
+Seen = TypeVar("Seen", covariant=True)
 
 
 @dataclass(frozen=True)

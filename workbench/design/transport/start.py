@@ -27,6 +27,7 @@ from workbench.design.transport.charts import chart_of
 from workbench.design.transport.grids import PER_CONTROL_POINT, Grids
 from workbench.design.transport.view import ReceiverView
 from workbench.geometry.surface import ControlNet
+from workbench.optics.account import UnbalancedAccount
 from workbench.optics.plan import tensors_of
 from workbench.scene import Scene
 
@@ -101,7 +102,11 @@ class _Judged(NamedTuple):
 
     @classmethod
     def of(cls, scene: Scene, target: Array, heights: Array) -> Self:
-        return cls(first_error(scene, target, {scene.optic.face: heights}), heights)
+        try:
+            error = first_error(scene, target, {scene.optic.face: heights})
+        except UnbalancedAccount:  # the samples are too few for such a face
+            error = math.inf
+        return cls(error, heights)
 
     def __lt__(self, other: object) -> bool:
         return isinstance(other, _Judged) and self.error < other.error
