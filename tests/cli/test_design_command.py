@@ -27,6 +27,7 @@ class TestDone:
         assert sorted(figures) == [
             "efficiency",
             "ended",
+            "ending",
             "iterations",
             "ledger",
             "loss",
@@ -34,6 +35,7 @@ class TestDone:
             "shortfall",
         ]
         assert figures["shortfall"] is None
+        assert figures["ending"] == {"words": "all iterations are done", "values": {}}
         result = read_session(out).result
         assert figures["ended"] == result.ended == "all iterations are done"
         assert figures["loss"] == result.state.loss

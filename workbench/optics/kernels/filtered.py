@@ -26,7 +26,7 @@ from workbench.optics.kernels.taps import FAST
 from workbench.scene import Filter
 
 
-def filtered(hits: Tensor, pixels: tuple[int, int], filter: Filter) -> tuple[Tensor, float]:
+def filtered(hits: Tensor, pixels: tuple[int, int], filter: Filter) -> tuple[Tensor, float, float]:
     """Image of rays.
 
     Parameters
@@ -41,13 +41,13 @@ def filtered(hits: Tensor, pixels: tuple[int, int], filter: Filter) -> tuple[Ten
 
     Returns
     -------
-    tuple of Tensor, shape (n_y, n_x), and float
-        Flux in each pixel, differentiable; and that of rays on the receiver.
+    tuple of Tensor, shape (n_y, n_x), and two floats
+        Flux in each pixel, differentiable; and that of rays on the receiver, and beside it.
     """
     spread = make_image_spread(pixels, filter, kind_of(hits.dtype))
     sums: list[float] = []
     image = _Filtered.apply(spread, sums, hits.flatten(1))  # type: ignore[no-untyped-call]
-    return image, sums[0]
+    return image, sums[0], sums[1]
 
 
 class _Filtered(torch.autograd.Function):
@@ -58,12 +58,12 @@ class _Filtered(torch.autograd.Function):
         rays = np.asarray(hits.contiguous().numpy())
         bounds = threads.bounds(rays.shape[1], threads.parts(rays.shape[1]))
         parts = len(bounds) - 1
-        canvases, landed = make_canvases(spread, parts), np.zeros(parts)
+        canvases, landed = make_canvases(spread, parts), np.zeros((parts, 2))
         threads.run(
-            lambda k: _scatter(spread, rays, bounds[k], bounds[k + 1], canvases[k], landed[k:]),
+            lambda k: _scatter(spread, rays, bounds[k], bounds[k + 1], canvases[k], landed[k]),
             parts,
         )
-        sums.append(float(landed.sum()))
+        sums.extend(landed.sum(axis=0).tolist())
         return torch.from_numpy(np.ascontiguousarray(add_up(spread, canvases)))
 
     @staticmethod
@@ -86,8 +86,9 @@ def _scatter(spread, rays, begin, end, canvas, landed):  # type: ignore[no-untyp
     for i in range(begin, end, BATCH):
         count = min(BATCH, end - i)
         column, row, flux = rays[0, i : i + count], rays[1, i : i + count], rays[2, i : i + count]
-        on_receiver, _ = scatter(spread, column, row, flux, count, work, canvas)
+        on_receiver, beside = scatter(spread, column, row, flux, count, work, canvas)
         landed[0] += on_receiver
+        landed[1] += beside
 
 
 @jit(fastmath=FAST, error_model="numpy")

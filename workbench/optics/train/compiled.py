@@ -159,12 +159,13 @@ class CompiledTrain:
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
         nodes, account, _ = self.nodes(heights)
-        image, on_screen = filtered(nodes, self._path.receiver.part.pixels, filter)
+        image, on_screen, beside = filtered(nodes, self._path.receiver.part.pixels, filter)
         for axis in (0, 1):
             if self.mirrored[axis]:
-                image, on_screen = image + image.flip(1 - axis), 2 * on_screen
-        lost = dict(account.lost) | {"off_screen": account.on_screen - on_screen}
-        return Light(image, Account(on_screen, lost))
+                image = image + image.flip(1 - axis)
+        copies = 2 ** sum(self.mirrored)
+        lost = dict(account.lost) | {"off_screen": copies * beside}
+        return Light(image, Account(copies * on_screen, lost))
 
     def forward(self, heights: tuple[AnyArray, ...]) -> tuple[AnyArray, AnyArray, Account]:
         """Nodes, distances to rims, and the account of a train."""

@@ -45,6 +45,7 @@ from workbench.optics.train.registers import (
     Z_X,
     Z_Y,
     Z,
+    make_registers,
 )
 
 # Sums of the first face: flux absorbed before it, that meets it, that is not totally reflected,
@@ -183,15 +184,6 @@ def back(  # type: ignore[no-untyped-def]
                 t[Z_Y + lane] = t[SUM_Z_Y + lane]
             blend_back(d_rows, up, j, lanes, t)
         contract_back(d_rows, across, i, lanes, gradient)
-
-
-@jit()
-def make_registers(elements, like):  # type: ignore[no-untyped-def]
-    """Registers of a batch for so many further elements: 0, but for the rims before the first."""
-    t = np.zeros((elements + 1) * int(BLOCK), like.dtype)
-    for lane in range(np.uintp(BATCH)):
-        t[RIM + lane] = like.dtype.type(np.inf)
-    return t
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

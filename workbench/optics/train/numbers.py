@@ -238,6 +238,15 @@ class Elements(NamedTuple):
     spans: npt.NDArray[np.int64]
 
 
+class Law(NamedTuple):
+    """A `TransmittanceLaw`, of a file whose text names the folder of compiled code."""
+
+    ratio: Number
+    passing: Number
+    grazing: Number
+    exact: bool
+
+
 class Element(NamedTuple):
     """One of the `Elements`, in scalars.
 
@@ -277,7 +286,7 @@ class Element(NamedTuple):
     rim: Number
     curvature: Number
     conic: Number
-    law: TransmittanceLaw
+    law: Law
     net: Net
     bounds: Bounds
 
@@ -291,7 +300,7 @@ def element_of(elements, e):  # type: ignore[no-untyped-def]
         elements.bounds[e],
         elements.spans[e],
     )
-    law = TransmittanceLaw(n[10], n[11], n[12], flags[4])
+    law = Law(n[10], n[11], n[12], flags[4])
     net = Net(n[13], n[14], n[15], n[16], n[17], n[18], (spans[0], spans[1]), spans[2])
     bounds = Bounds(b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8])
     return Element(

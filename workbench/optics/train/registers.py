@@ -8,6 +8,7 @@ that leave a face are in the same rows of every block.
 
 import numpy as np
 
+from workbench.compiled import jit
 from workbench.optics.kernels.spread import BATCH
 
 # The first face: height and slopes (as in `workbench.optics.kernels.grid`).
@@ -37,3 +38,12 @@ D_P_X, D_P_Y, D_P_Z, D_O_X, D_O_Y, D_O_Z, D_OUT, D_RIM = (
 )
 BLOCK = np.uintp(BATCH * 55)
 """Length of a block."""
+
+
+@jit()
+def make_registers(elements, like):  # type: ignore[no-untyped-def]
+    """Registers of a batch for so many further elements: 0, but for the rims before the first."""
+    t = np.zeros((elements + 1) * int(BLOCK), like.dtype)
+    for lane in range(np.uintp(BATCH)):
+        t[RIM + lane] = like.dtype.type(np.inf)
+    return t
