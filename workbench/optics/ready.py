@@ -20,6 +20,7 @@ from enum import Enum
 
 import torch
 
+from workbench.interruption import given_up_when
 from workbench.optics.kernels import beam_image, box_image, point
 from workbench.optics.train import compiled
 
@@ -127,7 +128,10 @@ def _compile(name: str, dtype: torch.dtype) -> None:
         _compiling.acquire()
     try:
         if kernel not in _ready and kernel not in _failures:
-            _COMPILERS[name](dtype)
+            # The kernel is for all later work: it is compiled even if the work of this thread is
+            # given up meanwhile, which would otherwise count as a kernel that cannot be compiled.
+            with given_up_when(lambda: False):
+                _COMPILERS[name](dtype)
             _ready.add(kernel)
     except Exception as error:  # of any kind: compilers have many; `failure` keeps it
         _failures[kernel] = error

@@ -8,6 +8,7 @@ import pytest
 import torch
 
 from workbench import compiled
+from workbench.interruption import given_up_when
 from workbench.optics import ready, tracers
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
@@ -102,6 +103,13 @@ def test_compiling_ahead_can_be_interrupted(nothing_compiled):
     ready.compile_all(lambda: next(answers))
     assert ready._ready == {("train", torch.float32)}
     assert not ready.is_compiled()
+
+
+@pytest.mark.parametrize("kernel", list(ready._COMPILERS))
+def test_a_kernel_is_compiled_for_work_that_is_given_up_meanwhile(kernel, nothing_compiled):
+    with given_up_when(lambda: True), torch.no_grad():
+        assert ready.obtain(kernel, torch.float32)
+    assert ready.failure(kernel, torch.float32) is None
 
 
 def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
