@@ -50,6 +50,8 @@ class Glass(NamedTuple):
         Where the light comes from; points are all at one distance from the entrance face.
     step : FaceStep
         The entrance face.
+    reflected : str
+        Name of the light that it reflects.
     law : TransmittanceLaw
         How much of the light it refracts.
     z : float
@@ -66,6 +68,7 @@ class Glass(NamedTuple):
 
     origins: Origins
     step: FaceStep
+    reflected: str
     law: TransmittanceLaw
     z: float
     net: ControlNet
@@ -77,11 +80,6 @@ class Glass(NamedTuple):
     def distance(self) -> float:
         """From points to the entrance face; 0 of light from infinitely far."""
         return 0.0 if self.origins.infinite else self.z - float(self.origins.places[0, 2])
-
-    @property
-    def reflected(self) -> str:
-        """Name of the light that the entrance face reflects."""
-        return self.step.interface.reflected  # type: ignore[attr-defined, no-any-return]
 
     def before(self) -> dict[str, float]:
         """Flux that is lost before the glass, by its names in the light account: by quadrature."""
@@ -110,12 +108,14 @@ class Glass(NamedTuple):
         """Intensities of each origin towards places of the entrance face; see `tabulated`."""
         if self.origins.pattern is None:
             return None
-        entered = None if self.crowded is None else (self._entered(0), self._entered(1))
+        entered = None
+        if self.crowded is not None:
+            across, up = self.crowded
+            entered = self._entered(0, across), self._entered(1, up)
         return tabulated(self.origins, self.net.half_width, self.z, entered)
 
-    def _entered(self, axis: int) -> Places:
+    def _entered(self, axis: int, samples: Places) -> Places:
         """Where light of samples of a flat face crosses the entrance face, scene units."""
-        assert self.crowded is not None
         foot = float(self.origins.places[:, axis].mean())
         glass = FlatGlass(self.distance, self.law, lambertian=False)
         depth = torch.tensor(max(self.level - self.z, 0.0), dtype=torch.float64)
@@ -125,7 +125,7 @@ class Glass(NamedTuple):
             ratio = glass.light(torch.as_tensor(away).square(), depth).radius_ratio
             return np.asarray(foot + ratio.numpy() * away)
 
-        return Places(*map(crossing, self.crowded[axis]))
+        return Places(*map(crossing, samples))
 
 
 def _turned(

@@ -27,13 +27,9 @@ class Halves(NamedTuple):
     y: Array | None
 
     @classmethod
-    def of(cls, samples: Samples, points: tuple[int, int], wanted: tuple[bool, bool]) -> "Halves":
-        """Halves of the rays of so many points along x and y, where they are wanted and possible.
-
-        Those of an odd number of rays in the middles of cells are not, nor are those of an odd
-        number of cells, or of points beside one in the middle.
-        """
-        x, y = (_half(samples, axis, points[axis]) if wanted[axis] else None for axis in (0, 1))
+    def of(cls, samples: Samples, wanted: tuple[bool, bool]) -> "Halves":
+        """Halves of the rays along x and y, where wanted; none of an odd number of cells."""
+        x, y = (_half(samples, axis) if wanted[axis] else None for axis in (0, 1))
         return cls(x, y)
 
     @property
@@ -69,13 +65,9 @@ class Halves(NamedTuple):
         return x, y
 
 
-def _half(samples: Samples, axis: int, points: int) -> Array | None:
+def _half(samples: Samples, axis: int) -> Array | None:
     count = counts(samples)[axis]
-    if not isinstance(samples, Corners):
-        count = -(-count // points) * points
-        return np.ones(count // 2) if count % 2 == 0 else None
-    if points % 2 == 0:
-        return np.ones(points // 2 * (count + 2))
-    if points == 1 and count % 2 == 0:
-        return np.append(np.ones(count // 2), [0.5, 0.0])
-    return None
+    if count % 2:
+        return None
+    half = np.ones(count // 2)
+    return np.append(half, [0.5, 0.0]) if isinstance(samples, Corners) else half

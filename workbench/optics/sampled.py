@@ -79,7 +79,7 @@ class SampledTrain(NamedTuple):
             return None
         origins, glass = emitter.origins, None
         match steps[0]:
-            case FaceStep(Plane(z=z), Refraction(law=law)) if len(steps) > 1:
+            case FaceStep(Plane(z=z), Refraction(law=law, reflected=name)) if len(steps) > 1:
                 one_distance = origins.infinite or np.ptp(origins.places[:, 2]) == 0
                 surface = steps[1].surface
                 if not (one_distance and isinstance(surface, BSplineSurface)):
@@ -87,7 +87,7 @@ class SampledTrain(NamedTuple):
                 shape = surface.net, surface.level, path.outline
                 lines = places(samples, 0), places(samples, 1)
                 crowded = None if _are_even(samples) else lines
-                glass = Glass(origins, steps[0], law, z + path.datum, *shape, crowded)
+                glass = Glass(origins, steps[0], name, law, z + path.datum, *shape, crowded)
                 steps = steps[1:]
         surface = steps[0].surface
         if not isinstance(surface, BSplineSurface) or surface.subdivisions is not None:

@@ -244,3 +244,25 @@ def test_all_light_is_accounted_for(make_scene):
         found = CompiledTrain(path_of(scene, light, (30, 30))).nodes(heights).account
         assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
         assert found.lost["absorbed"] > 0.005
+
+
+@pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
+def test_half_of_the_samples_of_a_point_on_the_axis_have_its_gradient(make_scene, mirrored):
+    source = {"kind": "point", "position": [0, 0, -3.0]}
+    scene = make_scene({"source": source, "screen.half_width": [1.5, 1.5]})
+    heights, cotangent = lens(scene, 3, 0.02), torch.randn(32, 32, dtype=torch.float64)
+    for axis in (0, 1):
+        if mirrored[axis]:
+            heights = (heights + heights.flip(axis)) / 2
+            cotangent = cotangent + cotangent.flip(1 - axis)
+    found = []
+    for promise in (mirrored, (False, False)):
+        plan = BeamPlan(scene, (40, 36), mirrored=promise, dtype=torch.float64)
+        leaf = heights.clone().requires_grad_()
+        image, account = plan.trace({"exit": leaf})
+        (gradient,) = torch.autograd.grad((image * cotangent).sum(), leaf)
+        found.append((image.detach(), account.to_data(), gradient))
+    (part, light, part_gradient), (whole, all_light, gradient) = found
+    assert (part - whole).abs().max() < 1e-12
+    assert light == pytest.approx(all_light, abs=1e-12)
+    assert (part_gradient - gradient).norm() < 1e-8 * gradient.norm()

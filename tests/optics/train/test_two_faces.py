@@ -177,3 +177,20 @@ def test_all_light_is_accounted_for(make_scene):
         found = CompiledTrain(two_faces(scene, light, (30, 30))).nodes(heights).account
         assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
         assert found.lost["absorbed"] > 0.002
+
+
+def test_the_way_back_of_a_trace_may_come_after_another_trace(make_scene):
+    scene, light = make_scene({"lens.absorption": 0.2}), LIGHTS["points"]
+    tracer = CompiledTrain(two_faces(scene, light, (20, 16)))
+    one, other = ({**faces(scene, seed, 0.01)} for seed in (1, 2))
+
+    def traced(heights):
+        leaves = [each.clone().requires_grad_() for each in heights.values()]
+        hits = tracer.nodes(dict(zip(heights, leaves, strict=True))).hits
+        return torch.where(hits.isfinite(), hits, 0.0).sum(), leaves
+
+    alone = torch.autograd.grad(*traced(one))
+    total, leaves = traced(one)
+    traced(other)
+    for late, early in zip(torch.autograd.grad(total, leaves), alone, strict=True):
+        assert (late - early).norm() < 1e-9 * early.norm()

@@ -1,4 +1,4 @@
-"""The face to which all kernels follow light, and what they say of the light there."""
+"""The face to which drawn rays are traced, and the account of their light there."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -25,12 +25,8 @@ class ExitFace(NamedTuple):
         What its heights are called.
     net : ControlNet
         Where its control heights sit.
-    level : float
-        z of the scene near its mean height.
     mesh : bool
         Whether triangles stand for it.
-    whole : bool
-        Whether it fills the rectangle of its net.
     law : TransmittanceLaw
         How it refracts; the refractive index before it is larger than that behind it.
     absorption : float
@@ -41,9 +37,7 @@ class ExitFace(NamedTuple):
 
     name: str
     net: ControlNet
-    level: float
     mesh: bool
-    whole: bool
     law: TransmittanceLaw
     absorption: float
     missed: str
@@ -51,28 +45,18 @@ class ExitFace(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "ExitFace | None":
-        """The only face of a path that depends on heights; None where that is no such face."""
-        face = cls.at(path.shaped[0]) if len(path.shaped) == 1 else None
-        return face if face is not None and face.law.ratio > 1 else None
-
-    @classmethod
-    def at(cls, step: FaceStep) -> "ExitFace | None":
-        """The face of a step; None where that is no B-spline that refracts."""
-        match step:
-            case FaceStep(
-                BSplineSurface(name=name, net=net, outline=outline) as surface,
-                Refraction(law=law, reflected=reflected, absorption=absorption),
-                missed,
-            ):
-                shape = net, surface.level, surface.subdivisions is not None, outline.whole
-                return cls(name, *shape, law, absorption, missed, reflected)
+        """The only face that depends on heights; None unless it fills the rectangle of its net."""
+        match path.shaped:
+            case (
+                FaceStep(
+                    BSplineSurface(name=name, net=net, outline=outline) as surface,
+                    Refraction(law=law, reflected=reflected, absorption=absorption),
+                    missed,
+                ),
+            ) if outline.whole and law.ratio > 1:
+                mesh = surface.subdivisions is not None
+                return cls(name, net, mesh, law, absorption, missed, reflected)
         return None
-
-    @classmethod
-    def rectangular(cls, path: Path) -> "ExitFace | None":
-        """As `of`; None for a face that fills not all of its rectangle, too."""
-        face = cls.of(path)
-        return face if face is not None and face.whole else None
 
     def light(self, flux: Tensor, sums: Sums, before: Mapping[str, float]) -> Light:
         """An image, and the account of its light; ``before`` is lost before this face, by name."""

@@ -7,10 +7,9 @@ import torch
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
-from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.function import kind_of
+from workbench.optics.kernels.function import as_array, kind_of
 from workbench.optics.kernels.spread import (
     BATCH,
     Spread,
@@ -55,7 +54,7 @@ class _Filtered(torch.autograd.Function):
     def forward(ctx: Any, spread: Spread, sums: list[float], hits: Tensor) -> Tensor:
         ctx.spread = spread
         ctx.save_for_backward(hits)
-        rays = np.asarray(hits.contiguous().numpy())
+        rays = as_array(hits)
         bounds = threads.bounds(rays.shape[1], threads.parts(rays.shape[1]))
         parts = len(bounds) - 1
         canvases, landed = make_canvases(spread, parts), np.zeros((parts, 2))
@@ -70,8 +69,8 @@ class _Filtered(torch.autograd.Function):
     @once_differentiable
     def backward(ctx: Any, cotangent: Tensor) -> tuple[None, None, Tensor]:
         (hits,) = ctx.saved_tensors
-        rays = np.asarray(hits.contiguous().numpy())
-        canvas, found = pad(ctx.spread, _array(cotangent)), np.empty_like(rays)
+        rays = as_array(hits)
+        canvas, found = pad(ctx.spread, as_array(cotangent)), np.empty_like(rays)
         bounds = threads.bounds(rays.shape[1], threads.parts(rays.shape[1]))
         threads.run(
             lambda k: _gather(ctx.spread, rays, bounds[k], bounds[k + 1], canvas, found),
@@ -100,7 +99,3 @@ def _gather(spread, rays, begin, end, canvas, found):  # type: ignore[no-untyped
             spread, rays[0, i:j], rays[1, i:j], rays[2, i:j], j - i, work, canvas,
             found[0, i:j], found[1, i:j], found[2, i:j],
         )  # fmt: skip
-
-
-def _array(values: Tensor) -> AnyArray:
-    return np.asarray(values.contiguous().numpy())

@@ -85,7 +85,7 @@ class _Trace(torch.autograd.Function):
     def forward(ctx: Any, passes: Passes, sums: list[Any], heights: Tensor) -> Tensor:
         ctx.passes = passes
         ctx.save_for_backward(heights)
-        made, found = passes.forward(_array(heights))
+        made, found = passes.forward(as_array(heights))
         sums.append(found)
         return torch.from_numpy(made)
 
@@ -93,9 +93,10 @@ class _Trace(torch.autograd.Function):
     @once_differentiable
     def backward(ctx: Any, cotangent: Tensor) -> tuple[None, None, Tensor]:
         (heights,) = ctx.saved_tensors
-        gradient = ctx.passes.backward(_array(heights), _array(cotangent))
+        gradient = ctx.passes.backward(as_array(heights), as_array(cotangent))
         return None, None, torch.from_numpy(gradient).to(heights.dtype)
 
 
-def _array(values: Tensor) -> AnyArray:
+def as_array(values: Tensor) -> AnyArray:
+    """Return the values of a tensor on the CPU, contiguous."""
     return np.asarray(values.contiguous().numpy())

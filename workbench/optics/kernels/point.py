@@ -62,7 +62,7 @@ class FusedPointRays:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the walk along a path does."""
-        face = ExitFace.rectangular(path)
+        face = ExitFace.of(path)
         return path.receiver.upright and face is not None and not face.mesh
 
     def __init__(
@@ -70,7 +70,7 @@ class FusedPointRays:
         path: Path,
         mirrored: tuple[bool, bool] = (False, False),
     ) -> None:
-        face = ExitFace.rectangular(path)
+        face = ExitFace.of(path)
         if face is None:
             raise TypeError("the kernel for rays that search does not match this path")
         self._path, self._exit = path, face

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import torch
 from torch import Tensor
+from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray, Array
 from workbench.geometry.surface import ControlNet
@@ -20,7 +21,7 @@ from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Reflection, Refraction
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.filtered import filtered
-from workbench.optics.kernels.function import check_size, kind_of
+from workbench.optics.kernels.function import as_array, check_size, kind_of
 from workbench.optics.kernels.grid import make_axis
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
@@ -95,7 +96,7 @@ class CompiledTrain:
             raise TypeError("the first freeform face of this path is not sampled")
         self._path, self._even, kind = path, is_even(path), kind_of(path.dtype)
         self._count, one = len(train.origins.flux), _on_axis(train.origins)
-        self._halves = Halves.of(train.samples, (1, 1), mirrored if one else (False, False))
+        self._halves = Halves.of(train.samples, mirrored if one else (False, False))
         origins, self.mirrored = train.origins, self._halves.mirrored
         if not one:
             origins, self.mirrored = halved(origins, mirrored)
@@ -106,17 +107,17 @@ class CompiledTrain:
         )
         self._before = self._lost_before(path)
         self._rest = FurtherFaces(train, path.dtype)
-        lines = tuple(sample_lines(train, self._halves, kind))
-        self._bases = tuple(
+        lines = sample_lines(train, self._halves, kind)
+        bases = tuple(
             make_axis(train.net, axis, self._halves.first(line.part, axis), kind)
             for axis, line in enumerate(train.lines)
         )
         self._light = incident_light(train, path, self._halves, self._even, kind)
-        face = first_face(train, self._even, kind)
-        landing = landing_of(path.receiver, self._rest.levels[-1] - path.datum, kind)
-        self._grid, self._behind = (self._bases, lines), ((face, self._rest.elements), landing)
+        self._first = first_face(train, self._even, kind)
+        self._landing = landing_of(path.receiver, self._rest.levels[-1] - path.datum, kind)
+        self._grid = bases, lines
         self._newton = NewtonSteps.of(train, path.dtype)
-        columns, rows = (len(basis.place) for basis in self._bases)
+        columns, rows = (len(basis.place) for basis in bases)
         self._shape = self._light.origins * rows, columns
         self._bounds = threads.split(columns, self._shape[0] * columns)
         # Where rays met further faces of the last train: there the search begins.
@@ -167,30 +168,30 @@ class CompiledTrain:
         lost = dict(account.lost) | {"off_screen": copies * beside}
         return Light(image, Account(copies * on_screen, lost))
 
-    def forward(self, heights: tuple[AnyArray, ...]) -> tuple[AnyArray, AnyArray, Account]:
-        """Nodes, distances to rims, and the account of a train."""
+    def forward(
+        self, heights: tuple[AnyArray, ...]
+    ) -> tuple[AnyArray, AnyArray, Account, tuple[Any, ...]]:
+        """Nodes, distances to rims, the account of a train, and what its way back takes."""
         first, *others = heights
-        table = self._rest.prepare(others)
+        elements, table = self._rest.prepare(others)
         depths = self._depths.copy()  # the way back of a train may come after another one
         nodes, rims = np.empty((3, *self._shape), first.dtype), np.empty((0, 0), first.dtype)
         if len(depths):
             rims = np.empty(self._shape, first.dtype)
         sums = np.zeros((len(self._bounds) - 1, len(depths) + 1, SUMS))
-        known = first, *self._grid, self._light_of(first), *self._behind, table, depths
+        faces = (self._first, elements), self._landing, table, depths
+        known = first, *self._grid, self._light_of(first), *faces
         self._run(lambda *span, part: land(*known, *span, nodes, rims, sums[part]))
-        self._depths, self.kept = depths, (table, depths)
-        self._rest.steepest = sums[:, 1:, STEEP_X:].max(axis=0)
-        return nodes, rims, self._account(2 ** sum(self.mirrored) * sums.sum(axis=0))
+        self._depths, self._rest.steepest = depths, sums[:, 1:, STEEP_X:].max(axis=0)
+        return nodes, rims, self._account(2 ** sum(self.mirrored) * sums.sum(axis=0)), known
 
     def backward(
-        self, heights: tuple[AnyArray, ...], kept: tuple[AnyArray, AnyArray], *cotangents: AnyArray
+        self, heights: tuple[AnyArray, ...], known: tuple[Any, ...], *cotangents: AnyArray
     ) -> tuple[AnyArray, ...]:
         """Cotangents of the heights from those of nodes and rims of one of the mirror images."""
         first, *others = heights
-        table, depths = kept
-        parts = len(self._bounds) - 1
+        parts, table = len(self._bounds) - 1, known[-2]
         gradients, d_tables = np.zeros((parts, *first.shape)), np.zeros((parts, *table.shape))
-        known = first, *self._grid, self._light_of(first), *self._behind, table, depths
         self._run(
             lambda *span, part: back(*known, *span, *cotangents, gradients[part], d_tables[part])
         )
@@ -247,17 +248,18 @@ class _Trace(torch.autograd.Function):
     def forward(
         ctx: Any, train: CompiledTrain, accounts: list[Account], *heights: Tensor
     ) -> tuple[Tensor, Tensor]:
-        nodes, rims, account = train.forward(tuple(map(_array, heights)))
-        ctx.train, ctx.kept = train, train.kept
+        nodes, rims, account, known = train.forward(tuple(map(as_array, heights)))
+        ctx.train, ctx.known = train, known
         ctx.save_for_backward(*heights)
         accounts.append(account)
         return torch.from_numpy(nodes), torch.from_numpy(rims)
 
     @staticmethod
+    @once_differentiable
     def backward(ctx: Any, *cotangents: Tensor) -> tuple[Tensor | None, ...]:
-        heights = ctx.saved_tensors
-        found = ctx.train.backward(tuple(map(_array, heights)), ctx.kept, *map(_array, cotangents))
-        gradients = (torch.from_numpy(each).to(heights[0].dtype) for each in found)
+        heights = tuple(map(as_array, ctx.saved_tensors))
+        found = ctx.train.backward(heights, ctx.known, *map(as_array, cotangents))
+        gradients = (torch.from_numpy(each.astype(heights[0].dtype)) for each in found)
         return None, None, *gradients
 
 
@@ -306,7 +308,3 @@ def compile_for(dtype: torch.dtype) -> None:
     with torch.enable_grad():  # whoever asks, the way back is compiled, too
         light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
         light.flux.sum().backward()  # type: ignore[no-untyped-call]
-
-
-def _array(values: Tensor) -> AnyArray:
-    return np.asarray(values.contiguous().numpy())

@@ -25,17 +25,13 @@ _ANY_LAW = TransmittanceLaw.constant(1.0, 0.0)
 
 def first_face(train: SampledTrain, straight: bool, kind: type[np.floating[Any]]) -> FirstFace:
     """The first face of a train; whether its light goes along the axis."""
-    interface, lift = train.first.interface, 0.0
-    if train.glass is not None:
-        lift = train.level - train.glass.z
-    law, absorption, reflectance, does = _ANY_LAW, 0.0, 1.0, REFLECTS
-    if isinstance(interface, Refraction):
-        law, absorption = interface.law, interface.absorption
-        does = REFRACTS_STRAIGHT if straight else REFRACTS
-    elif isinstance(interface, Reflection):
-        reflectance = interface.reflectance
+    does = REFRACTS_STRAIGHT if straight else REFRACTS
+    if isinstance(train.first.interface, Reflection):
+        does = REFLECTS
+    lift = 0.0 if train.glass is None else train.level - train.glass.z
+    law, absorption, reflectance = _interface(train.first)
     n = law.ratio
-    numbers = kind(n), kind(n * n - 1), kind(lift), kind(16 * np.finfo(kind).eps), kind(absorption)
+    numbers = kind(n), kind(n * n - 1), kind(lift), kind(_critical(kind)), kind(absorption)
     return FirstFace(does, *numbers, law.cast(kind), kind(reflectance))
 
 
@@ -51,8 +47,6 @@ class FurtherFaces:
 
     Attributes
     ----------
-    elements : Elements
-        The faces in numbers; bounds of B-splines as `prepare` finds them.
     splines : list of BSplineSurface
         Those that are B-splines.
     levels : list of float
@@ -79,18 +73,19 @@ class FurtherFaces:
             self._first[number] = patches
             patches += face.net.spans[0] * face.net.spans[1]
         self._patches = patches
-        self.elements = self._elements(train)
+        self._elements = self._in_numbers(train)
 
-    def prepare(self, heights: Sequence[AnyArray]) -> AnyArray:
-        """Patches of all B-splines with heights above their levels; finds their bounds, too."""
+    def prepare(self, heights: Sequence[AnyArray]) -> tuple[Elements, AnyArray]:
+        """The faces in numbers, and patches of all B-splines, for heights above their levels."""
+        bounds = self._elements.bounds.copy()
         table = np.zeros((self._patches, *self._terms), self._kind)
         for (number, face), each in zip(self._faces.items(), heights, strict=True):
             steepest = self.steepest[number].astype(self._kind)
-            self.elements.bounds[number] = face.bounds(each, steepest)
+            bounds[number] = face.bounds(each, steepest)
             found, begin = make_table(each, face.powers), self._first[number]
             _, p, q = found.shape
             table[begin : begin + len(found), :p, :q] = found
-        return table
+        return self._elements._replace(bounds=bounds), table
 
     def cotangents(self, d_tables: AnyArray, heights: Sequence[AnyArray]) -> list[AnyArray]:
         """Those of the heights of the B-splines from those of the patches, by parts."""
@@ -102,7 +97,7 @@ class FurtherFaces:
             found.append(heights_cotangent(some, each.shape, face.powers))
         return found
 
-    def _elements(self, train: SampledTrain) -> Elements:
+    def _in_numbers(self, train: SampledTrain) -> Elements:
         count, kind = len(train.rest), self._kind
         flags, numbers = np.zeros((count, 5), bool), np.zeros((count, 19), kind)
         spans = np.zeros((count, 3), np.int64)
@@ -110,26 +105,36 @@ class FurtherFaces:
         (r_x, r_y), curved = train.half_width, not train.outline.whole
         for number, step in enumerate(train.rest):
             spline = number in self._faces
-            interface = step.interface
-            law, absorption, reflectance = _ANY_LAW, 0.0, 1.0
-            if isinstance(interface, Refraction):
-                law, absorption = interface.law, interface.absorption
-            elif isinstance(interface, Reflection):
-                reflectance = interface.reflectance
+            law, absorption, reflectance = _interface(step)
             n, lift = law.ratio, self.levels[number] - self.levels[number + 1]
-            mirror, cuts = isinstance(interface, Reflection), curved or not spline
+            mirror, cuts = isinstance(step.interface, Reflection), curved or not spline
             flags[number] = mirror, curved, number == 0, cuts, law.exact
             net: Sequence[Any] = 1.0, 1.0, 1.0, 1.0, 1.0, 1.0
             if spline:
                 kinds[number] = BSPLINE
                 *net, (spans_x, spans_y), _ = self._faces[number].net
                 spans[number] = spans_x, spans_y, self._first[number]
-            eps = 16 * float(np.finfo(kind).eps)
             numbers[number] = (
-                lift, n * n - 1, eps, absorption, reflectance, 1 / r_x**2, 1 / r_y**2, RIM,
-                *_conic(step), law.ratio, law.passing, law.grazing, *net,
+                lift, n * n - 1, _critical(kind), absorption, reflectance,
+                1 / r_x**2, 1 / r_y**2, RIM, *_conic(step),
+                law.ratio, law.passing, law.grazing, *net,
             )  # fmt: skip
         return Elements(kinds, flags, numbers, np.zeros((count, 9), kind), spans)
+
+
+def _critical(kind: type[np.floating[Any]]) -> float:
+    """Squared cosine below which light counts as totally reflected."""
+    return 16 * float(np.finfo(kind).eps)
+
+
+def _interface(step: FaceStep) -> tuple[TransmittanceLaw, float, float]:
+    """Transmittance, absorption of the medium before it, and reflectance of a mirror."""
+    match step.interface:
+        case Refraction(law=law, absorption=absorption):
+            return law, absorption, 1.0
+        case Reflection(reflectance=reflectance):
+            return _ANY_LAW, 0.0, reflectance
+    raise TypeError(f"the compiled train has no {type(step.interface).__name__}")
 
 
 def _conic(step: FaceStep) -> tuple[float, float]:

@@ -11,6 +11,7 @@ import numpy as np
 from workbench.arrays import AnyArray
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.train.patterns import weigh
 from workbench.optics.train.registers import (
     BRIGHT,
     BY_WAY,
@@ -24,8 +25,6 @@ from workbench.optics.train.registers import (
 )
 
 Number = np.floating[Any]
-
-_ONE = np.uintp(1)
 
 
 class FarLight(NamedTuple):
@@ -138,23 +137,11 @@ def from_near(light, k, x, y, lanes, t):  # type: ignore[no-untyped-def]
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _weigh(light, k, lanes, t):  # type: ignore[no-untyped-def]
-    """Weigh light with the pattern of its point, by bilinear interpolation."""
-    kind = t.dtype.type
-    zero, one = kind(0), kind(1)
+    """Weigh light with the pattern of its point."""
     pattern, below = light.patterns[k], light.below[k]
-    last = kind(len(pattern) - 1)
     for lane in range(np.uintp(lanes)):
         u = (light.x[k] + t[S_X + lane] * below) * light.per_x + light.first_x
         v = (light.y[k] + t[S_Y + lane] * below) * light.per_y + light.first_y
-        d_u = t[D_S_X + lane] * below * light.per_x if zero < u < last else zero
-        d_v = t[D_S_Y + lane] * below * light.per_y if zero < v < last else zero
-        u, v = min(max(u, zero), last), min(max(v, zero), last)
-        i, j = np.uintp(min(u, last - one)), np.uintp(min(v, last - one))
-        u, v = u - kind(i), v - kind(j)
-        a, b = pattern[i, j], pattern[i, j + _ONE]
-        c, d = pattern[i + _ONE, j], pattern[i + _ONE, j + _ONE]
-        low, high = a + (b - a) * v, c + (d - c) * v
-        value = low + (high - low) * u
-        rise = (high - low) * d_u + ((b - a) * (one - u) + (d - c) * u) * d_v
-        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * value + t[BRIGHT + lane] * rise
-        t[BRIGHT + lane] *= value
+        d_u = t[D_S_X + lane] * below * light.per_x
+        d_v = t[D_S_Y + lane] * below * light.per_y
+        weigh(pattern, u, v, d_u, d_v, lane, t)

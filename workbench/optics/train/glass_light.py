@@ -15,6 +15,7 @@ from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 from workbench.optics.train.outlines import held
+from workbench.optics.train.patterns import weigh
 from workbench.optics.train.registers import (
     ABSORBED,
     BRIGHT,
@@ -26,16 +27,11 @@ from workbench.optics.train.registers import (
     Z,
 )
 
-_ONE = np.uintp(1)
-
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
-    """Weigh light with the pattern of its point, by bilinear interpolation."""
-    kind = t.dtype.type
-    zero, one = kind(0), kind(1)
-    pattern = points.patterns[k]
-    last = kind(len(pattern) - 1)
+    """Weigh light with the pattern of its point."""
+    pattern, zero = points.patterns[k], t.dtype.type(0)
     for lane in range(np.uintp(lanes)):
         depth = max(t[Z + lane] + medium.lift, zero)
         s_x, s_y = t[S_X + lane], t[S_Y + lane]
@@ -43,18 +39,7 @@ def _weigh(points, k, x, y, medium, lanes, t):  # type: ignore[no-untyped-def]
         v = (y - s_y * depth) * points.per_y + points.first_y
         d_u = -(s_x + depth * t[D_S_X + lane]) * points.per_x
         d_v = -(s_y + depth * t[D_S_Y + lane]) * points.per_y
-        d_u, d_v = d_u if zero < u < last else zero, d_v if zero < v < last else zero
-        u, v = min(max(u, zero), last), min(max(v, zero), last)
-        i, j = np.uintp(min(u, last - one)), np.uintp(min(v, last - one))
-        u, v = u - kind(i), v - kind(j)
-        a, b = pattern[i, j], pattern[i, j + _ONE]
-        c, d = pattern[i + _ONE, j], pattern[i + _ONE, j + _ONE]
-        low, high = a + (b - a) * v, c + (d - c) * v
-        value = low + (high - low) * u
-        rise = (high - low) * d_u + ((b - a) * (one - u) + (d - c) * u) * d_v
-        bright = t[BRIGHT + lane]
-        t[BRIGHT + lane] = bright * value
-        t[D_BRIGHT + lane] = t[D_BRIGHT + lane] * value + bright * rise
+        weigh(pattern, u, v, d_u, d_v, lane, t)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -14,17 +14,16 @@ from workbench.optics.kernels.point_patches import make_columns
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.train.elements import (
+    SUMS,
     cross,
     cross_back,
-    face_back,
-    search,
-    search_again,
     transfer,
     transfer_back,
 )
 from workbench.optics.train.first_face import pass_first, pass_first_back
 from workbench.optics.train.landing import receive, receive_back
 from workbench.optics.train.light import shine
+from workbench.optics.train.meeting import face_back, search, search_again
 from workbench.optics.train.numbers import element_of
 from workbench.optics.train.registers import (
     BLOCK,
@@ -142,7 +141,7 @@ def back(  # type: ignore[no-untyped-def]
     rows, d_rows = make_rows(heights), make_rows(heights)
     t = make_registers(count, heights)
     columns = make_columns(table)
-    patches, sums = np.zeros((count, BATCH), np.int32), np.zeros((count, 6))
+    patches, sums = np.zeros((count, BATCH), np.int32), np.zeros((count, SUMS))
     lines = len(up.first)
     blocks = (end - begin + BATCH - 1) // BATCH
     for part in range(blocks):
