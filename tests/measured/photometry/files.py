@@ -10,11 +10,8 @@ GAMMA = np.linspace(0.0, 90.0, 19)
 def candela(c: np.ndarray, gamma: np.ndarray) -> np.ndarray:
     """Something without any symmetry, shape (n_c, n_g)."""
     c, gamma = np.radians(c)[:, None], np.radians(gamma)
-    return (
-        1000
-        * np.cos(gamma)
-        * (1 + 0.3 * np.sin(c) * np.sin(gamma) + 0.2 * np.cos(2 * c + 1) * np.sin(gamma))
-    )
+    uneven = 0.3 * np.sin(c) * np.sin(gamma) + 0.2 * np.cos(2 * c + 1) * np.sin(gamma)
+    return np.asarray(1000 * np.cos(gamma) * (1 + uneven))
 
 
 def words(values: Sequence[float]) -> str:
