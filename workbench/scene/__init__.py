@@ -6,20 +6,29 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 
 from workbench.scene.area_source import AreaSource
 from workbench.scene.auto_net import AutoNet
-from workbench.scene.base import Base, FlatBase, SphereBase
 from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
 from workbench.scene.emission import ExactMethod, MeshMethod
-from workbench.scene.entrance import FlatEntrance, FreeformEntrance
+from workbench.scene.faces import (
+    LARGEST_NET,
+    Base,
+    ConicFace,
+    Face,
+    FlatBase,
+    PlacedBase,
+    PlaneFace,
+    SphereBase,
+    SplineFace,
+)
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import LENGTH, FieldDescription, Measure
 from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
-from workbench.scene.further_image import DrawnTarget, FurtherImage, WantedImage
 from workbench.scene.grid_source import GridSource
+from workbench.scene.image import DrawnTarget, Image, Receiver, WantedImage
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import Lens
+from workbench.scene.lens import CustomIndex, Lens
 from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
 from workbench.scene.mirror import Mirror
-from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative, Part, Positive
 from workbench.scene.points import LightOfPoints, PointSource
 from workbench.scene.receiver import AnyReceiver
@@ -44,10 +53,13 @@ from workbench.scene.target import (
     TextTarget,
     TopHatTarget,
 )
-from workbench.scene.task import Scene, Unit
+from workbench.scene.task import AnyElement, Scene, Unit
 
 __all__ = [
+    "DEFAULT_WAVELENGTH",
+    "LARGEST_NET",
     "LENGTH",
+    "AnyElement",
     "AnyReceiver",
     "AnyRegion",
     "AreaSource",
@@ -57,21 +69,23 @@ __all__ = [
     "Base",
     "BoxFilter",
     "CollimatedSource",
+    "ConicFace",
+    "CustomIndex",
     "DrawnTarget",
+    "Element",
     "EllipseRegion",
     "ExactMethod",
+    "Face",
     "FarField",
     "FieldDescription",
     "Filter",
     "Finish",
     "FlameTarget",
     "FlatBase",
-    "FlatEntrance",
-    "FreeformEntrance",
-    "FurtherImage",
     "GaussianFilter",
     "GaussianProfile",
     "GridSource",
+    "Image",
     "ImageTarget",
     "Kinds",
     "Lens",
@@ -81,14 +95,17 @@ __all__ = [
     "MeshMethod",
     "Mirror",
     "NonNegative",
-    "Optic",
     "PaperRun",
     "Part",
     "PhotometricSource",
+    "PlacedBase",
+    "PlacedFace",
+    "PlaneFace",
     "PointSource",
     "PolygonRegion",
     "Positive",
     "RayFileSource",
+    "Receiver",
     "RectangleRegion",
     "RectangleTarget",
     "Region",
@@ -99,6 +116,7 @@ __all__ = [
     "Screen",
     "Source",
     "SphereBase",
+    "SplineFace",
     "Stage",
     "Target",
     "TextTarget",

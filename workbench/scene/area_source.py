@@ -1,16 +1,16 @@
 """A flat emitter that faces the lens, as the chip of an LED."""
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import ConfigDict
 
 from workbench.arrays import Array
+from workbench.scene.element import Element, Place
 from workbench.scene.emission import Emission
-from workbench.scene.fields import LENGTH, PLACE, Measure, Version, about
-from workbench.scene.optic import Optic
+from workbench.scene.fields import LENGTH, PLACE, Measure, about
 from workbench.scene.part import Positive
-from workbench.scene.points import MOST_RAYS, Place, check_place, disc, in_front
+from workbench.scene.points import MOST_RAYS, check_place, disc, in_front
 from workbench.scene.wide_source import WideSource
 
 if TYPE_CHECKING:
@@ -24,14 +24,12 @@ class AreaSource(WideSource):
     """
 
     model_config = ConfigDict(title="Area emitter")
-    since: ClassVar[Version] = 2
-
     kind: Literal["area"]
-    center: Annotated[
+    position: Annotated[
         Place,
         LENGTH,
         PLACE,
-        about("Centre", "The middle of the emitter: x, y and z, before the entrance face."),
+        about("Position", "The middle of the emitter: x, y and z, before the entrance face."),
     ]
     half_width: Annotated[
         tuple[Positive, Positive],
@@ -79,7 +77,7 @@ class AreaSource(WideSource):
         """Where the scene's source is, a tenth as wide as the lens."""
         x, y = scene.optic.half_width
         place = scene.source.place or in_front(scene.optic)
-        return {"center": place, "half_width": (x / 10, y / 10)}
+        return {"position": place, "half_width": (x / 10, y / 10)}
 
     @property
     def continuous(self) -> bool:
@@ -96,28 +94,28 @@ class AreaSource(WideSource):
         """Its outline."""
         return self.outline
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too small beside it."""
-        check_place("source.center", self.center, optic)
+        check_place("source.position", self.position, optic)
         super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""
         x, y = (
             middle + np.linspace(-r, r, count)
-            for middle, r, count in zip(self.center, self.half_width, most, strict=False)
+            for middle, r, count in zip(self.position, self.half_width, most, strict=False)
         )
-        places = np.stack(np.broadcast_arrays(x[:, None], y, self.center[2]), axis=-1)
+        places = np.stack(np.broadcast_arrays(x[:, None], y, self.position[2]), axis=-1)
         if self.outline == "ellipse" and min(most) > 2:
-            far = np.square((places[..., :2] - self.center[:2]) / self.half_width).sum(axis=-1)
+            far = np.square((places[..., :2] - self.position[:2]) / self.half_width).sum(axis=-1)
             return np.asarray(places[far <= 1 + 1e-9])
         return places.reshape(-1, 3)
 
-    def face(self, optic: Optic, z: float) -> Array:
+    def face(self, optic: Element, z: float) -> Array:
         """Its own; see `AnySource.face`."""
         if self.outline == "rectangle":
             return self.corners.reshape(2, 2, 3)
-        return np.asarray(self.center + disc() * (*self.half_width, 0.0))
+        return np.asarray(self.position + disc() * (*self.half_width, 0.0))
 
     @property
     def corners(self) -> Array:
@@ -126,6 +124,6 @@ class AreaSource(WideSource):
 
     def widened(self, corner: Array, digits: int) -> Self:
         """An emitter about the same middle with a corner at a place; see `AnySource.widened`."""
-        wide = np.round(np.abs(corner - self.center), digits).tolist()
+        wide = np.round(np.abs(corner - self.position), digits).tolist()
         new = tuple(a or b for a, b in zip(wide, self.half_width, strict=False))
         return self.model_copy(update={"half_width": new})

@@ -1,7 +1,7 @@
 """``"auto"`` in place of numbers of control points."""
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, Literal, get_args
+from typing import Any, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
@@ -21,8 +21,6 @@ class AutoNet:
     """
 
     shape: tuple[int, int] | None = None
-    needed_version: ClassVar[Literal[2]] = 2
-    """The oldest version of the file format that knows it."""
 
     def __str__(self) -> str:
         return AUTO

@@ -10,9 +10,9 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
-from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
+from workbench.scene.element import Element
+from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
 from workbench.scene.kinds import Kinds
-from workbench.scene.optic import Optic
 from workbench.scene.part import Part, Positive
 from workbench.scene.points import AnySource, disc
 from workbench.scene.receiver import AnyReceiver
@@ -77,7 +77,6 @@ class CollimatedSource(AnySource):
     ] = (512, 512)
     direction: Annotated[
         tuple[float, float],
-        SINCE_2,
         ANGLE,
         PLACE,
         about(
@@ -88,7 +87,6 @@ class CollimatedSource(AnySource):
     ] = (0.0, 0.0)
     angular_diameter: Annotated[
         float,
-        SINCE_2,
         ANGLE,
         about(
             "Angular diameter",
@@ -100,7 +98,6 @@ class CollimatedSource(AnySource):
     ] = 0.0
     profile: Annotated[
         Profile,
-        SINCE_2,
         about("Profile", "How bright the light is across the beam."),
     ] = UniformProfile()
 
@@ -160,7 +157,7 @@ class CollimatedSource(AnySource):
         ways = np.column_stack([x * aside, y * aside, 1 - versine])
         return np.asarray(ways @ turned(self.direction).T)
 
-    def face(self, optic: Optic, z: float) -> Array:
+    def face(self, optic: Element, z: float) -> Array:
         """Its disc; see `AnySource.face`."""
         if not self.continuous:
             return super().face(optic, z)
@@ -169,13 +166,13 @@ class CollimatedSource(AnySource):
         middle = np.array([0.0, 0.0, optic.front_z])
         return np.asarray(middle + (z - optic.front_z) * ways / ways[:, 2:]).reshape(places.shape)
 
-    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:
         """The angle of its disc, times how far that moves light."""
         angle = math.radians(self.angular_diameter)
         x, y = receiver.per_radian(optic.leaving_z)
         return angle * x, angle * y
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse light that comes from behind the entrance face, and beams too slim for it."""
         steepest = math.hypot(*self.direction) + self.angular_diameter / 2
         if steepest >= 90:

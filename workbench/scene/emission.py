@@ -6,9 +6,9 @@ from pydantic import ConfigDict, Field
 
 from workbench.errors import Refused
 from workbench.said import Said
+from workbench.scene.element import Element
 from workbench.scene.fields import Choices, ForMethod, about
 from workbench.scene.kinds import Kinds
-from workbench.scene.optic import Optic
 from workbench.scene.part import Part
 
 Subdivisions = Annotated[int, Field(ge=1, le=64)]
@@ -23,7 +23,7 @@ class ExactMethod(Part):
     method: Literal["exact"] = "exact"
     subdivisions: ClassVar[None] = None
 
-    def check_for(self, optic: Optic) -> None:
+    def check_for(self, optic: Element) -> None:
         """Refuse nothing: it suits any lens."""
 
 
@@ -42,7 +42,7 @@ class MeshMethod(Part):
         ),
     ] = (4, 4)
 
-    def check_for(self, optic: Optic) -> None:
+    def check_for(self, optic: Element) -> None:
         """Refuse more triangles than there is memory for."""
         if optic.known_shape is None:
             return  # checked with what the program chooses

@@ -1,7 +1,7 @@
 """The far field: where light is wanted by its direction alone."""
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from pydantic import ConfigDict, Field
@@ -13,7 +13,7 @@ from workbench.scene.fields import ANGLE, PLACE, about
 from workbench.scene.receiver import AnyReceiver, Pixels
 
 if TYPE_CHECKING:
-    from workbench.scene.optic import Optic
+    from workbench.scene.element import Element
     from workbench.scene.task import Scene
 
 # Of the sphere on which it is drawn, in half-widths of the lens.
@@ -40,6 +40,7 @@ class FarField(AnyReceiver):
     at_distance = False
     facets = 24
 
+    kind: Literal["far_field"]
     half_angle: Annotated[
         tuple[_HalfAngle, _HalfAngle],
         ANGLE,
@@ -64,12 +65,12 @@ class FarField(AnyReceiver):
         half = tuple(float(f"{math.degrees(math.atan(r / far)):.3g}") for r, far in wide)
         return {"half_angle": half, "pixels": receiver.pixels}
 
-    def check(self) -> None:
+    def check_receiver(self) -> None:
         """Refuse angles beyond 90 degrees, where light goes back."""
         for axis, (half, middle) in enumerate(zip(self.half_angle, self.center, strict=True)):
             if half + abs(middle) > _MOST:
                 raise Refused(
-                    f"far_field.half_angle[{axis}]",
+                    f"half_angle[{axis}]",
                     Said(
                         "{half:g} about {middle:g} goes beyond {most:g} degrees; at most {left:g}",
                         half=half,
@@ -79,7 +80,7 @@ class FarField(AnyReceiver):
                     ),
                 )
 
-    def reads_on_lit_side(self, optic: "Optic") -> bool:
+    def reads_on_lit_side(self, optic: "Element") -> bool:
         """Where light goes to −z; the lit side is that of the optic, as of a distant wall."""
         return optic.onwards < 0
 
@@ -122,29 +123,29 @@ class FarField(AnyReceiver):
     @property
     def plane_z(self) -> float:
         """None: refused."""
-        raise Refused("far_field", Said("is at no distance; a screen is needed"))
+        raise Refused("receiver", Said("is at no distance; a screen is needed"))
 
     def moved_to(self, z: float) -> "FarField":
         """Refused."""
-        raise Refused("far_field", Said("is at no distance; a screen is needed"))
+        raise Refused("receiver", Said("is at no distance; a screen is needed"))
 
     def towards(
-        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+        self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
         """The same from everywhere."""
         return tuple(np.moveaxis(_direction(optic, u, v), -1, 0))
 
-    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
+    def drawn(self, optic: "Element", u: Array, v: Array) -> Array:
         """On a sphere around the place that light leaves."""
         around = np.array([0.0, 0.0, optic.leaving_z])
         return np.asarray(around + self.radius(optic) * _direction(optic, u, v))
 
     @staticmethod
-    def radius(optic: "Optic") -> float:
+    def radius(optic: "Element") -> float:
         """Of the sphere on which it is drawn, scene units."""
         return _RADIUS * max(optic.half_width)
 
-    def nearest_to(self, optic: "Optic") -> float:
+    def nearest_to(self, optic: "Element") -> float:
         """It is infinitely far."""
         return optic.onwards * math.inf
 
@@ -153,11 +154,11 @@ class FarField(AnyReceiver):
         degrees = math.degrees(1)
         return degrees / math.cos(math.radians(self.center[1])), degrees
 
-    def check_lit_by(self, optic: "Optic") -> None:
+    def check_lit_by(self, optic: "Element") -> None:
         """Refuse nothing: light of any optic has a direction."""
 
 
-def _direction(optic: "Optic", h: Array, v: Array) -> Array:
+def _direction(optic: "Element", h: Array, v: Array) -> Array:
     """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
     h, v = np.radians(h), np.radians(v)
     parts = np.broadcast_arrays(

@@ -113,24 +113,6 @@ class Fallback:
     path: str
 
 
-Version = Literal[1, 2]
-"""Of the format of scene files."""
-
-
-@dataclass(frozen=True)
-class Since:
-    """Mark of a field that older versions of scene files do not know.
-
-    A scene with another value than the default needs this version; in a file of an older one the
-    field is left out.
-    """
-
-    version: Version
-
-
-SINCE_2 = Since(2)
-
-
 @dataclass(frozen=True)
 class NamesFile:
     """Mark of a field that names a file; a relative path starts at the folder of the scene file."""

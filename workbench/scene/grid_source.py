@@ -10,10 +10,10 @@ from pydantic import ConfigDict, Field
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
+from workbench.scene.element import Element, Place
 from workbench.scene.fields import LENGTH, PLACE, about
-from workbench.scene.optic import Optic
 from workbench.scene.part import NonNegative
-from workbench.scene.points import MOST_RAYS, LightOfPoints, Place, in_front
+from workbench.scene.points import MOST_RAYS, LightOfPoints, in_front
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.wide_source import WideSource
 
@@ -32,15 +32,13 @@ class GridSource(WideSource, LightOfPoints):
 
     model_config = ConfigDict(title="Grid of points")
 
-    middle = "center"
-
     kind: Literal["grid"]
-    center: Annotated[
+    position: Annotated[
         Place,
         LENGTH,
         PLACE,
         about(
-            "Centre",
+            "Position",
             "The middle of the grid: x, y and z. All points have the same z, before the entrance "
             "face.",
         ),
@@ -79,7 +77,7 @@ class GridSource(WideSource, LightOfPoints):
         """Where the scene's source is, half as wide as the lens."""
         x, y = scene.optic.half_width
         place = scene.source.place or in_front(scene.optic)
-        return {"center": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
+        return {"position": place, "half_width": (x / 2, y / 2), "points": (25, 25)}
 
     @property
     def ray_count(self) -> int:
@@ -91,7 +89,7 @@ class GridSource(WideSource, LightOfPoints):
         """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,)."""
         x, y = (
             middle + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
-            for middle, r, count in zip(self.center, self.half_width, self.points, strict=False)
+            for middle, r, count in zip(self.position, self.half_width, self.points, strict=False)
         )
         return x, y
 
@@ -99,10 +97,10 @@ class GridSource(WideSource, LightOfPoints):
     def positions(self) -> Array:
         """Where its points are, shape (m_x m_y, 3): y runs first."""
         x, y = self.axes
-        places = np.broadcast_arrays(x[:, None], y, self.center[2])
+        places = np.broadcast_arrays(x[:, None], y, self.position[2])
         return np.stack(places, axis=-1).reshape(-1, 3)
 
-    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""
         widths = super().blur(optic, receiver)
         x, y = (w if count > 1 else 0.0 for w, count in zip(widths, self.points, strict=True))
@@ -117,7 +115,7 @@ class GridSource(WideSource, LightOfPoints):
         """All its rays."""
         return {"rays": f"= {self.ray_count:,} in all"}
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse a lens as a single point does; refuse more rays than there is memory for."""
         if self.ray_count > MOST_RAYS:
             raise Refused(
@@ -143,7 +141,7 @@ class GridSource(WideSource, LightOfPoints):
 
     def widened(self, corner: Array, digits: int) -> Self:
         """A grid about the same middle with a corner at a place; see `AnySource.widened`."""
-        wide = (np.round(np.abs(corner - self.center), digits) + 0.0).tolist()  # without -0
+        wide = (np.round(np.abs(corner - self.position), digits) + 0.0).tolist()  # without -0
         # Along an axis with a single point there is nothing to widen.
         axes = zip(wide, self.half_width, self.points, strict=False)
         return self.model_copy(

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any, TypeVar, get_args
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from workbench.errors import Refused
-from workbench.said import Said
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
@@ -96,24 +94,6 @@ class Kinds:
 def row_of(table: Mapping[type, Row], part: Part) -> Row:
     """The row for a part in a table by kinds: that of its kind, or of what all such kinds are."""
     return next(table[kind] for kind in type(part).__mro__ if kind in table)
-
-
-def only(parts: Mapping[str, AnyPart | None]) -> AnyPart:
-    """The one of two parts that is given, where exactly one has to be.
-
-    Raises
-    ------
-    Refused
-        If none is, or both are.
-    """
-    one, other = parts
-    given = [part for part in parts.values() if part is not None]
-    if not given:
-        raise Refused(one, Said("missing; it or {other} is required", other=other))
-    if len(given) > 1:
-        both = Said("is given together with a {one}; one of them is needed", one=one)
-        raise Refused(other, both)
-    return given[0]
 
 
 def summary_of(kind: type[Part]) -> str:

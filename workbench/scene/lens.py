@@ -1,24 +1,32 @@
-"""The lens: an entrance face, a B-spline exit face over a base."""
+"""The lens: two faces with a material between."""
 
 import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, field_validator
+from pydantic import Field, PrivateAttr
 
 from workbench import materials
 from workbench.arrays import Array
-from workbench.errors import Refused, shown
+from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
-from workbench.scene.base import Base, FlatBase
-from workbench.scene.entrance import Entrance, FlatEntrance
-from workbench.scene.fields import LENGTH, PLACE, RANGE, SINCE_2, Choices, Measure, about
+from workbench.scene.element import (
+    DEFAULT_WAVELENGTH,
+    Element,
+    ElementPosition,
+    ElementTilt,
+    HalfWidth,
+    Name,
+    Outline,
+    PlacedFace,
+    relative,
+)
+from workbench.scene.faces import Face
+from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
-from workbench.scene.net import ControlPoints, Degree
-from workbench.scene.optic import Optic, relative
-from workbench.scene.part import NonNegative, Positive
+from workbench.scene.part import NonNegative, Part, Positive
 
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
 # An automatic entrance face may rise by this part of the lens's half-width, and for several images
@@ -56,16 +64,23 @@ def _thinnest(data: dict[str, Any]) -> float:
     return usual if thickest is None else min(usual, thickest / 2)
 
 
-class Lens(Optic):
-    """Entrance face and B-spline exit face over a rectangle.
+class CustomIndex(Part):
+    """A refractive index that is the same at all wavelengths."""
 
-    ``max_thickness`` and ``min_thickness`` are counted from the entrance face to the exit face, and
-    hold in any case: each face stays on its side of a plane, or of two. Defaults scale with the
-    lens.
+    index: Annotated[
+        float, about("Index", "Refractive index at the wavelength of the light.", gt=1)
+    ]
+
+
+class Lens(Element):
+    """Two faces with a material between; light goes through along its +z.
+
+    ``max_thickness`` and ``min_thickness`` are counted between both faces and hold everywhere: each
+    face stays on its side of a plane, or of two. Defaults scale with the lens.
     """
 
     called = "lens"
-    face = "exit"
+    designed_face = "exit"
     most_faces = 2
     face_called = "exit face"
     body_called = "body of glass"
@@ -73,39 +88,27 @@ class Lens(Optic):
     onwards = 1
     losses = LENS_LOSSES
 
-    half_width: Annotated[
-        tuple[Positive, Positive],
-        LENGTH,
-        about("Half width", "Half of the lens's extent along x and y. All of it is lit."),
-    ]
-    outline: Annotated[
-        Literal["rectangle", "ellipse"],
-        SINCE_2,
-        about(
-            "Outline",
-            "The shape of the lens as seen along the axis; the half widths of an ellipse are its "
-            "semi-axes. Light beside it misses the lens.",
-        ),
-    ] = "rectangle"
-    entrance_z: Annotated[
-        float,
-        LENGTH,
-        about("Entrance at z", "Where the entrance face stands on the optical axis."),
-    ] = 0.0
-    entrance: Annotated[
-        Entrance,
-        SINCE_2,
-        about("Entrance face", "The face that light meets first."),
-    ] = FlatEntrance()
-    refractive_index: Annotated[
-        float | str,
+    kind: Literal["lens"]
+    name: Name
+    position: ElementPosition = (0.0, 0.0, 0.0)
+    tilt: ElementTilt = (0.0, 0.0, 0.0)
+    half_width: HalfWidth
+    outline: Outline = "rectangle"
+    material: Annotated[
+        str | CustomIndex,
         about("Material", "What the lens is made of: a catalogue material, or a custom index."),
     ]
-    wavelength_um: Annotated[
-        Positive | None,
-        Measure("µm"),
-        about("Wavelength", "Vacuum wavelength at which the material's index is taken."),
-    ] = None
+    thickness: Annotated[
+        NonNegative,
+        LENGTH,
+        about("Thickness", "From the vertex of the front face to the vertex of the back face."),
+    ]
+    faces: Annotated[
+        tuple[Face, Face],
+        about("Faces", "Front face and back face, in the order in which light meets them."),
+    ]
+    _wavelength: float = PrivateAttr(default=DEFAULT_WAVELENGTH)
+
     absorption: Annotated[
         NonNegative,
         Measure(power=-1),
@@ -118,7 +121,6 @@ class Lens(Optic):
                 "a thinner lens or a clearer glass lets more of it through",
             ),
         ),
-        SINCE_2,
         about(
             "Absorption",
             "How much the glass absorbs per length: light falls as exp(−absorption · path). Clear "
@@ -128,51 +130,19 @@ class Lens(Optic):
     reflection: Annotated[
         Literal["fresnel", "schlick", "none"],
         Choices((("fresnel", "Fresnel, exact"), ("schlick", "Schlick, approximate"))),
-        SINCE_2,
         about(
             "Reflection",
             "What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's "
             "approximation to them, as in the paper, or nothing. Under total reflection all of it.",
         ),
-    ] = "schlick"
+    ] = "fresnel"
     coating: Annotated[
         tuple[Reflectance, Reflectance] | None,
         PLACE,
-        SINCE_2,
         about(
             "Coating",
             "Part of the light that an antireflection coating reflects, at the entrance face and "
             "at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.",
-        ),
-    ] = None
-    degree: Annotated[
-        tuple[Degree, Degree],
-        about(
-            "Degree",
-            "Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth "
-            "curvature.",
-        ),
-    ] = (3, 3)
-    control_points: ControlPoints
-    base: Annotated[
-        Base,
-        about(
-            "Base",
-            "The shape of the exit face before the design; heights are counted from it.",
-        ),
-    ] = Field(
-        default_factory=lambda data: FlatBase(
-            height=data.get("entrance_z", 0.0) + relative(0.5)(data)
-        )
-    )
-    height_range: Annotated[
-        tuple[float, float] | None,
-        LENGTH,
-        RANGE,
-        about(
-            "Height range",
-            "How far the exit face may be from the base. Automatic takes what the task needs, "
-            "between the thinnest and the thickest lens that is allowed.",
         ),
     ] = None
     max_thickness: Annotated[
@@ -180,7 +150,7 @@ class Lens(Optic):
         LENGTH,
         about(
             "Max. thickness",
-            "The exit face is at most this far from the entrance face: the thickness of the stock "
+            "The back face is at most this far from the front face: the thickness of the stock "
             "that the part is made of. Left empty, any will do.",
         ),
     ] = None
@@ -189,48 +159,59 @@ class Lens(Optic):
         LENGTH,
         about(
             "Min. thickness",
-            "The exit face stays at least this far above the entrance face, so that the part can "
-            "be made.",
+            "The back face stays at least this far from the front face, so that the part can be "
+            "made.",
         ),
     ] = Field(default_factory=_thinnest)
 
-    @field_validator("refractive_index", mode="before")
-    @classmethod
-    def _number_or_name(cls, value: object) -> object:
-        # Said here, not by pydantic, which would report each member of the union.
-        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-            raise Refused(
-                "lens.refractive_index",
-                Said(
-                    "{value} is neither a number nor a name; a number above 1 or a material name",
-                    value=shown(value),
-                ),
-            )
-        if isinstance(value, (int, float)) and not 1 < value < math.inf:
-            raise Refused(
-                "lens.refractive_index",
-                Said("{value}; a number greater than 1 is needed", value=shown(value)),
-            )
-        return value
-
-    def check(self) -> None:
-        """Refuse what cannot be computed with, and what cannot be made."""
-        self.check_face(
-            [
-                ("entrance_z", self.entrance_z),
-                *self.entrance.lengths(),
-                ("max_thickness", self.max_thickness or 0.0),
-                ("min_thickness", self.min_thickness),
-            ]
+    @property
+    def placed_faces(self) -> tuple[PlacedFace, ...]:
+        """Front face and back face."""
+        front, back = self.faces
+        return (
+            PlacedFace("entrance", "faces[0]", front, self.entrance_z),
+            PlacedFace("exit", "faces[1]", back, self.entrance_z + self.thickness),
         )
-        self.entrance.check_within(self.known_shape)
+
+    def with_face(self, name: str, face: Face) -> Self:
+        """See `Element.with_face`."""
+        front, back = self.faces
+        faces = (face, back) if name == "entrance" else (front, face)
+        return self.model_copy(update={"faces": faces})
+
+    def lit(self, wavelength_um: float) -> Self:
+        """See `Element.lit`."""
+        if wavelength_um == self._wavelength:
+            return self
+        copy = self.model_copy()
+        copy._wavelength = wavelength_um
+        return copy
+
+    @property
+    def entrance_z(self) -> float:
+        """Z of the vertex of the front face, scene units."""
+        return self.position[2]
+
+    def _own_heights(self) -> list[tuple[str, float]]:
+        return [
+            ("thickness", self.thickness),
+            ("max_thickness", self.max_thickness or 0.0),
+            ("min_thickness", self.min_thickness),
+        ]
+
+    def check_element(self) -> None:
+        """Refuse what cannot be computed with, and what cannot be made."""
+        super().check_element()
         if not self.index > 1:
             low = Said("{index:g}; greater than 1 is needed", index=self.index)
-            raise Refused("lens.refractive_index", low)
+            raise Refused("material", low)
         limits.check_index(self.index)
+        if not self.designed:
+            limits.check_absorption(self.absorption, self.thickness)
+            return
         if self.floor >= self.ceiling:
             raise Refused(
-                "lens.max_thickness",
+                "max_thickness",
                 Said(
                     "{height:g} leaves no room above the minimal thickness; more than {least:g}",
                     height=self.max_thickness,
@@ -243,18 +224,17 @@ class Lens(Optic):
         limits.check_absorption(self.absorption, undesigned)
 
     def remarks(self) -> Mapping[str, str]:
-        """The index of a named material, and the control points that the program has chosen."""
-        remarks = self.net_remarks()
-        if isinstance(self.refractive_index, str):
-            remarks["refractive_index"] = f"n = {self.index:.5f}"
-        return remarks
+        """The index of a named material."""
+        if isinstance(self.material, str):
+            return {"material": f"n = {self.index:.5f}"}
+        return {}
 
     def _check_range(self, low: float, high: float) -> None:
         """Refuse a height range that leaves a control point nowhere to be."""
         lowest, highest = self.base.extent(self.half_width)
         if lowest + high <= self.floor:
             raise Refused(
-                "lens.height_range[1]",
+                "faces[1].height_range[1]",
                 Said(
                     "{height:g} leaves no room above the minimal thickness; more than {least:g}",
                     height=high,
@@ -263,7 +243,7 @@ class Lens(Optic):
             )
         if highest + low >= self.ceiling:
             raise Refused(
-                "lens.height_range[0]",
+                "faces[1].height_range[0]",
                 Said(
                     "{height:g} leaves no room below the maximal thickness; less than {most:g}",
                     height=low,
@@ -358,7 +338,7 @@ class Lens(Optic):
     def bounded(
         self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
     ) -> Self:
-        """Return the lens with all limits of its heights; see `Optic.bounded`.
+        """Return the lens with all limits of its heights; see `Element.bounded`.
 
         An automatic entrance face rises by no more than a part of the way from the source, and for
         one image by no more than a part of the lens's half-width.
@@ -367,7 +347,7 @@ class Lens(Optic):
         if not several:
             rise = min(rise, _RISE * max(self.half_width))
         entrance = self.entrance.within(self.entrance.offsets(rise))
-        lens = self.model_copy(update={"entrance": entrance})
+        lens = self.with_face("entrance", entrance)
         if self.height_range is not None or self.max_thickness is not None:
             return lens
         if math.isinf(receiver_z):
@@ -377,9 +357,9 @@ class Lens(Optic):
         return lens.model_copy(update={"max_thickness": thickness})
 
     def ranged(self, low: float, high: float) -> Self:
-        """See `Optic.ranged`: the entrance face keeps the room that it has now."""
+        """See `Element.ranged`: the entrance face keeps the room that it has now."""
         entrance = self.entrance.within(self.entrance_offsets)
-        return super().ranged(low, high).model_copy(update={"entrance": entrance})
+        return super().ranged(low, high).with_face("entrance", entrance)
 
     def flat_z(self, heights: Array) -> float:
         """The entrance face."""
@@ -398,11 +378,6 @@ class Lens(Optic):
     @property
     def index(self) -> float:
         """Refractive index as a number."""
-        if not isinstance(self.refractive_index, str):
-            return float(self.refractive_index)
-        if self.wavelength_um is None:
-            named = shown(self.refractive_index)
-            raise Refused(
-                "lens.wavelength_um", Said("missing; it goes with {material}", material=named)
-            )
-        return materials.refractive_index(self.refractive_index, self.wavelength_um)
+        if isinstance(self.material, CustomIndex):
+            return self.material.index
+        return materials.refractive_index(self.material, self._wavelength)

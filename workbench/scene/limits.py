@@ -25,8 +25,8 @@ FARTHEST, NEAREST = 1e12, 1e-10
 _SMALLEST, _LARGEST, _SLIMMEST = 1e-6, 1e6, 1e-3
 
 
-def check_width(called: str, half_width: tuple[float, float]) -> None:
-    """Refuse an optic, called so, that is too large, too small or too slim to compute with.
+def check_width(half_width: tuple[float, float]) -> None:
+    """Refuse an element that is too large, too small or too slim to compute with.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def check_width(called: str, half_width: tuple[float, float]) -> None:
     axis = half_width.index(large)
     if not _SMALLEST <= large <= _LARGEST:
         raise Refused(
-            f"{called}.half_width[{axis}]",
+            f"half_width[{axis}]",
             Said(
                 "{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if "
                 "need be",
@@ -48,11 +48,10 @@ def check_width(called: str, half_width: tuple[float, float]) -> None:
         )
     if half_width[1 - axis] < _SLIMMEST * large:
         raise Refused(
-            f"{called}.half_width[{1 - axis}]",
+            f"half_width[{1 - axis}]",
             Said(
-                "{half:g} makes the {optic} slimmer than {most:g} to 1; at least {least:g}",
+                "{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}",
                 half=half_width[1 - axis],
-                optic=called,
                 most=1 / _SLIMMEST,
                 least=_SLIMMEST * large,
             ),
@@ -69,7 +68,7 @@ def check_index(index: float) -> None:
     """
     if index > LARGEST_INDEX:
         raise Refused(
-            "lens.refractive_index",
+            "material",
             Said(
                 "{index:g} is more than any material has; at most {most:g}",
                 index=index,
@@ -88,7 +87,7 @@ def check_absorption(absorption: float, thickness: float) -> None:
     """
     if absorption * thickness > -math.log(DARKEST):
         raise Refused(
-            "lens.absorption",
+            "absorption",
             Said(
                 "{absorption:g} leaves less than {least:g} of the light behind {thickness:g} of "
                 "glass; at most {most:g}",

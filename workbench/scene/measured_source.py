@@ -1,21 +1,20 @@
 """Light that was measured: a lamp's intensity by direction, or its rays, in a file."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
-import numpy as np
 from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene.content import Content
-from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, Version, about
-from workbench.scene.optic import Optic
-from workbench.scene.points import MOST_RAYS, AnySource, Place, PointSource, check_place, in_front
+from workbench.scene.element import Element, Place
+from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, about
+from workbench.scene.points import MOST_RAYS, AnySource, PointSource, check_place, in_front
+from workbench.scene.turning import tilted
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -28,8 +27,8 @@ _Rotation = Annotated[
     PLACE,
     about(
         "Rotation",
-        "How the lamp is turned about its own origin: about the axis x, then about y, then about "
-        "z.",
+        "How the lamp is turned about its own origin: about its x, then about its new y, then "
+        "about its new z.",
     ),
 ]
 _Rays = Annotated[
@@ -47,7 +46,6 @@ _Rays = Annotated[
 class MeasuredSource(AnySource):
     """What light of files has in common: a file, where the lamp stands, and how it is turned."""
 
-    since: ClassVar[Version] = 2
     endings: ClassVar[tuple[str, ...]]
     """Endings of the names of its files."""
 
@@ -117,21 +115,13 @@ class MeasuredSource(AnySource):
     @property
     def matrix(self) -> Array:
         """Turns directions of the file into those of the scene, shape (3, 3)."""
-        turned = np.eye(3)
-        for axis, degrees in enumerate(self.rotation):
-            i, j = (axis + 1) % 3, (axis + 2) % 3
-            about = np.eye(3)
-            cos, sin = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-            about[i, i] = about[j, j] = cos
-            about[j, i], about[i, j] = sin, -sin
-            turned = about @ turned
-        return turned
+        return tilted(self.rotation)
 
     def placed(self, place: Place) -> Self:
         """The same source elsewhere."""
         return self.model_copy(update={"position": place})
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near or too far, as a point does."""
         check_place("source.position", self.position, optic)
 
@@ -170,7 +160,7 @@ class PhotometricSource(MeasuredSource):
     @property
     def sharp(self) -> PointSource:
         """As if it shone alike everywhere."""
-        return PointSource(kind="point", position=self.position)
+        return PointSource(kind="point", position=self.position, wavelength_um=self.wavelength_um)
 
 
 class RayFileSource(MeasuredSource):

@@ -1,18 +1,24 @@
-"""The mirror: one B-spline face that light reaches along +z and leaves to -z."""
+"""The mirror: one face; light goes on from the side from which it came."""
 
-from collections.abc import Mapping
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field
 
 from workbench.arrays import Array
 from workbench.said import Said
-from workbench.scene.base import Base, FlatBase
-from workbench.scene.entrance import FlatEntrance
-from workbench.scene.fields import LENGTH, RANGE, Version, about
+from workbench.scene.element import (
+    Element,
+    ElementPosition,
+    ElementTilt,
+    HalfWidth,
+    Name,
+    Outline,
+    PlacedFace,
+    relative,
+)
+from workbench.scene.faces import Face, PlaneFace
+from workbench.scene.fields import LENGTH, about
 from workbench.scene.losses import Loss, TakesLight
-from workbench.scene.net import ControlPoints, Degree
-from workbench.scene.optic import Optic, relative
 from workbench.scene.part import Positive
 
 _LOSSES = {
@@ -26,15 +32,14 @@ _LOSSES = {
 }
 
 
-class Mirror(Optic):
+class Mirror(Element):
     """One face that reflects, lit from below.
 
     It is the lower face of a plate; no light comes to the plate's flat back.
     """
 
-    since: ClassVar[Version] = 2
     called = "mirror"
-    face = "mirror"
+    designed_face = "mirror"
     most_faces = 1
     face_called = "mirror"
     body_called = "mirror"
@@ -42,23 +47,13 @@ class Mirror(Optic):
     onwards = -1
     losses = _LOSSES
 
-    half_width: Annotated[
-        tuple[Positive, Positive],
-        LENGTH,
-        about(
-            "Half width",
-            "Half of the mirror's extent along x and y. Light reaches it through this extent in "
-            "the plane of its base.",
-        ),
-    ]
-    outline: Annotated[
-        Literal["rectangle", "ellipse"],
-        about(
-            "Outline",
-            "The shape of the mirror as seen along the axis; the half widths of an ellipse are its "
-            "semi-axes. Light beside it misses the mirror.",
-        ),
-    ] = "rectangle"
+    kind: Literal["mirror"]
+    name: Name
+    position: ElementPosition = (0.0, 0.0, 0.0)
+    tilt: ElementTilt = (0.0, 0.0, 0.0)
+    half_width: HalfWidth
+    outline: Outline = "rectangle"
+    face: Annotated[Face, about("Face", "The face that reflects.")]
     reflectance: Annotated[
         float,
         TakesLight(
@@ -78,31 +73,6 @@ class Mirror(Optic):
             le=1,
         ),
     ] = 1.0
-    degree: Annotated[
-        tuple[Degree, Degree],
-        about(
-            "Degree",
-            "Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.",
-        ),
-    ] = (3, 3)
-    control_points: ControlPoints
-    base: Annotated[
-        Base,
-        about(
-            "Base",
-            "The shape of the mirror before the design; heights are counted from it.",
-        ),
-    ] = FlatBase(height=0.0)
-    height_range: Annotated[
-        tuple[float, float] | None,
-        LENGTH,
-        RANGE,
-        about(
-            "Height range",
-            "How far the mirror may be from the base. Automatic takes what the task needs, at most "
-            "the larger half width: steeper mirrors send no light back.",
-        ),
-    ] = None
     thickness: Annotated[
         Positive,
         LENGTH,
@@ -113,13 +83,17 @@ class Mirror(Optic):
         ),
     ] = Field(default_factory=relative(0.1))
 
-    def check(self) -> None:
-        """Refuse what cannot be computed with."""
-        self.check_face([("thickness", self.thickness)])
+    @property
+    def placed_faces(self) -> tuple[PlacedFace, ...]:
+        """The one face."""
+        return (PlacedFace("mirror", "face", self.face, self.position[2]),)
 
-    def remarks(self) -> Mapping[str, str]:
-        """The control points that the program has chosen."""
-        return self.net_remarks()
+    def with_face(self, name: str, face: Face) -> Self:
+        """See `Element.with_face`."""
+        return self.model_copy(update={"face": face})
+
+    def _own_heights(self) -> list[tuple[str, float]]:
+        return [("thickness", self.thickness)]
 
     @property
     def front_z(self) -> float:
@@ -132,9 +106,9 @@ class Mirror(Optic):
         return self.base.height
 
     @property
-    def entrance(self) -> FlatEntrance:
+    def entrance(self) -> PlaneFace:
         """None that could be shaped."""
-        return FlatEntrance()
+        return PlaneFace()
 
     @property
     def entrance_range(self) -> tuple[float, float]:

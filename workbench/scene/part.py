@@ -4,14 +4,14 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
 from inspect import get_annotations
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from workbench import units
 from workbench.errors import Refused
 from workbench.said import Said
-from workbench.scene.fields import FieldDescription, NamesFile, Since, Version, describe
+from workbench.scene.fields import FieldDescription, NamesFile, describe
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -24,9 +24,6 @@ class Part(BaseModel):
     """A frozen part of the scene that refuses unknown fields and loose types."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
-
-    since: ClassVar[Version] = 1
-    """The first version of the file format that knows parts of this kind."""
 
     @model_validator(mode="after")
     def _checked(self) -> Self:
@@ -94,31 +91,6 @@ class Part(BaseModel):
                     changes[field.name] = value
         return self.model_copy(update=changes)
 
-    @property
-    def needed_version(self) -> Version:
-        """The oldest version of the file format that knows all that the part has."""
-        needed = self.since
-        for field in self.fields():
-            value = getattr(self, field.name)
-            needed = max(needed, _version_of(value))
-            mark = field.mark(Since)
-            if mark and value != type(self).model_fields[field.name].default:
-                needed = max(needed, mark.version)
-        return needed
-
-    def known_to(self, version: Version, data: dict[str, Any]) -> dict[str, Any]:
-        """What a file of a version says of the part: ``data`` without fields that it does not know.
-
-        These hold their defaults where that is at least `needed_version`.
-        """
-        known = {}
-        for name, given in data.items():
-            field = next((each for each in self.fields() if each.name == name), None)
-            mark = field.mark(Since) if field else None
-            if mark is None or mark.version <= version:
-                known[name] = _known_to(version, getattr(self, name, None), given)
-        return known
-
     def remarks(self) -> Mapping[str, str]:
         """What values come to that are not numbers to read as they are, by the names of fields."""
         return {}
@@ -152,23 +124,6 @@ def _replaced(value: Any, old: "Part", new: "Part") -> Any:
     if isinstance(value, tuple):
         return tuple(new if each is old else each for each in value)
     return new
-
-
-def _version_of(value: Any) -> Version:
-    """The oldest version of the file format that knows a field's value."""
-    if isinstance(value, tuple):
-        return max((_version_of(each) for each in value), default=1)
-    version: Version = getattr(value, "needed_version", 1)
-    return version
-
-
-def _known_to(version: Version, value: Any, data: Any) -> Any:
-    """What a file of a version says of a field's value, if ``data`` is all that there is to say."""
-    if isinstance(value, Part):
-        return value.known_to(version, data)
-    if isinstance(value, tuple):
-        return [_known_to(version, *each) for each in zip(value, data, strict=True)]
-    return data
 
 
 def _scaled(value: Any, factor: Fraction, power: int) -> Any:

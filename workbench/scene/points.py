@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import ConfigDict
@@ -11,10 +11,10 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element, Place
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
-from workbench.scene.fields import LENGTH, PLACE, about
-from workbench.scene.optic import Optic
-from workbench.scene.part import Part
+from workbench.scene.fields import LENGTH, PLACE, Measure, about
+from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 _DISTANCE = 5.0
 MOST_RAYS = 1 << 24
 """That a source may ask for."""
-Place = tuple[float, float, float]
 
 
 class AnySource(Part):
@@ -32,6 +31,16 @@ class AnySource(Part):
 
     Here it is said of light that comes from infinitely far: it has no place that could be seen.
     """
+
+    wavelength_um: Annotated[
+        Positive,
+        Measure("µm"),
+        about(
+            "Wavelength",
+            "Vacuum wavelength at which the indices of materials are taken.",
+            le=100,
+        ),
+    ] = DEFAULT_WAVELENGTH
 
     @property
     def along_axis(self) -> bool:
@@ -85,7 +94,7 @@ class AnySource(Part):
     @property
     def sharp(self) -> "AnySource":
         """Light of one origin that stands for it in rough plans."""
-        return self if self.place is None else PointSource(kind="point", position=self.place)
+        return self if self.place is None else _point(self, self.place)
 
     @property
     def point_count(self) -> int:
@@ -107,7 +116,7 @@ class AnySource(Part):
         """Where it comes closest to the lens, scene units."""
         return -math.inf if self.place is None else self.place[2]
 
-    def blur(self, optic: Optic, receiver: AnyReceiver) -> tuple[float, float]:
+    def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:
         """Widths along x and y of what one place of the lens makes of it on the receiver.
 
         In its coordinates, about: as behind a pinhole.
@@ -136,7 +145,7 @@ class AnySource(Part):
     def measured_in(self, unit: str) -> None:
         """Keep the unit of the scene's lengths, if it is needed: a file has one of its own."""
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse a lens that it cannot light.
 
         Raises
@@ -149,7 +158,7 @@ class AnySource(Part):
         """Points to draw it with, shape (n, 3): no more than ``most`` along x and y."""
         return np.zeros((0, 3)) if self.place is None else np.array([self.place])
 
-    def face(self, optic: Optic, z: float) -> Array:
+    def face(self, optic: Element, z: float) -> Array:
         """What shines, to be drawn: a grid of points of shape (m, n, 3), empty for points.
 
         A disc infinitely far away is drawn at ``z``, as wide as the middle of the lens sees it.
@@ -187,10 +196,8 @@ class AnySource(Part):
 class LightOfPoints(AnySource):
     """What points have in common: each emits into a cone that just covers the entrance face."""
 
-    middle: ClassVar[str]
-    """Name of the field that holds its middle."""
-
     kind: str
+    position: Place
     rays: int
     emission: Emission = "uniform"
     sampling: Sampling = "sobol"
@@ -200,8 +207,7 @@ class LightOfPoints(AnySource):
     @property
     def place(self) -> Place:
         """Its middle, scene units."""
-        place: Place = getattr(self, self.middle)
-        return place
+        return self.position
 
     @property
     def turns(self) -> bool:
@@ -233,22 +239,20 @@ class LightOfPoints(AnySource):
         """Those of its triangle mesh."""
         return self.intersection.subdivisions
 
-    def check_before(self, optic: Optic) -> None:
+    def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too fine."""
-        check_place(f"source.{self.middle}", self.place, optic)
+        check_place("source.position", self.place, optic)
         self.intersection.check_for(optic)
 
     def placed(self, place: Place) -> Self:
         """The same source with its middle elsewhere."""
-        return self.model_copy(update={self.middle: place})
+        return self.model_copy(update={"position": place})
 
 
 class PointSource(LightOfPoints):
     """Light from one point into the cone that just covers the entrance face."""
 
     model_config = ConfigDict(title="Point source")
-
-    middle = "position"
 
     kind: Literal["point"]
     position: Annotated[
@@ -300,7 +304,11 @@ class PointSource(LightOfPoints):
         return np.array([x]), np.array([y])
 
 
-def check_place(path: str, place: Place, optic: Optic) -> None:
+def _point(source: AnySource, place: Place) -> "PointSource":
+    return PointSource(kind="point", position=place, wavelength_um=source.wavelength_um)
+
+
+def check_place(path: str, place: Place, optic: Element) -> None:
     """Refuse light from a place that is not before all of an optic, too near or too far.
 
     Raises
@@ -344,6 +352,6 @@ def disc() -> Array:
     return np.stack([0 * rim, rim])
 
 
-def in_front(optic: Optic) -> Place:
+def in_front(optic: Element) -> Place:
     """On the axis, far enough away for the lens to bend all its light."""
     return (0.0, 0.0, optic.front_z - _DISTANCE * max(optic.half_width))

@@ -12,7 +12,7 @@ from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part
 
 if TYPE_CHECKING:
-    from workbench.scene.optic import Optic
+    from workbench.scene.element import Element
 
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 Pixels = Annotated[
@@ -52,7 +52,7 @@ class AnyReceiver(Part):
         pixels: Pixels
 
     @abstractmethod
-    def reads_on_lit_side(self, optic: "Optic") -> bool:
+    def reads_on_lit_side(self, optic: "Element") -> bool:
         """Whether a viewer on the side from which light of an optic comes sees u to the right.
 
         With v upwards. A viewer behind the receiver then sees u to the left.
@@ -110,31 +110,31 @@ class AnyReceiver(Part):
 
     @abstractmethod
     def towards(
-        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+        self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
         """Unit vectors from places (x, y, z) of an optic to places on it; three arrays."""
 
-    def perspective(self, optic: "Optic") -> Array:
+    def perspective(self, optic: "Element") -> Array:
         """What takes (u, v, 1) to a multiple of (x, y, 1) as an optic sees it, shape (3, 3).
 
         On a plane across the axis, in any scale; for one that does not lean its own coordinates.
         """
         return np.eye(3)
 
-    def slant(self, optic: "Optic") -> float:
+    def slant(self, optic: "Element") -> float:
         """The largest angle between light of an optic and what is across the receiver, degrees."""
         return 0.0
 
     @abstractmethod
-    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
+    def drawn(self, optic: "Element", u: Array, v: Array) -> Array:
         """Where places on it are drawn in the scene, shape (..., 3); u and v broadcast."""
 
-    def outline(self, optic: "Optic", fraction: float = 1.0) -> Array:
+    def outline(self, optic: "Element", fraction: float = 1.0) -> Array:
         """Corners of its facets as it is drawn, shape (m, m, 3), u along the first axis.
 
         Parameters
         ----------
-        optic : Optic
+        optic : Element
             What lights it.
         fraction : float
             Of its extents, about its middle.
@@ -144,7 +144,7 @@ class AnyReceiver(Part):
         return self.drawn(optic, u + r_u * steps[:, None], v + r_v * steps)
 
     @abstractmethod
-    def nearest_to(self, optic: "Optic") -> float:
+    def nearest_to(self, optic: "Element") -> float:
         """The z at which it comes closest to an optic that lights it, scene units."""
 
     @abstractmethod
@@ -158,11 +158,20 @@ class AnyReceiver(Part):
         """How much of the way from a place z on the axis to its middle is along u and v."""
         return 0.0, 0.0
 
+    def check_receiver(self) -> None:
+        """Refuse values that do not go together.
+
+        Raises
+        ------
+        Refused
+            With the path of the field from the receiver, the value and what is allowed.
+        """
+
     def check_lengths(self, half_width: tuple[float, float]) -> None:
         """Refuse lengths that are too long beside a lens with these half-widths."""
 
     @abstractmethod
-    def check_lit_by(self, optic: "Optic") -> None:
+    def check_lit_by(self, optic: "Element") -> None:
         """Refuse an optic that cannot light it.
 
         Raises

@@ -3,7 +3,7 @@
 from abc import abstractmethod
 from collections.abc import Sequence
 from itertools import combinations
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from pydantic import ConfigDict, Field
@@ -11,7 +11,7 @@ from pydantic import ConfigDict, Field
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
 from workbench.said import Said
-from workbench.scene.fields import PLACE, Measure, Version, about
+from workbench.scene.fields import PLACE, Measure, about
 from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part
 
@@ -27,7 +27,6 @@ _CORNERS = 1440
 class AnyRegion(Part):
     """What all regions have in common. They move and grow with the receiver."""
 
-    since: ClassVar[Version] = 2
     name: Annotated[
         str,
         about("Name", "What figures of the region are called.", min_length=1, max_length=40),

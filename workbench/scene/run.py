@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import ConfigDict
 
+from workbench.scene.faces import NetSize
 from workbench.scene.fields import LENGTH, Choices, Fallback, ForMethod, about
 from workbench.scene.filter import Filter
 from workbench.scene.kinds import Kinds
-from workbench.scene.net import NetSize
 from workbench.scene.part import Part, Positive
 from workbench.scene.source import Source
 

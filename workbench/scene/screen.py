@@ -2,25 +2,24 @@
 
 import math
 from itertools import product
-from typing import TYPE_CHECKING, Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import ConfigDict
 
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import limits
-from workbench.scene.fields import ANGLE, LENGTH, PLACE, SINCE_2, about
+from workbench.scene.element import Element, Place, Tilt
+from workbench.scene.fields import LENGTH, PLACE, about
 from workbench.scene.part import Positive
 from workbench.scene.receiver import AnyReceiver, Pixels
-from workbench.scene.turning import turned
+from workbench.scene.turning import tilted
 
 if TYPE_CHECKING:
-    from workbench.scene.optic import Optic
     from workbench.scene.task import Scene
 
-_Turn = Annotated[float, Field(ge=-180, le=180)]
 # Light that falls along a plane is taken to meet it this steeply.
 _GRAZING = 1e-3
 # What comes nearer to the plane of the optic than this part of the screen's half diagonal is beside
@@ -33,6 +32,8 @@ _DISTANCE, _WIDEST = 10.0, 1.3
 class Screen(AnyReceiver):
     """Rectangle of a plane. Its coordinates go along its sides, from its middle."""
 
+    model_config = ConfigDict(title="Plane")
+
     measure = LENGTH
     extent = "half_width"
     axes = "x", "y"
@@ -42,34 +43,27 @@ class Screen(AnyReceiver):
     at_distance = True
     facets = 1
 
-    z: Annotated[
-        float,
+    kind: Literal["plane"]
+    position: Annotated[
+        Place,
         LENGTH,
-        about("At z", "Where the middle of the screen stands along the optical axis."),
+        PLACE,
+        about("Position", "Where the middle of the plane stands: x, y and z."),
     ]
+    tilt: Annotated[
+        Tilt,
+        about(
+            "Tilt",
+            "How the plane is turned about its middle: about its x, which takes its upper edge "
+            "away from or towards the lens, then about its new y, then about its new z. Rows and "
+            "columns turn with it.",
+        ),
+    ] = (0.0, 0.0, 0.0)
     half_width: Annotated[
         tuple[Positive, Positive],
         LENGTH,
         about("Half width", "Half of the screen's extent along x and y. The target fills it."),
     ]
-    center: Annotated[
-        tuple[float, float],
-        LENGTH,
-        PLACE,
-        SINCE_2,
-        about("Centre", "Where its middle is beside the optical axis, along x and y."),
-    ] = (0.0, 0.0)
-    tilt: Annotated[
-        tuple[_Turn, _Turn],
-        ANGLE,
-        PLACE,
-        SINCE_2,
-        about(
-            "Tilt",
-            "The screen is turned about its middle: about x, which takes its upper edge away from "
-            "or towards the lens, and about y. Rows and columns turn with it.",
-        ),
-    ] = (0.0, 0.0)
     pixels: Pixels
 
     @classmethod
@@ -80,9 +74,9 @@ class Screen(AnyReceiver):
         wide = zip(receiver.half_extent, receiver.per_radian(optic.leaving_z), strict=True)
         half = tuple(float(f"{away * math.tan(min(r / far, _WIDEST)):.3g}") for r, far in wide)
         z = float(f"{optic.leaving_z + optic.onwards * away:.6g}")
-        return {"z": z, "half_width": half, "pixels": receiver.pixels}
+        return {"position": (0.0, 0.0, z), "half_width": half, "pixels": receiver.pixels}
 
-    def reads_on_lit_side(self, optic: "Optic") -> bool:
+    def reads_on_lit_side(self, optic: Element) -> bool:
         """Where the optic is on the side to which the vector across the screen points."""
         return bool(self.sides[2] @ (np.array([0.0, 0.0, optic.leaving_z]) - self.position) > 0)
 
@@ -92,25 +86,33 @@ class Screen(AnyReceiver):
         return self.half_width
 
     @property
-    def position(self) -> Array:
-        """Its middle, scene units, shape (3,)."""
-        return np.array([*self.center, self.z])
+    def z(self) -> float:
+        """Z of its middle, scene units."""
+        return self.position[2]
+
+    @property
+    def center(self) -> tuple[float, float]:
+        """Where its middle is beside the axis, scene units."""
+        return self.position[:2]
 
     @property
     def sides(self) -> Array:
         """Unit vectors along its x and y, and across it, turned from +z, as rows (3, 3)."""
-        return turned(self.tilt).T
+        return tilted(self.tilt).T
 
     @property
     def upright(self) -> bool:
         """Whether its rows and columns are those of the scene."""
-        return self.tilt == (0.0, 0.0)
+        return not any(self.tilt)
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
         """Where its middle is in that plane, and it is turned about an axis across it."""
-        (x, y), (about_x, about_y) = self.center, self.tilt
-        return x == 0 and about_y == 0, y == 0 and about_x == 0
+        (x, y), (about_x, about_y, about_z) = self.center, self.tilt
+        return (
+            x == 0 and about_y == 0 and about_z == 0,
+            y == 0 and about_x == 0 and about_z == 0,
+        )
 
     @property
     def plane_z(self) -> float:
@@ -119,10 +121,10 @@ class Screen(AnyReceiver):
 
     def moved_to(self, z: float) -> Self:
         """The same at another z."""
-        return self.model_copy(update={"z": z})
+        return self.model_copy(update={"position": (*self.center, z)})
 
     def towards(
-        self, optic: "Optic", place: tuple[Array, Array, Array], u: Array, v: Array
+        self, optic: Element, place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
         """Along lines."""
         right, up, _ = self.sides
@@ -133,27 +135,27 @@ class Screen(AnyReceiver):
         length = np.sqrt(way[0] ** 2 + way[1] ** 2 + way[2] ** 2)
         return tuple(part / length for part in way)
 
-    def perspective(self, optic: "Optic") -> Array:
+    def perspective(self, optic: Element) -> Array:
         """From the middle of the face that light leaves; its own coordinates if it is beside it."""
         right, up, _ = self.sides
-        seen = np.stack([right, up, self.position - [0.0, 0.0, optic.leaving_z]], axis=1)
+        seen = np.stack([right, up, np.array(self.position) - [0.0, 0.0, optic.leaving_z]], axis=1)
         seen[2] *= optic.onwards
         (r_x, r_y), (lean_x, lean_y, away) = self.half_width, seen[2]
         beside = away - abs(lean_x) * r_x - abs(lean_y) * r_y < _BESIDE * np.hypot(*self.half_width)
         return np.eye(3) if self.upright or beside else seen
 
-    def slant(self, optic: "Optic") -> float:
+    def slant(self, optic: Element) -> float:
         """At its corners, from the middle of the face that light leaves."""
         (r_x, r_y), (right, up, across) = self.half_width, self.sides
-        way = self.position - [0.0, 0.0, optic.leaving_z]
+        way = np.array(self.position) - [0.0, 0.0, optic.leaving_z]
         corners = [way + x * r_x * right + y * r_y * up for x, y in product((-1, 1), repeat=2)]
         cosines = [abs(across @ corner) / math.hypot(*corner) for corner in corners]
         return math.degrees(math.acos(min(1.0, *cosines)))
 
-    def drawn(self, optic: "Optic", u: Array, v: Array) -> Array:
+    def drawn(self, optic: Element, u: Array, v: Array) -> Array:
         """Where they are."""
         right, up, _ = self.sides
-        return np.asarray(self.position + u[..., None] * right + v[..., None] * up)
+        return np.asarray(np.array(self.position) + u[..., None] * right + v[..., None] * up)
 
     @property
     def pixel_measure(self) -> float:
@@ -164,7 +166,7 @@ class Screen(AnyReceiver):
         """Flux of an image (n_y, n_x) of irradiance."""
         return float(density.sum()) * self.pixel_measure
 
-    def nearest_to(self, optic: "Optic") -> float:
+    def nearest_to(self, optic: Element) -> float:
         """The lowest edge; of one below that leans none, as it may be beside the optic."""
         if optic.onwards < 0:
             return self.z if self.upright else -math.inf
@@ -173,7 +175,7 @@ class Screen(AnyReceiver):
 
     def per_radian(self, z: float) -> tuple[float, float]:
         """How far from there its middle is, and more along a side that leans away."""
-        way = self.position - np.array([0.0, 0.0, z])
+        way = np.array(self.position) - np.array([0.0, 0.0, z])
         far = math.hypot(*way)
         across = max(abs(float(self.sides[2] @ way)), _GRAZING * far)
         along_x, along_y = (far * math.hypot(1.0, lean / across) for lean in self.lean(z))
@@ -182,29 +184,27 @@ class Screen(AnyReceiver):
     def lean(self, z: float) -> tuple[float, float]:
         """Rounding of that way moves light by as great a part of this."""
         right, up, _ = self.sides
-        way = self.position - np.array([0.0, 0.0, z])
+        way = np.array(self.position) - np.array([0.0, 0.0, z])
         return abs(float(right @ way)), abs(float(up @ way))
 
     def check_lengths(self, half_width: tuple[float, float]) -> None:
         """Refuse a screen that is too far, too wide or too far aside."""
-        lengths = [("screen.z", self.z)]
-        lengths += [(f"screen.half_width[{k}]", r) for k, r in enumerate(self.half_width)]
-        lengths += [(f"screen.center[{k}]", c) for k, c in enumerate(self.center)]
+        lengths = [(f"position[{k}]", place) for k, place in enumerate(self.position)]
+        lengths += [(f"half_width[{k}]", r) for k, r in enumerate(self.half_width)]
         limits.check_lengths(lengths, half_width, limits.FAR)
 
-    def check_lit_by(self, optic: "Optic") -> None:
+    def check_lit_by(self, optic: Element) -> None:
         """Refuse an optic that may touch it, or that is behind it."""
         (r_x, r_y), ends = optic.half_width, (optic.lowest, optic.highest)
         corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), ends)))
-        before = optic.onwards * ((self.position - corners) @ self.sides[2]) > 0
+        before = optic.onwards * ((np.array(self.position) - corners) @ self.sides[2]) > 0
         if not self.upright and not before.all():
             raise Refused(
-                "screen.tilt",
+                "tilt",
                 Said(
-                    "[{x:g}, {y:g}] turns the back of the screen to light of the {optic}; its "
+                    "{tilt} turns the back of the screen to light of the {optic}; its "
                     "front has to face all of the {optic}",
-                    x=self.tilt[0],
-                    y=self.tilt[1],
+                    tilt=list(self.tilt),
                     optic=optic.called,
                 ),
             )
@@ -215,7 +215,7 @@ class Screen(AnyReceiver):
         if nearest <= optic.highest:
             places = {"z": self.z, "nearest": nearest, "least": optic.highest + (self.z - nearest)}
             raise Refused(
-                "screen.z",
+                "position[2]",
                 Said(
                     "{z:g} may touch the lens; more than {least:g}, the highest that the exit "
                     "face can become",
@@ -229,11 +229,11 @@ class Screen(AnyReceiver):
                 ),
             )
 
-    def _check_below(self, optic: "Optic") -> None:
+    def _check_below(self, optic: Element) -> None:
         """Refuse an optic whose light does not go up to it; one that leans may be beside it."""
         if self.z >= optic.lowest and self.upright:
             raise Refused(
-                "screen.z",
+                "position[2]",
                 Said(
                     "{z:g} may touch the {optic}, or be behind it; less than {most:g}, the lowest "
                     "that it can become",

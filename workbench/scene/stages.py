@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from workbench.errors import Refused
 from workbench.said import Said
-from workbench.scene.optic import Optic
 from workbench.scene.run import AutoRun, PaperRun, Run, RunSettings, Stage
 
 if TYPE_CHECKING:
@@ -36,14 +35,14 @@ def stage_scenes(scene: "Scene") -> tuple["Scene", ...]:
         )
     parts = []
     for number, stage in enumerate(stages):
-        with refused_in_stage(number, len(stages), scene.optic):
+        with refused_in_stage(number, len(stages), scene):
             parts.append(_in_stage(scene, stage))
     last = scene.run.model_copy(update={"stages": (), "iterations": left})
     return (*parts, scene.model_copy(update={"run": last}))
 
 
 @contextmanager
-def refused_in_stage(number: int, count: int, optic: Optic) -> Iterator[None]:
+def refused_in_stage(number: int, count: int, scene: "Scene") -> Iterator[None]:
     """Give refusals of a stage's scene their paths from the whole scene.
 
     Parameters
@@ -52,15 +51,15 @@ def refused_in_stage(number: int, count: int, optic: Optic) -> Iterator[None]:
         Number of the stage, an index of `Scene.stage_scenes`.
     count : int
         How many stages there are; the scene behind them is the whole one.
-    optic : Optic
-        Of the scene.
+    scene : Scene
+        The whole one.
     """
     try:
         yield
     except Refused as refused:
         if number == count:
             raise
-        path = refused.path.removeprefix(f"{optic.called}.").removeprefix("run.")
+        path = refused.path.removeprefix(f"{scene.face_path()}.").removeprefix("run.")
         raise Refused(f"run.stages[{number}].{path}", refused.reason) from None
 
 
@@ -68,9 +67,8 @@ def _in_stage(scene: "Scene", stage: Stage) -> "Scene":
     """The scene with what a stage changes."""
     optic = scene.optic
     if stage.control_points is not None:
-        optic = optic.altered(control_points=stage.control_points)
+        scene = scene.with_optic(optic.shaped(control_points=stage.control_points))
     return scene.altered(
-        **{optic.called: optic},
         source=stage.source or scene.source,
         filter=stage.filter or scene.filter,
         run=_run_in_stage(scene.run, stage),

@@ -1,7 +1,7 @@
 """The wanted image."""
 
 from pathlib import PurePath
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Field
 
@@ -10,11 +10,9 @@ from workbench.said import Said
 from workbench.scene.fields import (
     FILE,
     PLACE,
-    SINCE_2,
     Choices,
     LeftOut,
     Measure,
-    Version,
     about,
 )
 from workbench.scene.kinds import Kinds, title_of
@@ -52,7 +50,6 @@ class Finish(Part):
     invert: Annotated[bool, about("Invert", "Swap bright and dark.")] = False
     viewed_from: Annotated[
         Side | None,
-        SINCE_2,
         Choices((("front", "The side of the light"), ("back", "Behind the receiver"))),
         LeftOut("Column 0 at −x"),
         about(
@@ -100,7 +97,6 @@ class ImageTarget(Finish):
     ]
     tone: Annotated[
         Literal["linear", "srgb"],
-        SINCE_2,
         Choices((("linear", "As stored"), ("srgb", "As shown by a monitor"))),
         about(
             "Brightness",
@@ -112,7 +108,6 @@ class ImageTarget(Finish):
     ] = "linear"
     fit: Annotated[
         Literal["whole", "fill"],
-        SINCE_2,
         Choices((("whole", "All of the picture"), ("fill", "Without a border"))),
         about(
             "Fit",
@@ -122,7 +117,6 @@ class ImageTarget(Finish):
     ] = "whole"
     turn: Annotated[
         Literal["none", "left", "right", "around"],
-        SINCE_2,
         Choices(
             (
                 ("none", "As it is"),
@@ -135,7 +129,6 @@ class ImageTarget(Finish):
     ] = "none"
     crop: Annotated[
         tuple[_Cut, _Cut, _Cut, _Cut],
-        SINCE_2,
         PLACE,
         Measure("of the picture"),
         about(
@@ -225,7 +218,6 @@ class RectangleTarget(Finish):
 
     model_config = ConfigDict(title="Rectangle")
 
-    since: ClassVar[Version] = 2
     builtin: Literal["rectangle"] = "rectangle"
     width: Annotated[
         float,
@@ -252,7 +244,6 @@ class RingTarget(Finish):
 
     model_config = ConfigDict(title="Ring")
 
-    since: ClassVar[Version] = 2
     builtin: Literal["ring"] = "ring"
     radius: _Radius = 0.8
     inner: Annotated[
@@ -267,7 +258,6 @@ class TextTarget(Finish):
 
     model_config = ConfigDict(title="Text")
 
-    since: ClassVar[Version] = 2
     builtin: Literal["text"] = "text"
     text: Annotated[
         str,

@@ -1,67 +1,68 @@
-"""The scene as a whole: parts that fit together."""
+"""The scene: an optical train with a source and images, and how to design it."""
 
 import json
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import (
-    AfterValidator,
-    ConfigDict,
-    SerializerFunctionWrapHandler,
-    ValidationError,
-    model_serializer,
-)
+from pydantic import Field, ValidationError
 
 from workbench import units
 from workbench.arrays import Array
-from workbench.errors import Refused
+from workbench.errors import Refused, refused_within
 from workbench.refusals import refusal
 from workbench.said import Said
-from workbench.scene import limits
-from workbench.scene.far_field import FarField
-from workbench.scene.fields import SINCE_2, Version, about
+from workbench.scene import limits, versions
+from workbench.scene.element import DEFAULT_WAVELENGTH, Element
+from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
-from workbench.scene.further_image import (
-    FurtherImage,
+from workbench.scene.image import (
+    MOST_IMAGES,
+    Image,
+    Receiver,
     WantedImage,
-    check_images,
     images_like,
     wanted_images,
 )
-from workbench.scene.kinds import only
+from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
-from workbench.scene.optic import Optic
 from workbench.scene.part import Part
-from workbench.scene.receiver import AnyReceiver
 from workbench.scene.region import Region, check_regions
 from workbench.scene.run import AutoRun, Run
-from workbench.scene.screen import Screen
 from workbench.scene.source import Source
 from workbench.scene.stages import stage_scenes
 from workbench.scene.target import Target
 
 Unit = Literal["mm", "cm", "m", "inch"]
+AnyElement = Annotated[Lens | Mirror, Kinds("kind")]
+_MOST_ELEMENTS = 16
 
 
 class _Versioned(Part, extra="ignore"):
-    """What a file says of itself."""
-
-    version: Version = 1
+    version: Literal[1, 2, 3] = 1
 
 
 class Scene(Part):
-    """A whole design task.
+    """An optical train with a source and images, and how to design it.
 
-    Only lens or mirror, source, screen or far_field, and target are required.
+    Only elements, source and images are required.
 
     Examples
     --------
     >>> scene = Scene.from_data({
-    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [64, 64]},
+    ...     "version": 3,
     ...     "source": {"kind": "point", "position": [0, 0, -4]},
-    ...     "screen": {"z": 5, "half_width": [1, 1], "pixels": [128, 128]},
-    ...     "target": {"builtin": "tophat"},
+    ...     "elements": [{
+    ...         "kind": "lens", "name": "lens", "half_width": [1, 1], "material": {"index": 1.5},
+    ...         "thickness": 0.5, "faces": [{"shape": "plane"}, {"shape": "bspline"}],
+    ...     }],
+    ...     "images": [{
+    ...         "receiver": {
+    ...             "kind": "plane", "position": [0, 0, 5], "half_width": [1, 1],
+    ...             "pixels": [128, 128],
+    ...         },
+    ...         "target": {"builtin": "tophat"},
+    ...     }],
     ... })
     >>> scene.source.emission, scene.run.method
     ('uniform', 'auto')
@@ -72,18 +73,8 @@ class Scene(Part):
     workbench.errors.Refused: unit: 'parsec' is not available; allowed: 'mm', 'cm', 'm' or 'inch'
     """
 
-    model_config = ConfigDict(
-        json_schema_extra={
-            "allOf": [
-                {"oneOf": [{"required": [one]}, {"required": [other]}]}
-                for one, other in (("lens", "mirror"), ("screen", "far_field"))
-            ]
-        }
-    )
-
     format: Literal["freeform-scene"] = "freeform-scene"
-    # Which one a file said is forgotten, or the same scene would differ: needed_version is written.
-    version: Annotated[Version, AfterValidator(lambda given: 1)] = 1
+    version: Literal[3] = 3
     unit: Annotated[
         Unit,
         about(
@@ -92,19 +83,25 @@ class Scene(Part):
             "becomes one of 10 mm.",
         ),
     ] = "mm"
-    lens: Annotated[Lens | None, about("Lens", "What shapes the light.")] = None
-    mirror: Annotated[
-        Mirror | None,
-        SINCE_2,
-        about("Mirror", "What shapes the light by reflecting it, in place of a lens."),
-    ] = None
     source: Annotated[Source, about("Source", "Where the light comes from.")]
-    screen: Annotated[Screen | None, about("Screen", "Where the light is wanted.")] = None
-    far_field: Annotated[
-        FarField | None,
-        SINCE_2,
-        about("Far field", "Directions in which the light is wanted, in place of a screen."),
-    ] = None
+    elements: Annotated[
+        tuple[AnyElement, ...],
+        Field(min_length=1),
+        about(
+            "Elements",
+            "Lenses and mirrors in the order in which light meets them. Light that passes one by "
+            "is lost there.",
+        ),
+    ]
+    images: Annotated[
+        tuple[Image, ...],
+        Field(min_length=1),
+        about(
+            "Images",
+            "Where light is wanted, and which. Two freeform faces can form several images; one "
+            "face forms a compromise.",
+        ),
+    ]
     filter: Annotated[
         Filter,
         about(
@@ -113,19 +110,8 @@ class Scene(Part):
             "maps. Automatic has no filter.",
         ),
     ] = GaussianFilter()
-    target: Annotated[Target, about("Target", "The image that the light shall draw.")]
-    further_images: Annotated[
-        tuple[FurtherImage, ...],
-        SINCE_2,
-        about(
-            "Further images",
-            "Images that the same light shall make elsewhere, on its way to the screen or beyond. "
-            "Two freeform faces can place light and direct it; one face finds what lies between.",
-        ),
-    ] = ()
     regions: Annotated[
         tuple[Region, ...],
-        SINCE_2,
         about(
             "Regions",
             "Parts of the screen, or of the angles of the far field, whose light is stated by "
@@ -137,15 +123,21 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
+        self._check_elements()
         optic = self.optic
-        self.receiver.check_lengths(optic.half_width)
         radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
         asked = [(f"run.{name}", radius) for name, radius in radii.items() if radius is not None]
         limits.check_lengths(asked, optic.half_width, limits.FAR)
         self.source.measured_in(self.unit)
         self.source.check_before(optic)
-        self.receiver.check_lit_by(optic)
-        check_images(self)
+        if len(self.images) > MOST_IMAGES:
+            many = Said(
+                "{count} are given; at most {most}", count=len(self.images), most=MOST_IMAGES
+            )
+            raise Refused("images", many)
+        for number, image in enumerate(self.images):
+            with refused_within(f"images[{number}]"):
+                image.check_lit_by(optic)
         check_regions(self.regions)
         for field in ("smoothness", *radii):
             value = getattr(self.run, field)
@@ -156,62 +148,100 @@ class Scene(Part):
                         "{value:g} is about curvature, and faces of degree 1 are flat between "
                         "edges; {field} of at least 2",
                         value=value,
-                        field=f"{optic.called}.degree",
+                        field=f"{self.face_path()}.degree",
                     ),
                 )
         stage_scenes(self)
 
-    @model_serializer(mode="wrap")
-    def _written(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        version, data = self.needed_version, write(self)
-        for name in ("further_images", "regions"):  # which earlier programs do not know
-            if not getattr(self, name):
-                data.pop(name, None)
-        return self.known_to(version, data) | {"version": version}
+    def _check_elements(self) -> None:
+        if len(self.elements) > _MOST_ELEMENTS:
+            many = Said(
+                "{count} are given; at most {most}", count=len(self.elements), most=_MOST_ELEMENTS
+            )
+            raise Refused("elements", many)
+        names = [element.name for element in self.elements]
+        for number, element in enumerate(self.elements):
+            if element.name in names[:number]:
+                twice = Said(
+                    "'{name}' is the name of another element; another name", name=element.name
+                )
+                raise Refused(f"elements[{number}].name", twice)
+        designed = [number for number, element in enumerate(self.elements) if element.designed]
+        if not designed:
+            raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
+        with refused_within(f"elements[{designed[0]}]"):
+            self.elements[designed[0]].lit(self.source.wavelength_um).check_element()
 
     @property
-    def optic(self) -> Optic:
-        """What shapes the light: the lens or the mirror."""
-        return only({"lens": self.lens, "mirror": self.mirror})
-
-    def with_optic(self, optic: Optic) -> Self:
-        """The scene with another optic of the same kind, which goes with all else."""
-        return self.model_copy(update={self.optic.called: optic})
+    def designed_number(self) -> int:
+        """Index of the element that the design shapes."""
+        return next(number for number, each in enumerate(self.elements) if each.designed)
 
     @property
-    def receiver(self) -> AnyReceiver:
-        """Where the light is wanted: the screen or the far field."""
-        return only({"screen": self.screen, "far_field": self.far_field})
+    def optic(self) -> Element:
+        """The element that the design shapes, as the source's light meets it."""
+        return self.elements[self.designed_number].lit(self.source.wavelength_um)
 
-    def with_receiver(self, receiver: AnyReceiver) -> Self:
-        """The scene with another receiver of the same kind."""
-        name = "far_field" if self.screen is None else "screen"
-        return self.model_copy(update={name: receiver})
+    def with_optic(self, optic: Element) -> Self:
+        """Return the scene with another element in place of `optic`, which goes with all else."""
+        elements = list(self.elements)
+        elements[self.designed_number] = optic.lit(DEFAULT_WAVELENGTH)
+        return self.model_copy(update={"elements": tuple(elements)})
 
     @property
-    def receivers(self) -> tuple[AnyReceiver, ...]:
-        """The receiver, and those of further images."""
-        return (self.receiver, *(image.receiver for image in self.further_images))
+    def optic_path(self) -> str:
+        """Path of `optic` in the scene."""
+        return f"elements[{self.designed_number}]"
+
+    def face_path(self, name: str | None = None) -> str:
+        """Path of a face of `optic` in the scene, by its name; by default that of its last."""
+        optic = self.optic
+        name = name or optic.designed_face
+        path = next(placed.path for placed in optic.placed_faces if placed.name == name)
+        return f"{self.optic_path}.{path}"
+
+    @property
+    def receiver(self) -> Receiver:
+        """Receiver of the first image."""
+        return self.images[0].receiver
+
+    def with_receiver(self, receiver: Receiver) -> Self:
+        """Return the scene with another receiver of the first image."""
+        return self._with_image(receiver=receiver)
+
+    @property
+    def target(self) -> Target:
+        """Target of the first image."""
+        return self.images[0].target
+
+    def with_target(self, target: Target) -> Self:
+        """Return the scene with another target of the first image."""
+        return self._with_image(target=target)
+
+    def _with_image(self, **changes: Any) -> Self:
+        first, *others = self.images
+        images = (first.model_copy(update=changes), *others)
+        return self.model_copy(update={"images": images})
+
+    @property
+    def receivers(self) -> tuple[Receiver, ...]:
+        """The receivers of all images."""
+        return tuple(image.receiver for image in self.images)
 
     @property
     def single(self) -> tuple[Self, ...]:
         """The scene for each of its images as if there were no other, the first one first."""
-        if not self.further_images:
+        if len(self.images) == 1:
             return (self,)
-        alone = self.model_copy(update={"further_images": ()})
-        others = (
-            {name: getattr(image, name) for name in ("screen", "far_field", "target")}
-            for image in self.further_images
-        )
-        return (alone, *(alone.model_copy(update=changes) for changes in others))
+        return tuple(self.model_copy(update={"images": (image,)}) for image in self.images)
 
-    def images(self, target: Array) -> tuple[WantedImage, ...]:
+    def wanted(self, target: Array) -> tuple[WantedImage, ...]:
         """All images that are wanted, the first one first.
 
         Parameters
         ----------
         target : ndarray, shape (n_y, n_x)
-            Of the first one, which has a weight of 1.
+            Of the first one.
 
         Raises
         ------
@@ -233,13 +263,12 @@ class Scene(Part):
         Refused
             With the field of the further images.
         """
-        if self.further_images:
-            count = len(self.further_images)
+        if len(self.images) > 1:
             raise Refused(
-                "further_images",
+                "images",
                 Said(
-                    "{count} given, which {who} cannot take into account; none",
-                    count=count,
+                    "{count} given, which {who} cannot take into account; one",
+                    count=len(self.images),
                     who=who,
                 ),
             )
@@ -270,9 +299,10 @@ class Scene(Part):
     def with_contents_of(self, other: "Scene") -> Self:
         """The scene with what another one carries along: files of light, and targets as drawn."""
         scene = self.carrying(other.light_files)
-        if not self.further_images:
+        if len(self.images) == 1:
             return scene
-        return scene.model_copy(update={"further_images": images_like(scene, other)})
+        images = (scene.images[0], *images_like(scene, other))
+        return scene.model_copy(update={"images": images})
 
     def source_of(self, stage: int) -> Source:
         """The source of a stage, by its number; behind all stages that of the scene itself."""
@@ -292,16 +322,20 @@ class Scene(Part):
         return stage_scenes(self)
 
     def with_net(self, shape: tuple[int, int] | None) -> Self:
-        """The scene with what its ``"auto"`` control points come to; see `Optic.with_net`."""
+        """The scene with what its ``"auto"`` control points come to; see `Element.with_net`."""
         optic = self.optic.with_net(shape)
-        return self if optic is self.optic else self.altered(**{optic.called: optic})
+        if optic.control_points == self.optic.control_points:
+            return self
+        scene = self.with_optic(optic)
+        scene.check()
+        return scene
 
     def settled(self) -> Self:
         """The scene with numbers in place of what the program has chosen."""
         optic = self.optic
         if optic.known_shape is None:
             return self
-        return self.with_optic(optic.model_copy(update={"control_points": optic.known_shape}))
+        return self.with_optic(optic.shaped(control_points=optic.known_shape))
 
     def in_unit(self, unit: Unit) -> Self:
         """The same scene with all its lengths in another unit.
@@ -328,14 +362,12 @@ class Scene(Part):
             With the path of the field, the value and what is allowed.
         """
         try:
-            scene = cls.model_validate_json(text)
             version = _Versioned.model_validate_json(text).version
+            if version == 3:
+                return cls.model_validate_json(text)
+            return versions.read(text, cls.model_validate_json, version, cls)
         except ValidationError as error:
             raise refusal(error, cls) from None
-        lens = scene.lens
-        if version >= 2 and lens is not None and "reflection" not in lens.model_fields_set:
-            return scene.altered(lens=lens.altered(reflection="fresnel"))
-        return scene
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> Self:
@@ -350,3 +382,7 @@ class Scene(Part):
         """The scene as plain dictionaries and lists."""
         data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
         return data
+
+
+def _too_many(path: str, count: int, most: int) -> Refused:
+    return Refused(path, Said("{count} are given; at most {most}", count=count, most=most))

@@ -1,4 +1,4 @@
-"""Directions that are turned about the axes x and y."""
+"""Rotations: tilts of elements, receivers and lamps, and of collimated light."""
 
 import math
 
@@ -28,3 +28,33 @@ def turned(about: tuple[float, float]) -> Array:
     radians = math.radians(angle)
     turn = math.sin(radians) * cross + (1 - math.cos(radians)) * cross @ cross
     return np.asarray(np.eye(3) + turn)
+
+
+def tilted(tilt: tuple[float, float, float]) -> Array:
+    """Return the matrix (3, 3) R_x(a) R_y(b) R_z(c) of a tilt (a, b, c) in degrees.
+
+    An element is turned about its own x, then about its new y, then about its new z.
+    """
+    turn = np.eye(3)
+    for axis, degrees in enumerate(tilt):
+        if degrees:
+            turn = turn @ _about(axis, math.radians(degrees))
+    return turn
+
+
+def tilt_of(turn: Array) -> tuple[float, float, float]:
+    """Return the tilt in degrees of a rotation matrix (3, 3): the inverse of `tilted`."""
+    b = math.asin(min(max(float(turn[0, 2]), -1.0), 1.0))
+    a = math.atan2(-turn[1, 2], turn[2, 2])
+    c = math.atan2(-turn[0, 1], turn[0, 0])
+    degrees = (math.degrees(angle) + 0.0 for angle in (a, b, c))
+    x, y, z = degrees
+    return x, y, z
+
+
+def _about(axis: int, radians: float) -> Array:
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    turn = np.eye(3)
+    turn[i, i] = turn[j, j] = math.cos(radians)
+    turn[j, i], turn[i, j] = math.sin(radians), -math.sin(radians)
+    return turn

@@ -1,4 +1,4 @@
-"""Another image that the same light shall make elsewhere."""
+"""Images: where light is wanted, and which light."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -9,12 +9,11 @@ from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused, refused_within
-from workbench.said import Said
+from workbench.scene.element import Element
 from workbench.scene.far_field import FarField
 from workbench.scene.fields import about
-from workbench.scene.kinds import only
+from workbench.scene.kinds import Kinds
 from workbench.scene.part import Part, Positive
-from workbench.scene.receiver import AnyReceiver
 from workbench.scene.screen import Screen
 from workbench.scene.target import Target
 from workbench.scene.viewing import drawing
@@ -22,12 +21,14 @@ from workbench.scene.viewing import drawing
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
-_MOST = 8  # each is traced by itself
+MOST_IMAGES = 9
+"""Images of a scene, at most: each is traced by itself."""
+Receiver = Annotated[Screen | FarField, Kinds("kind")]
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnTarget:
-    """A target as it was drawn; one that has yet to be drawn is like any.
+    """A target as an array; equal to any where it has yet to be drawn.
 
     Attributes
     ----------
@@ -52,7 +53,7 @@ class DrawnTarget:
 
 
 class WantedImage(NamedTuple):
-    """One of the images that a task asks for.
+    """One of the images of a task.
 
     Attributes
     ----------
@@ -61,7 +62,7 @@ class WantedImage(NamedTuple):
     target : ndarray, shape (n_y, n_x)
         The wanted image in any scale, row 0 at +y.
     weight : float
-        What the square of its error counts for.
+        Factor of the square of its error.
     """
 
     scene: "Scene"
@@ -69,46 +70,33 @@ class WantedImage(NamedTuple):
     weight: float
 
 
-class FurtherImage(Part):
-    """A receiver of its own with a target of its own. It takes no light from the other images."""
+class Image(Part):
+    """A receiver with the light that is wanted on it. It takes no light from other images."""
 
-    model_config = ConfigDict(
-        title="Further image",
-        json_schema_extra={"oneOf": [{"required": ["screen"]}, {"required": ["far_field"]}]},
-    )
+    model_config = ConfigDict(title="Image")
 
-    screen: Annotated[
-        Screen | None, about("Screen", "Where light is wanted as well, at another place.")
-    ] = None
-    far_field: Annotated[
-        FarField | None,
-        about("Far field", "Directions in which light is wanted as well, in place of a screen."),
-    ] = None
+    receiver: Annotated[
+        Receiver, about("Receiver", "Where the light is wanted: on a plane or in directions.")
+    ]
     target: Annotated[Target, about("Target", "The image that the light shall draw there.")]
     weight: Annotated[
         Positive,
         about(
             "Weight",
-            "What the square of this image's relative error counts for in a design, beside 1 for "
-            "the first image.",
+            "Factor of the square of this image's relative error in a design of several images.",
             le=1e6,
         ),
     ] = 1.0
     _drawn: DrawnTarget = PrivateAttr(default_factory=DrawnTarget)
 
     @property
-    def receiver(self) -> AnyReceiver:
-        """Where the light is wanted: the screen or the far field."""
-        return only({"screen": self.screen, "far_field": self.far_field})
-
-    @property
     def wanted(self) -> Array:
-        """The target as it was drawn, shape (n_y, n_x).
+        """The target as an array, shape (n_y, n_x).
 
         Raises
         ------
         Refused
-            If that has yet to be done; see `workbench.design.task.begin`.
+            If it has yet to be drawn; see `workbench.design.task.begin`.
         """
         if self._drawn.light is None:
             raise Refused("target", "has yet to be drawn; workbench.begin draws it")
@@ -116,31 +104,42 @@ class FurtherImage(Part):
 
     @property
     def drawn(self) -> DrawnTarget:
-        """Its target as it was drawn, if it was."""
+        """Its target as an array, where that was drawn."""
         return self._drawn
 
     def drawn_as(self, drawn: DrawnTarget) -> Self:
-        """The same with its target drawn."""
+        """Return the same with its target drawn."""
         copy = self.model_copy()
         copy._drawn = drawn
         return copy
 
+    def check_lit_by(self, element: Element) -> None:
+        """Refuse an element that cannot light the receiver.
 
-def images_like(scene: "Scene", other: "Scene") -> tuple[FurtherImage, ...]:
-    """Further images of a scene with their targets as another scene has them.
+        Raises
+        ------
+        Refused
+            With the path of the field from the image.
+        """
+        with refused_within("receiver"):
+            self.receiver.check_receiver()
+            self.receiver.check_lengths(element.half_width)
+            self.receiver.check_lit_by(element)
+
+
+def images_like(scene: "Scene", other: "Scene") -> tuple[Image, ...]:
+    """Images behind the first one with their targets as another scene has them.
 
     Drawn, or at least with the content of their files.
     """
     known = {drawing(alone): image for alone, image in _drawn(other)}
     found = []
-    for alone, image in zip(scene.single[1:], scene.further_images, strict=True):
+    for alone, image in zip(scene.single[1:], scene.images[1:], strict=True):
         if image.drawn.light is None:
             same = known.get(drawing(alone))
             file = image.target.file
             pictures = (
-                each.drawn.picture
-                for each in other.further_images
-                if file and each.target.file == file
+                each.drawn.picture for each in other.images[1:] if file and each.target.file == file
             )
             drawn = same.drawn if same else DrawnTarget(picture=next(pictures, None))
             image = image.drawn_as(drawn)
@@ -148,36 +147,18 @@ def images_like(scene: "Scene", other: "Scene") -> tuple[FurtherImage, ...]:
     return tuple(found)
 
 
-def _drawn(scene: "Scene") -> Iterator[tuple["Scene", FurtherImage]]:
-    """Further images whose target is drawn, with the scene of each."""
-    for alone, image in zip(scene.single[1:], scene.further_images, strict=True):
+def _drawn(scene: "Scene") -> Iterator[tuple["Scene", Image]]:
+    """Images behind the first one whose target is drawn, with the scene of each."""
+    for alone, image in zip(scene.single[1:], scene.images[1:], strict=True):
         if image.drawn.light is not None:
             yield alone, image
 
 
-def check_images(scene: "Scene") -> None:
-    """Refuse further images that the optic cannot light, or too many.
-
-    Raises
-    ------
-    Refused
-        With the path of the field in the scene.
-    """
-    images, optic = scene.further_images, scene.optic
-    if len(images) > _MOST:
-        many = Said("{count} are given; at most {most}", count=len(images), most=_MOST)
-        raise Refused("further_images", many)
-    for number, image in enumerate(images):
-        with refused_within(f"further_images[{number}]"):
-            image.receiver.check_lengths(optic.half_width)
-            image.receiver.check_lit_by(optic)
-
-
 def wanted_images(scene: "Scene", target: Array) -> tuple[WantedImage, ...]:
-    """All images that a scene asks for, the first one first; see `Scene.images`."""
+    """All images that a scene asks for, the first one first; see `Scene.wanted`."""
     first, *others = scene.single
-    found = [WantedImage(first, target, 1.0)]
-    for number, (alone, image) in enumerate(zip(others, scene.further_images, strict=True)):
-        with refused_within(f"further_images[{number}]"):
+    found = [WantedImage(first, target, scene.images[0].weight)]
+    for number, (alone, image) in enumerate(zip(others, scene.images[1:], strict=True), start=1):
+        with refused_within(f"images[{number}]"):
             found.append(WantedImage(alone, image.wanted, image.weight))
     return tuple(found)

@@ -1,0 +1,376 @@
+"""What all elements of an optical train have in common."""
+
+import math
+from abc import abstractmethod
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import Field
+
+from workbench.arrays import Array
+from workbench.errors import Refused, refused_within
+from workbench.said import Said
+from workbench.scene import limits
+from workbench.scene.auto_net import AutoNet
+from workbench.scene.faces import Face, PlacedBase, SplineFace, check_net
+from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
+from workbench.scene.losses import Loss, TakesLight
+from workbench.scene.part import Part, Positive
+
+Place = tuple[float, float, float]
+DEFAULT_WAVELENGTH = 0.5876
+"""Vacuum wavelength in µm of light whose source does not state one: the helium d line."""
+_Angle = Annotated[float, Field(ge=-180, le=180)]
+Tilt = Annotated[
+    tuple[_Angle, _Angle, _Angle],
+    ANGLE,
+    PLACE,
+]
+
+Name = Annotated[
+    str,
+    about(
+        "Name",
+        "What the element is called; letters, digits, - and _.",
+        pattern=r"^[A-Za-z0-9_-]{1,40}$",
+    ),
+]
+ElementPosition = Annotated[
+    Place,
+    LENGTH,
+    PLACE,
+    about("Position", "Where the vertex of its front face stands: x, y and z."),
+]
+ElementTilt = Annotated[
+    Tilt,
+    about(
+        "Tilt",
+        "How the element is turned about its front vertex: about its x, then about its new y, then "
+        "about its new z.",
+    ),
+]
+HalfWidth = Annotated[
+    tuple[Positive, Positive],
+    LENGTH,
+    about("Half width", "Half of its extent along x and y. All of it is lit."),
+]
+Outline = Annotated[
+    Literal["rectangle", "ellipse"],
+    about(
+        "Outline",
+        "Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light "
+        "beside it misses the element.",
+    ),
+]
+
+
+class PlacedFace(NamedTuple):
+    """A face of an element.
+
+    Attributes
+    ----------
+    name : str
+        Its name among the control heights of a design.
+    path : str
+        Its path from the element, as in ``faces[1]``.
+    face : PlaneFace, ConicFace or SplineFace
+        Its shape.
+    z : float
+        z of its vertex, scene units.
+    """
+
+    name: str
+    path: str
+    face: Face
+    z: float
+
+
+class Element(Part):
+    """One entry of an optical train: a lens, a mirror or a diffuser."""
+
+    called: ClassVar[str]
+    """What it is called within a sentence."""
+    designed_face: ClassVar[str]
+    """Name of its last freeform face among the control heights."""
+    most_faces: ClassVar[int]
+    """How many of its faces can be freeform."""
+    face_called: ClassVar[str]
+    """What that face is called within a sentence."""
+    body_called: ClassVar[str]
+    """What a solid part of this kind is called within a sentence."""
+    front_called: ClassVar[str]
+    """What light meets first, within a sentence."""
+    onwards: ClassVar[int]
+    """1 if light goes on to +z behind it, -1 if it goes back to -z."""
+    losses: ClassVar[Mapping[str, Loss]]
+    """How light is lost at any of its kind, by the names of the light account."""
+
+    if TYPE_CHECKING:  # each kind has these fields, at their places in the file
+        kind: str
+        name: str
+        position: Place
+        tilt: Place
+        half_width: tuple[float, float]
+        outline: Literal["rectangle", "ellipse"]
+
+    @property
+    @abstractmethod
+    def placed_faces(self) -> tuple[PlacedFace, ...]:
+        """Its faces in the order in which light meets them."""
+
+    @property
+    def designed(self) -> bool:
+        """Whether the design shapes one of its faces."""
+        return any(placed.face.designed for placed in self.placed_faces)
+
+    def lit(self, wavelength_um: float) -> Self:
+        """Return the element as light of a wavelength meets it."""
+        return self
+
+    @property
+    def _shaped(self) -> PlacedFace:
+        """The face of `designed_face`."""
+        return next(placed for placed in self.placed_faces if placed.name == self.designed_face)
+
+    @property
+    def spline(self) -> SplineFace:
+        """The face of `designed_face`, which is a B-spline.
+
+        Raises
+        ------
+        TypeError
+            If it is none: the element is not designed.
+        """
+        face = self._shaped.face
+        if not isinstance(face, SplineFace):
+            raise TypeError(f"the {self._shaped.name} face of {self.name} is no B-spline")
+        return face
+
+    @abstractmethod
+    def with_face(self, name: str, face: Face) -> Self:
+        """Return the element with another face in place of the one of a name."""
+
+    def shaped(self, name: str | None = None, **changes: Any) -> Self:
+        """Return the element with changes of a B-spline face, by default `designed_face`."""
+        name = name or self.designed_face
+        face = next(placed.face for placed in self.placed_faces if placed.name == name)
+        return self.with_face(name, face.model_copy(update=changes))
+
+    @property
+    def degree(self) -> tuple[int, int]:
+        """Degrees of the face that the design shapes."""
+        return self.spline.degree
+
+    @property
+    def control_points(self) -> tuple[int, int] | AutoNet:
+        """Control points of that face, as the scene states them."""
+        return self.spline.control_points
+
+    @property
+    def height_range(self) -> tuple[float, float] | None:
+        """Height range of that face, as the scene states it."""
+        return self.spline.height_range
+
+    @property
+    def base(self) -> PlacedBase:
+        """Base of that face at its place in the scene."""
+        return PlacedBase(self.spline.base, self._shaped.z)
+
+    @property
+    def entrance(self) -> Face:
+        """The face before the one that the design shapes; a plane where there is none."""
+        return self.placed_faces[0].face
+
+    @property
+    @abstractmethod
+    def front_z(self) -> float:
+        """The plane of the aperture: light that passes the outline there reaches the element."""
+
+    @property
+    @abstractmethod
+    def datum(self) -> float:
+        """The z from which paths of slanted light count: near the faces."""
+
+    @property
+    @abstractmethod
+    def entrance_range(self) -> tuple[float, float]:
+        """The lowest and the highest z that the entrance face can come to."""
+
+    @property
+    @abstractmethod
+    def entrance_offsets(self) -> tuple[float, float]:
+        """The same from its place on the axis."""
+
+    @property
+    @abstractmethod
+    def leaving_z(self) -> float:
+        """About where light leaves it, as far as that is known before a design."""
+
+    @property
+    @abstractmethod
+    def lowest(self) -> float:
+        """The z that no point of it can be below: sources stand before that."""
+
+    @property
+    @abstractmethod
+    def highest(self) -> float:
+        """The z that no point of its face can be above, as far as it is known before a run."""
+
+    @property
+    def edge_z(self) -> float:
+        """The z that its face cannot be beyond, on the side to which light goes."""
+        return self.highest if self.onwards > 0 else self.lowest
+
+    @property
+    @abstractmethod
+    def floor(self) -> float:
+        """The z that its face is kept above whatever the height range is."""
+
+    @property
+    @abstractmethod
+    def ceiling(self) -> float:
+        """The z that its face is kept below whatever the height range is; infinite without one."""
+
+    @property
+    @abstractmethod
+    def index(self) -> float:
+        """Refractive index of what is before its face."""
+
+    @property
+    @abstractmethod
+    def steepest(self) -> float:
+        """Tangent of the largest angle to the axis at which light may come to its face, about."""
+
+    @property
+    @abstractmethod
+    def least_thickness(self) -> float:
+        """The least that the solid part may be thick, by itself."""
+
+    @property
+    @abstractmethod
+    def deflection(self) -> float:
+        """By how many radians a small slope of the face turns light, over the slope."""
+
+    @property
+    @abstractmethod
+    def held_by(self) -> Literal["height_range", "max_thickness", "screen"]:
+        """What keeps its face below, if no height range does."""
+
+    @abstractmethod
+    def bounded(
+        self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
+    ) -> Self:
+        """The element with all that limits its heights.
+
+        Parameters
+        ----------
+        source_z, receiver_z : float
+            Where its source and its receiver are nearest to it; infinite if they are.
+        several : bool
+            Whether it makes several images.
+        part : float
+            Of the distance to the receiver, that it may rise where neither a height range nor a
+            maximal thickness is given.
+        """
+
+    def ranged(self, low: float, high: float) -> Self:
+        """The element with another height range; nothing else of it moves."""
+        return self.shaped(height_range=(low, high))
+
+    @abstractmethod
+    def flat_z(self, heights: Array) -> float:
+        """Where the flat side of the solid part is, if the face has these control heights."""
+
+    def face_in_words(self, face: str) -> str:
+        """What one of its freeform faces is called within a sentence."""
+        return self.face_called if face == self.designed_face else "entrance face"
+
+    def outwards(self, face: str) -> int:
+        """1 if one of its freeform faces is seen from +z, -1 if from -z."""
+        return self.onwards if face == self.designed_face else -1
+
+    def place_of(self, face: str, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Where one of its freeform faces stands before the design, z at (x, y)."""
+        if face == self.designed_face:
+            return self.base.height_at(x, y)
+        return np.full(np.broadcast(x, y).shape, self.datum)
+
+    def range_of(self, face: str) -> tuple[float, float] | None:
+        """How far one of its freeform faces may be from its place; None if nobody says so."""
+        return self.height_range if face == self.designed_face else self.entrance_offsets
+
+    @property
+    def net_shape(self) -> tuple[int, int]:
+        """Numbers of control points along x and y: as given, or as the program has chosen.
+
+        Raises
+        ------
+        Refused
+            If it has yet to choose; a `Session`, which has a target, is a task where it has.
+        """
+        if self.known_shape is None:
+            path = f"{self._shaped.path}.control_points"
+            raise Refused(path, Said("'auto' needs a target to choose for; numbers"))
+        return self.known_shape
+
+    @property
+    def known_shape(self) -> tuple[int, int] | None:
+        """As `net_shape`; None where the program has yet to choose."""
+        points = self.control_points
+        return points.shape if isinstance(points, AutoNet) else points
+
+    def with_net(self, shape: tuple[int, int] | None) -> Self:
+        """The same for whose ``"auto"`` the program has chosen a net; None takes a choice back."""
+        if not isinstance(self.control_points, AutoNet):
+            return self
+        return self.shaped(control_points=AutoNet(shape))
+
+    def limits_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[Array, Array]:
+        """Lowest and highest z that control points at (x, y) may have; x and y broadcast.
+
+        The highest is infinite where nothing says how high the face may rise.
+        """
+        low, high = self.height_range or (-math.inf, math.inf)
+        base = self.base.height_at(x, y)
+        return np.maximum(base + low, self.floor), np.minimum(base + high, self.ceiling)
+
+    @classmethod
+    def all_losses(cls) -> dict[str, Loss]:
+        """Its losses, and those that its fields bring, by name."""
+        losses = dict(cls.losses)
+        for field in cls.fields():
+            if mark := field.mark(TakesLight):
+                losses[mark.name] = mark.loss
+        return losses
+
+    def check_element(self) -> None:
+        """Refuse an element that cannot be computed with, or cannot be made.
+
+        Raises
+        ------
+        Refused
+            With the path of the field from the element, the value and what is allowed.
+        """
+        limits.check_width(self.half_width)
+        places = [(f"position[{axis}]", place) for axis, place in enumerate(self.position)]
+        limits.check_lengths(places, self.half_width, limits.FARTHEST)
+        heights = [("position[2]", self.position[2]), *self._own_heights()]
+        limits.check_lengths(heights, self.half_width, limits.HEIGHT)
+        for placed in self.placed_faces:
+            with refused_within(placed.path):
+                placed.face.check_face(self.called, self.half_width)
+                if isinstance(placed.face, SplineFace) and self.designed:
+                    given = placed.face.net(self.known_shape) if self.known_shape else None
+                    if given is not None:
+                        check_net("control_points", *given)
+
+    def _own_heights(self) -> list[tuple[str, float]]:
+        """Names and values of further fields that are heights of the element."""
+        return []
+
+
+def relative(factor: float) -> Callable[[dict[str, Any]], float]:
+    """Default length: a multiple of the larger half-width (0 where that was refused)."""
+    return lambda data: factor * max(data.get("half_width", (0.0,)))

@@ -1,0 +1,361 @@
+"""Faces of elements: planes, conics and B-splines.
+
+A face is described in its element's own coordinates: z is counted from the face's vertex. Where the
+vertex stands is a matter of the element.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+from pydantic import ConfigDict, Field
+
+from workbench.arrays import Array
+from workbench.errors import Refused
+from workbench.said import Said
+from workbench.scene import limits
+from workbench.scene.auto_net import AutoNet, NumbersOrAuto
+from workbench.scene.fields import FILE, LENGTH, RANGE, about
+from workbench.scene.kinds import Kinds
+from workbench.scene.part import Part, Positive
+
+if TYPE_CHECKING:
+    from workbench.scene.task import Scene
+
+Degree = Annotated[int, Field(ge=1, le=7)]
+LARGEST_NET = 1024
+"""Control points along an axis, at most."""
+NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
+NetShape = tuple[NetSize, NetSize]
+_MOST_COEFFICIENTS = 8
+
+
+def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> None:
+    """Refuse a net with fewer control points than its degrees need.
+
+    Raises
+    ------
+    Refused
+        With the number, and the least.
+    """
+    for axis, count in enumerate(shape):
+        if count < degree[axis] + 1:
+            raise Refused(
+                f"{path}[{axis}]",
+                Said(
+                    "{count} is too few for degree {degree}; at least {least}",
+                    count=count,
+                    degree=degree[axis],
+                    least=degree[axis] + 1,
+                ),
+            )
+
+
+class FlatBase(Part):
+    """A plane across the axis."""
+
+    model_config = ConfigDict(title="Flat")
+
+    shape: Literal["flat"] = "flat"
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast."""
+        return np.zeros(np.broadcast(x, y).shape)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest sag over the aperture."""
+        return 0.0, 0.0
+
+    def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse nothing: a plane suits any element."""
+
+
+class SphereBase(Part):
+    """A spherical cap that rises or falls towards the rim."""
+
+    model_config = ConfigDict(title="Sphere")
+
+    shape: Literal["sphere"] = "sphere"
+    radius: Annotated[
+        Positive,
+        LENGTH,
+        about(
+            "Base radius",
+            "Radius of curvature of the base; more than the half-diagonal of the lens or mirror.",
+        ),
+    ]
+    form: Annotated[
+        Literal["concave", "convex"],
+        about("Base form", "Concave rises towards the rim, convex falls."),
+    ] = "concave"
+
+    @classmethod
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
+        """Shallow enough for any lens or mirror that a flat base was good for."""
+        return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast."""
+        r2 = np.square(x) + np.square(y)
+        # R − √(R² − r²) without the cancellation of two large numbers.
+        sag = r2 / (self.radius + np.sqrt(self.radius**2 - r2))
+        return np.asarray(sag if self.form == "concave" else -sag)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest sag over the aperture."""
+        rim = float(self.sag(*half_width))
+        return min(rim, 0.0), max(rim, 0.0)
+
+    def check_within(self, path: str, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse a radius beyond what can be computed with, or a cap that ends within the rim."""
+        path = f"{path}.radius"
+        limits.check_lengths([(path, self.radius)], half_width, limits.FAR)
+        if self.radius <= math.hypot(*half_width):
+            raise Refused(
+                path,
+                Said(
+                    "{radius:g} does not span the {optic}; more than its half-diagonal {least:g}",
+                    radius=self.radius,
+                    optic=called,
+                    least=math.hypot(*half_width),
+                ),
+            )
+
+
+Base = Annotated[FlatBase | SphereBase, Kinds("shape", default="flat")]
+
+
+class PlacedBase(NamedTuple):
+    """A base at its place in the scene.
+
+    Attributes
+    ----------
+    base : FlatBase or SphereBase
+        Its shape.
+    height : float
+        z of its vertex, scene units.
+    """
+
+    base: FlatBase | SphereBase
+    height: float
+
+    @property
+    def shape(self) -> str:
+        """Name of its kind."""
+        return self.base.shape
+
+    def height_at(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Return z at (x, y), scene units; x and y broadcast."""
+        return self.height + self.base.sag(x, y)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest z over the aperture."""
+        low, high = self.base.extent(half_width)
+        return self.height + low, self.height + high
+
+
+class PlaneFace(Part):
+    """A plane across the axis."""
+
+    model_config = ConfigDict(title="Plane")
+
+    shape: Literal["plane"] = "plane"
+    designed: ClassVar[bool] = False
+    height_range: ClassVar = None
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast."""
+        return np.zeros(np.broadcast(x, y).shape)
+
+    def net(self, other: NetShape) -> None:
+        """No control points."""
+
+    def offsets(self, most: float) -> tuple[float, float]:
+        """Return no offsets from the vertex; see `SplineFace.offsets`."""
+        return 0.0, 0.0
+
+    def within(self, offsets: tuple[float, float]) -> "PlaneFace":
+        """Return the same face: it has no bounds."""
+        return self
+
+    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse nothing: a plane suits any element."""
+
+
+class ConicFace(Part):
+    """A surface of revolution: a conic with aspheric coefficients (ISO 10110-12)."""
+
+    model_config = ConfigDict(title="Conic")
+
+    shape: Literal["conic"]
+    designed: ClassVar[bool] = False
+    height_range: ClassVar = None
+
+    radius: Annotated[
+        float,
+        LENGTH,
+        about(
+            "Radius",
+            "Radius of curvature at the vertex: positive where the centre of curvature lies on the "
+            "+z side of the vertex.",
+        ),
+    ]
+    conic: Annotated[
+        float,
+        about(
+            "Conic constant",
+            "0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.",
+        ),
+    ] = 0.0
+    coefficients: Annotated[
+        tuple[float, ...],
+        about(
+            "Coefficients",
+            "Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.",
+            max_length=_MOST_COEFFICIENTS,
+        ),
+    ] = ()
+
+    @classmethod
+    def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
+        """Shallow enough for any element."""
+        return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
+
+    def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Height above the vertex, scene units; x and y broadcast.
+
+        z = c r² / (1 + √(1 − (1 + k) c² r²)) + a4 r⁴ + a6 r⁶ + … (ISO 10110-12).
+        """
+        r2, curvature = np.square(x) + np.square(y), 1 / self.radius
+        root = np.sqrt(np.maximum(1 - (1 + self.conic) * curvature**2 * r2, 0.0))
+        powers = sum(a * r2 ** (k + 2) for k, a in enumerate(self.coefficients))
+        return np.asarray(curvature * r2 / (1 + root) + powers)
+
+    def net(self, other: NetShape) -> None:
+        """No control points."""
+
+    def offsets(self, most: float) -> tuple[float, float]:
+        """Return no offsets from its shape; see `SplineFace.offsets`."""
+        return 0.0, 0.0
+
+    def within(self, offsets: tuple[float, float]) -> "ConicFace":
+        """Return the same face: it has no bounds."""
+        return self
+
+    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse a surface that ends within the rim of the element."""
+        if self.radius == 0:
+            raise Refused("radius", Said("0 is no curvature; a radius, or a plane face"))
+        limits.check_lengths([("radius", self.radius)], half_width, limits.FAR)
+        rim = math.hypot(*half_width)
+        if (1 + self.conic) * (rim / self.radius) ** 2 > 1 + 1e-12:
+            raise Refused(
+                "radius",
+                Said(
+                    "{radius:g} ends within the {optic}; more than {least:g} in size",
+                    radius=self.radius,
+                    optic=called,
+                    least=rim * math.sqrt(1 + self.conic),
+                ),
+            )
+
+
+class SplineFace(Part):
+    """A B-spline over a base; designed unless it is fixed."""
+
+    model_config = ConfigDict(title="B-spline")
+
+    shape: Literal["bspline"]
+    degree: Annotated[
+        tuple[Degree, Degree],
+        about(
+            "Degree",
+            "Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.",
+        ),
+    ] = (3, 3)
+    control_points: Annotated[
+        NetShape | AutoNet,
+        NumbersOrAuto(),
+        about(
+            "Control points",
+            "Number of control points along x and y. More of them draw finer detail and take "
+            "longer. Automatic takes what the target's detail, the screen's pixels and the size of "
+            "the source are worth, and as many for the front face as for the back face; the "
+            "paper's method then has nets like those of the paper.",
+        ),
+    ] = AutoNet()
+    base: Annotated[
+        Base,
+        about("Base", "The shape of the face before the design; heights are counted from it."),
+    ] = FlatBase()
+    height_range: Annotated[
+        tuple[float, float] | None,
+        LENGTH,
+        RANGE,
+        about(
+            "Height range",
+            "How far the face may be from the base. Automatic takes what the task needs.",
+        ),
+    ] = None
+    fixed: Annotated[
+        bool,
+        about("Fixed", "The design leaves the face as it is, with the control heights given."),
+    ] = False
+    heights: Annotated[
+        str | None,
+        FILE,
+        about(
+            "Control heights",
+            "File (.npy) of the control heights of a fixed face, in the element's coordinates.",
+            min_length=1,
+        ),
+    ] = None
+
+    @property
+    def designed(self) -> bool:
+        """Whether the design shapes it."""
+        return not self.fixed
+
+    def net(self, other: NetShape) -> tuple[NetShape, tuple[int, int]]:
+        """Numbers of control points and degrees beside another face with so many points."""
+        points = self.control_points
+        return other if isinstance(points, AutoNet) else points, self.degree
+
+    def offsets(self, most: float) -> tuple[float, float]:
+        """Lowest and highest offset from the base; automatic bounds reach up to ``most``."""
+        return (0.0, most) if self.height_range is None else self.height_range
+
+    def within(self, offsets: tuple[float, float]) -> "SplineFace":
+        """Return the face with these bounds."""
+        return self.model_copy(update={"height_range": offsets})
+
+    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
+        """Refuse a net that cannot be, an empty height range and a base that does not fit."""
+        if not isinstance(self.control_points, AutoNet):
+            check_net("control_points", self.control_points, self.degree)
+        self.base.check_within("base", called, half_width)
+        own = [(f"height_range[{end}]", z) for end, z in enumerate(self.height_range or ())]
+        limits.check_lengths(own, half_width, limits.HEIGHT)
+        if self.height_range is not None:
+            low, high = self.height_range
+            if not low < high:
+                raise Refused(
+                    "height_range",
+                    Said("[{low:g}, {high:g}] is empty; low before high", low=low, high=high),
+                )
+
+    def remarks(self) -> dict[str, str]:
+        """The control points that the program has chosen; see `Part.remarks`."""
+        if isinstance(self.control_points, AutoNet) and self.control_points.shape is not None:
+            return {"control_points": "{} × {}".format(*self.control_points.shape)}
+        return {}
+
+
+Face = Annotated[PlaneFace | ConicFace | SplineFace, Kinds("shape", title="Shape")]
+
+
+def designed_faces(faces: dict[str, Any]) -> Iterator[str]:
+    """Names of faces that the design shapes."""
+    return (name for name, face in faces.items() if face.designed)
