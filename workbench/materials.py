@@ -76,13 +76,13 @@ def refractive_index(name: str, wavelength_um: float) -> float:
     if material is None:
         known = ", ".join(CATALOGUE)
         raise Refused(
-            "lens.refractive_index",
+            "material",
             Said("{name} is not in the catalogue; known: {known}", name=shown(name), known=known),
         )
     low, high = material.range_um
     if not low <= wavelength_um <= high:
         raise Refused(
-            "lens.wavelength_um",
+            "source.wavelength_um",
             Said(
                 "{wavelength:g} is outside the data for {name}; {low:g} to {high:g}",
                 wavelength=wavelength_um,

@@ -68,7 +68,7 @@ def test_two_faces_make_an_image_at_two_distances_that_one_face_cannot(
 def test_the_loss_is_that_of_the_mean_square_of_relative_errors_by_weight(make_scene, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     state = next(run(session.scene, session.target)).state
-    images = session.scene.images(session.target)
+    images = session.scene.wanted(session.target)
     assert [image.weight for image in images] == [1.0, 2.0]
     squares = [
         relative_l2(light.irradiance, image.target) ** 2
@@ -94,7 +94,7 @@ def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path
         error.square().sum().backward()
         return z.grad.numpy()
 
-    first, second = scene.images(target)
+    first, second = scene.wanted(target)
     alone = [gradient(image.scene, image.target) for image in (first, second)]
     np.testing.assert_allclose(
         gradient(scene, target), (alone[0] + 2 * alone[1]) / 3, rtol=1e-4, atol=1e-6
@@ -166,7 +166,7 @@ def test_the_check_looks_at_each_image_by_itself(make_scene, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     heights = {"exit": np.full(session.scene.optic.net_shape, 0.5)}
     found = validate(session.scene, session.target, heights, rays=20_000)
-    for image, each in zip(session.scene.images(session.target), found.images, strict=True):
+    for image, each in zip(session.scene.wanted(session.target), found.images, strict=True):
         alone = validate(image.scene, image.target, heights, rays=20_000)
         assert each.relative_l2 == alone.relative_l2
         np.testing.assert_array_equal(each.irradiance, alone.irradiance)

@@ -7,14 +7,14 @@ from tests.scene.test_further_image import SECOND
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import FlatEntrance, FreeformEntrance, Scene
+from workbench.scene import PlaneFace, SplineFace, Scene
 
 FREEFORM = {"shape": "freeform"}
 
 
 def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene):
     scene = make_scene()
-    assert scene.lens.entrance == FlatEntrance()
+    assert scene.lens.entrance == PlaneFace()
     assert scene.needed_version == 1
     assert "entrance" not in scene.to_data()["lens"]
     assert list(freeform_nets(scene.lens)) == ["exit"]
@@ -32,7 +32,7 @@ def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
 
 def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
     lens = make_scene({"lens.entrance": FREEFORM}).lens
-    assert lens.entrance == FreeformEntrance()
+    assert lens.entrance == SplineFace()
     nets = freeform_nets(lens)
     assert nets["entrance"] == nets["exit"]
     assert list(nets) == ["entrance", "exit"]  # as light meets them

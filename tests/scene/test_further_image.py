@@ -101,7 +101,7 @@ def test_an_image_in_the_far_field_is_possible(make_scene):
 
 def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
     session = begin(several, tmp_path)
-    _, second = session.scene.images(session.target)
+    _, second = session.scene.wanted(session.target)
     assert second.target.shape == (32, 24)
     assert second.weight == 2.0
     alone = begin(several.single[1], tmp_path)
@@ -110,7 +110,7 @@ def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
 
 def test_a_target_that_was_not_drawn_is_refused(several):
     with pytest.raises(Refused, match=r"further_images\[0\].target: has yet to be drawn"):
-        several.images(np.ones((32, 32)))
+        several.wanted(np.ones((32, 32)))
 
 
 def test_a_drawn_target_stays_through_conversions_and_edits_beside_it(several, tmp_path):

@@ -110,7 +110,7 @@ def test_a_picture_is_turned_as_its_viewer_sees_it(turn, quarters, tmp_path):
 def test_light_of_a_designed_face_reads_right_from_the_named_side(place, side, tmp_path):
     scene = scene_of(place, tmp_path, viewed_from=side)
     target = load_target(scene, tmp_path)
-    heights = {scene.optic.face: transport_start(scene, target)}
+    heights = {scene.optic.designed_face: transport_start(scene, target)}
     light = seen(scene, validate(scene, target, heights, 50_000).irradiance, side)
     picture = np.kron(F, np.ones((8, 8)))
     right, wrong = (
@@ -127,7 +127,7 @@ def test_each_of_several_images_has_viewers_of_its_own(tmp_path):
         "target": {**scene.to_data()["target"], "viewed_from": "back"},
     }
     session = begin(Scene.from_data(scene.to_data() | {"further_images": [further]}), tmp_path)
-    first, second = (image.target for image in session.scene.images(session.target))
+    first, second = (image.target for image in session.scene.wanted(session.target))
     np.testing.assert_array_equal(first, second[:, ::-1])
     assert not np.allclose(first, second)
 

@@ -7,7 +7,7 @@ from ui.commands.table import LOCKS, NEW
 from ui.words import later, tr
 
 if TYPE_CHECKING:
-    from workbench.scene import Optic
+    from workbench.scene import Element
 
 _TAKES_LENS = ("export", "cut", "report")
 
@@ -37,7 +37,7 @@ class Situation:
 
     Attributes
     ----------
-    optic : Optic
+    optic : Element
         What is designed.
     state : str
         Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
@@ -55,7 +55,7 @@ class Situation:
         Whether a field has an entry that was refused, which undo takes back first.
     """
 
-    optic: "Optic"
+    optic: "Element"
     state: str
     has_lens: bool
     lens: str

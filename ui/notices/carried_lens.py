@@ -15,8 +15,8 @@ from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.powers import written
-from workbench.scene import AutoNet, Optic
-from workbench.scene.net import LARGEST_NET
+from workbench.scene import AutoNet, Element
+from workbench.scene.faces import LARGEST_NET
 
 _NO_LENS = later(
     "The {optic} does not fit the new outline: Start designs another one, Undo brings it back."
@@ -166,13 +166,13 @@ class _ChangedNet(NamedTuple):
     automatic: bool
 
 
-def _changed_net(before: Optic, after: Optic) -> _ChangedNet | None:
+def _changed_net(before: Element, after: Element) -> _ChangedNet | None:
     """The first face with another net, of those that both have; the exit face before the other."""
     old, new = freeform_nets(before), freeform_nets(after)
     changed = [face for face in new if face in old and old[face] != new[face]]
-    if after.face in changed:
+    if after.designed_face in changed:
         face, name, path = (
-            after.face,
+            after.designed_face,
             tr("the {optic}", optic=after.called),
             f"{after.called}.control_points",
         )

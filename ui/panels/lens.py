@@ -86,7 +86,7 @@ class LensPanel(PartPanel):
         half = 0.3 * max(optic.half_width)
         if heights is not None:
             x, y = ControlNet.of(optic).positions
-            off = np.abs(heights[optic.face] - optic.base.height_at(x[:, None], y[None, :]))
+            off = np.abs(heights[optic.designed_face] - optic.base.height_at(x[:, None], y[None, :]))
             half = max(half, 1.5 * float(off.max()))
         half = float(f"{half:.2g}")
         return {path: [-half, half]}

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QComboBox
 
 from ui.words import tr
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import Optic
+from workbench.scene import Element
 
 
 class FaceChoice(QComboBox):
@@ -31,12 +31,12 @@ class FaceChoice(QComboBox):
         """Choose one by its name."""
         self.setCurrentIndex(self.findData(face))
 
-    def offer(self, optic: Optic) -> None:
+    def offer(self, optic: Element) -> None:
         """Let the faces of an optic be chosen; one that is chosen stays if it has that."""
         faces = list(freeform_nets(optic))
         if faces == [self.itemData(number) for number in range(self.count())]:
             return
-        chosen = self.face if self.face in faces else optic.face
+        chosen = self.face if self.face in faces else optic.designed_face
         with QSignalBlocker(self):
             self.clear()
             for face in faces:

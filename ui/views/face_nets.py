@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.control_net import ControlNetPicture
     from workbench.pictures.sight import Sight
-    from workbench.scene import Optic
+    from workbench.scene import Element
 
 
 class FaceNets(QObject):
@@ -130,7 +130,7 @@ class FaceNets(QObject):
             self._marked = point
             self.changed.emit()
 
-    def begin(self, plotter: Any, optic: "Optic", *, dark: bool) -> None:
+    def begin(self, plotter: Any, optic: "Element", *, dark: bool) -> None:
         """Draw the nets of an optic from now on."""
         # Late: these take seconds to load.
         from workbench.geometry.surface import freeform_nets
@@ -143,7 +143,7 @@ class FaceNets(QObject):
         }
         self._sight = Sight(plotter)
         if self._face not in self._pictures:
-            self._face, self._brush = optic.face, None
+            self._face, self._brush = optic.designed_face, None
 
     def draw(self, heights: "ControlHeights", shown: bool) -> None:
         """Move the nets to these heights; whether that of the face that is worked on is shown."""

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from workbench.pictures.face_look import FaceColours
     from workbench.pictures.sight import Sight
     from workbench.pictures.source_handles import SourceHandles
-    from workbench.scene import Optic, Scene, Source
+    from workbench.scene import Element, Scene, Source
 
 _NOTCH = 1.2  # times as large, by a notch of the wheel
 
@@ -102,7 +102,7 @@ class SceneView(View):
         return self._frame
 
     @property
-    def optic(self) -> "Optic | None":
+    def optic(self) -> "Element | None":
         """Whose control points are shown, with all that limits them."""
         return None if self._shown is None else bounded(self._shown.scene)
 

@@ -175,8 +175,8 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
 
     Its faces are bare and reflect by Fresnel's equations, and its light tracer knows no media.
     """
-    lens = scene.lens
-    if lens is None:
+    lens = scene.optic
+    if not isinstance(lens, Lens):
         return scene, ()
     lossy = [field.name for field in lens.fields() if field.mark(TakesLight)]
     without = {name: Lens.model_fields[name].default for name in lossy}
@@ -184,7 +184,7 @@ def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     if lens.coating is not None or lens.reflection == "none":
         without |= {"coating": None, "reflection": "fresnel"}
         left_out.insert(0, "coating" if lens.coating is not None else "faces that reflect nothing")
-    return scene.altered(lens=lens.altered(**without)), tuple(left_out)
+    return scene.with_optic(lens.model_copy(update=without)), tuple(left_out)
 
 
 def _seen(halves: list[Array], target: Array, measure: float | Array) -> TracerResult:

@@ -91,7 +91,7 @@ def irradiance_derivative(
     >>> abs(found.sum) < 1e-12 < found.map.max().item()
     True
     """
-    face = face or scene.optic.face
+    face = face or scene.optic.designed_face
     net = freeform_nets(scene.optic)[face]
     _check(scene, net, index)
     plan = Plan(scene, dtype=dtype)

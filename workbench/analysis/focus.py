@@ -63,7 +63,7 @@ def screen_at(scene: Scene, heights: Mapping[str, Array], fraction: float) -> fl
         z of the screen.
     """
     optic, onwards = scene.optic, scene.optic.onwards
-    beyond = float((onwards * heights[optic.face]).max())
+    beyond = float((onwards * heights[optic.designed_face]).max())
     edge = onwards * max(onwards * optic.edge_z, beyond)
     return edge + fraction * (scene.receiver.plane_z - edge)
 

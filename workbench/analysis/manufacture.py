@@ -20,7 +20,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.geometry.tool_radius import GridFace, blocked_radius
 from workbench.interruption import check_given_up
-from workbench.scene import Optic
+from workbench.scene import Element
 
 # Least numbers of parts along each axis that hulls are made of. Twice as many places are looked at.
 _PARTS = 256
@@ -147,13 +147,13 @@ class Manufacture(FaceFigures):
 
 
 def surface_maps(
-    optic: Optic, heights: Mapping[str, Array], count: tuple[int, int], face: str = ""
+    optic: Element, heights: Mapping[str, Array], count: tuple[int, int], face: str = ""
 ) -> SurfaceMaps:
     """Thickness, slope and curvatures on a regular grid that includes the rim.
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         The lens.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
@@ -162,7 +162,7 @@ def surface_maps(
     face : str
         The name of the face; by default the one that the task shapes.
     """
-    face = face or optic.face
+    face = face or optic.designed_face
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
     nets, outward = freeform_nets(optic), optic.outwards(face)
     shape = local_shape(nets[face], outward * heights[face], u, v)
@@ -180,7 +180,7 @@ def surface_maps(
 
 
 def _other_side(
-    optic: Optic,
+    optic: Element,
     heights: Mapping[str, Array],
     nets: Mapping[str, ControlNet],
     face: str,
@@ -194,12 +194,12 @@ def _other_side(
     return nets[others[0]].grid(u, v).evaluate(heights[others[0]])[0]
 
 
-def manufacture(optic: Optic, heights: Mapping[str, Array]) -> Manufacture:
+def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
     """Figures of a lens.
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         The lens.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.
@@ -214,7 +214,7 @@ def manufacture(optic: Optic, heights: Mapping[str, Array]) -> Manufacture:
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
     (0.5, 0.7)
     """
-    maps, own = _figures(optic, heights, optic.face)
+    maps, own = _figures(optic, heights, optic.designed_face)
     lowest, highest = _thicknesses(optic, heights)
     thinnest = _most(maps, -maps.thickness, -lowest)
     return Manufacture(
@@ -226,7 +226,7 @@ def manufacture(optic: Optic, heights: Mapping[str, Array]) -> Manufacture:
 
 
 def _figures(
-    optic: Optic, heights: Mapping[str, Array], face: str
+    optic: Element, heights: Mapping[str, Array], face: str
 ) -> tuple[SurfaceMaps, FaceFigures]:
     """A face at many places, and its figures."""
     net, outward = freeform_nets(optic)[face], optic.outwards(face) * heights[face]
@@ -267,12 +267,15 @@ def _tool_radius(face: GridFace, concave: Extreme, bounds: FaceBounds) -> Extrem
     return Extreme(value, min(surely, value), place)
 
 
-def _thicknesses(optic: Optic, heights: Mapping[str, Array]) -> tuple[float, float]:
+def _thicknesses(optic: Element, heights: Mapping[str, Array]) -> tuple[float, float]:
     """The least and the most that a lens can be thick anywhere."""
     nets = freeform_nets(optic)
-    faces = [(nets[face], heights[face]) for face in (optic.face, *(nets.keys() - {optic.face}))]
+    faces = [
+        (nets[face], heights[face])
+        for face in (optic.designed_face, *(nets.keys() - {optic.designed_face}))
+    ]
     if len(faces) == 1:
-        flat = np.full((2, 2), optic.flat_z(heights[optic.face]))
+        flat = np.full((2, 2), optic.flat_z(heights[optic.designed_face]))
         faces.append((ControlNet((2, 2), (1, 1), optic.half_width), flat))
     check_given_up()
     low, high, ends = difference_range(faces[0], faces[1], _PARTS)
@@ -283,7 +286,7 @@ def _thicknesses(optic: Optic, heights: Mapping[str, Array]) -> tuple[float, flo
     return lowest, highest
 
 
-def _with_glass(optic: Optic, ends: tuple[Array, Array]) -> Mask:
+def _with_glass(optic: Element, ends: tuple[Array, Array]) -> Mask:
     """Which parts of the aperture, between such ends in [0, 1], the lens has a share of."""
     x, y = ((2 * end - 1) * r for end, r in zip(ends, optic.half_width, strict=True))
     return outline_of(optic).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0

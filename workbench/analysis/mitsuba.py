@@ -113,8 +113,10 @@ class MitsubaScene:
     def _body(self, heights: Mapping[str, Array]) -> dict[str, Any]:
         """Both faces of the lens, and what swallows light beside it or out of its sides."""
         optic, nets = self._scene.optic, freeform_nets(self._scene.optic)
-        (u, v), outline = _grid(nets[optic.face]), outline_of(optic)
-        x, y, z, slope_x, slope_y = nets[optic.face].over(outline, u, v, heights[optic.face])
+        (u, v), outline = _grid(nets[optic.designed_face]), outline_of(optic)
+        x, y, z, slope_x, slope_y = nets[optic.designed_face].over(
+            outline, u, v, heights[optic.designed_face]
+        )
         exit_face = _stacked(x, y, z) / self._unit
         if "entrance" in nets:
             _, _, z, *slopes = nets["entrance"].over(outline, u, v, heights["entrance"])
@@ -150,9 +152,8 @@ class MitsubaScene:
         """The face, which reflects; its back is met by no light."""
         optic, net = self._scene.optic, ControlNet.of(self._scene.optic)
         u, v = _grid(net)
-        x, y, z, slope_x, slope_y = net.over(outline_of(optic), u, v, heights[optic.face])
-        part = self._scene.mirror
-        reflectance = 1.0 if part is None else part.reflectance
+        x, y, z, slope_x, slope_y = net.over(outline_of(optic), u, v, heights[optic.designed_face])
+        reflectance = optic.reflectance if isinstance(optic, Mirror) else 1.0
         metal = self._mi.load_dict(
             {
                 "type": "twosided",
@@ -213,7 +214,7 @@ class MitsubaScene:
         r_x, r_y = (r / self._unit for r in screen.half_width)
         to_world = np.eye(4)
         to_world[:3, :3] = screen.sides.T * [r_x, r_y, 1.0]
-        to_world[:3, 3] = screen.position / self._unit
+        to_world[:3, 3] = np.array(screen.position) / self._unit
         return {
             "type": "rectangle",
             "to_world": self._mi.ScalarTransform4f(to_world),
@@ -228,7 +229,7 @@ class MitsubaScene:
     def _camera(self) -> dict[str, Any]:
         """Its picture is the screen, exactly."""
         screen, (n_x, n_y) = self._picture.screen, self._picture.screen.pixels
-        middle, r_x = screen.position / self._unit, screen.half_width[0] / self._unit
+        middle, r_x = np.array(screen.position) / self._unit, screen.half_width[0] / self._unit
         _, up, across = screen.sides
         behind = middle + _AWAY * r_x * self._scene.optic.onwards * across
         return {

@@ -16,8 +16,8 @@ from workbench.measured.lamps import intensity_of
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
+    Element,
     LightOfPoints,
-    Optic,
     PhotometricSource,
     RayFileSource,
     Source,
@@ -38,7 +38,7 @@ Lights = tuple[dict[str, Any], float]
 
 
 def mitsuba_lights(
-    mi: Any, source: Source, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: Source, optic: Element, unit: float, rays: int, seed: int
 ) -> Lights:
     """Emitters by name, and the flux that they emit towards the lens.
 
@@ -48,7 +48,7 @@ def mitsuba_lights(
         Mitsuba.
     source : Source
         The source, of a kind that `check_known` lets pass.
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     unit : float
         What counts as 1 in Mitsuba, scene units.
@@ -73,7 +73,7 @@ def check_known(source: Source) -> None:
 
 
 def _sheets(
-    mi: Any, source: CollimatedSource, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: CollimatedSource, optic: Element, unit: float, rays: int, seed: int
 ) -> Lights:
     """Parallel light from a rectangle before the lens; of discs and beams, rays."""
     if source.continuous or math.isfinite(source.profile.radius):
@@ -101,20 +101,20 @@ def _sheet(place: Any) -> dict[str, Any]:
 
 
 def _emitter(
-    mi: Any, source: AreaSource, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: AreaSource, optic: Element, unit: float, rays: int, seed: int
 ) -> Lights:
     """A face that emits by Lambert's law; of even light, rays."""
     if source.emission == "uniform":
         return rays_as_light(mi, source, optic, unit, rays, seed)
     shape, whole = {"rectangle": ("rectangle", 4.0), "ellipse": ("disk", math.pi)}[source.outline]
     r_x, r_y = (r / unit for r in source.half_width)
-    place = mi.ScalarTransform4f().translate(np.array(source.center) / unit).scale([r_x, r_y, 1])
+    place = mi.ScalarTransform4f().translate(np.array(source.position) / unit).scale([r_x, r_y, 1])
     light = {"type": shape, "to_world": place, "emitter": {"type": "area", "radiance": _EVEN}}
     return {"light": light}, math.pi * whole * r_x * r_y
 
 
 def _points(
-    mi: Any, source: LightOfPoints, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: LightOfPoints, optic: Element, unit: float, rays: int, seed: int
 ) -> Lights:
     """A light for each point, into the cone that just covers the lens."""
     r_x, r_y = (r / unit for r in optic.half_width)
@@ -148,7 +148,7 @@ def _points(
 
 
 def _lamp(
-    mi: Any, source: PhotometricSource, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: PhotometricSource, optic: Element, unit: float, rays: int, seed: int
 ) -> Lights:
     """A spot behind a slide with the intensities of the file."""
     table, turned = intensity_of(source), file_axes(source.rotation).inv()
@@ -158,7 +158,7 @@ def _lamp(
 
 
 def _slide(
-    mi: Any, place: Array, optic: Optic, unit: float, intensity: Callable[[Array], Array]
+    mi: Any, place: Array, optic: Element, unit: float, intensity: Callable[[Array], Array]
 ) -> dict[str, Any]:
     """A spot into the cone that just covers the lens, behind a slide with its intensities."""
     point = place[None, :] / unit
@@ -183,7 +183,7 @@ def _slide(
     }
 
 
-_LIGHTS: Mapping[type, Callable[[Any, Any, Optic, float, int, int], Lights]] = {
+_LIGHTS: Mapping[type, Callable[[Any, Any, Element, float, int, int], Lights]] = {
     CollimatedSource: _sheets,
     AreaSource: _emitter,
     LightOfPoints: _points,

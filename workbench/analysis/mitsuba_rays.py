@@ -22,8 +22,8 @@ from workbench.measured.lamps import intensity_of, placed_rays
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
+    Element,
     LightOfPoints,
-    Optic,
     PhotometricSource,
     RayFileSource,
     Source,
@@ -60,7 +60,7 @@ class FaceRays(NamedTuple):
 
 
 def rays_as_light(
-    mi: Any, source: Source, optic: Optic, unit: float, rays: int, seed: int
+    mi: Any, source: Source, optic: Element, unit: float, rays: int, seed: int
 ) -> tuple[dict[str, Any], float]:
     """An emitter of rays of a source; parameters and result are those of `mitsuba_lights`."""
     random = np.random.default_rng([seed, 3])
@@ -96,7 +96,7 @@ def _facets(mi: Any, places: Array, ways: Array, flux: Array) -> Any:
 
 
 def _from_disc(
-    source: CollimatedSource, optic: Optic, random: np.random.Generator, count: int
+    source: CollimatedSource, optic: Element, random: np.random.Generator, count: int
 ) -> FaceRays:
     """Light of random directions: even over the entrance face, or a beam across each of them."""
     way = source.directions(*_in_disc(random, count))
@@ -111,19 +111,19 @@ def _from_disc(
 
 
 def _from_area(
-    source: AreaSource, optic: Optic, random: np.random.Generator, count: int
+    source: AreaSource, optic: Element, random: np.random.Generator, count: int
 ) -> FaceRays:
     """Light of random places of an emitter to random ones of the face."""
     start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
     (a, b), (r_x, r_y) = start, source.half_width
-    place = np.column_stack([r_x * a, r_y * b, np.zeros(count)]) + source.center
+    place = np.column_stack([r_x * a, r_y * b, np.zeros(count)]) + source.position
     x, y, way, solid = _onto_face(place, optic, random)
     intensity = way[:, 2] / math.pi if source.emission == "lambertian" else 1 / (2 * math.pi)
     return FaceRays(x, y, way, intensity * solid, float(count))
 
 
 def _from_points(
-    source: LightOfPoints, optic: Optic, random: np.random.Generator, count: int
+    source: LightOfPoints, optic: Element, random: np.random.Generator, count: int
 ) -> FaceRays:
     """Light of random ones of some points to random places of the face."""
     points = source.positions
@@ -138,7 +138,7 @@ def _from_points(
 
 
 def _from_lamp(
-    source: PhotometricSource, optic: Optic, random: np.random.Generator, count: int
+    source: PhotometricSource, optic: Element, random: np.random.Generator, count: int
 ) -> FaceRays:
     """Light of the point of a lamp to random places of the face."""
     table, turned = intensity_of(source), file_axes(source.rotation).inv()
@@ -147,7 +147,7 @@ def _from_lamp(
 
 
 def _from_file(
-    source: RayFileSource, optic: Optic, random: np.random.Generator, count: int
+    source: RayFileSource, optic: Element, random: np.random.Generator, count: int
 ) -> FaceRays:
     """The rays of the file themselves, or some of them."""
     found = placed_rays(source)
@@ -158,14 +158,14 @@ def _from_file(
     return FaceRays(x[chosen], y[chosen], way, lit, float(flux.sum()))
 
 
-def _on_face(optic: Optic, random: np.random.Generator, count: int) -> tuple[Array, Array]:
+def _on_face(optic: Element, random: np.random.Generator, count: int) -> tuple[Array, Array]:
     """Random places of its rectangle."""
     x, y = _in_square(random, count)
     return optic.half_width[0] * x, optic.half_width[1] * y
 
 
 def _onto_face(
-    start: Array, optic: Optic, random: np.random.Generator
+    start: Array, optic: Element, random: np.random.Generator
 ) -> tuple[Array, Array, Array, Array]:
     """Places (x, y) of the face for points, unit vectors there, and the solid angle of the face."""
     x, y = _on_face(optic, random, len(start))
@@ -184,7 +184,7 @@ def _in_disc(random: np.random.Generator, count: int) -> Array:
     return np.asarray(radius * [np.cos(turn), np.sin(turn)])
 
 
-_RAYS: Mapping[type, Callable[[Any, Optic, np.random.Generator, int], FaceRays]] = {
+_RAYS: Mapping[type, Callable[[Any, Element, np.random.Generator, int], FaceRays]] = {
     CollimatedSource: _from_disc,
     AreaSource: _from_area,
     LightOfPoints: _from_points,

@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.scene import AnyReceiver, FarField, Optic, Screen
+from workbench.scene import AnyReceiver, Element, FarField, Screen
 
 # How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
 # apart by twice as small an angle, 2e-6 radians or 0.0001 degrees.
@@ -45,7 +45,7 @@ class Picture(NamedTuple):
         return found
 
 
-def picture_of(receiver: AnyReceiver, optic: Optic) -> Picture:
+def picture_of(receiver: AnyReceiver, optic: Element) -> Picture:
     """The picture that tells the light on a receiver.
 
     Raises
@@ -56,23 +56,23 @@ def picture_of(receiver: AnyReceiver, optic: Optic) -> Picture:
     return _PICTURES[type(receiver)](receiver, optic)
 
 
-def _of_screen(screen: Screen, optic: Optic) -> Picture:
+def _of_screen(screen: Screen, optic: Element) -> Picture:
     (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
     if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
         raise Refused(
-            "screen.pixels",
+            "images[0].receiver.pixels",
             f"[{n_x}, {n_y}] on [{r_x:g}, {r_y:g}] are not square, as Mitsuba's camera has "
             "them; as many per length along x and y are needed",
         )
     return Picture(screen)
 
 
-def _of_far_field(far_field: FarField, optic: Optic) -> Picture:
+def _of_far_field(far_field: FarField, optic: Element) -> Picture:
     """A screen so far that its places are directions."""
     widest = max(abs(c) + r for c, r in zip(far_field.center, far_field.half_angle, strict=True))
     if widest > _MOST:
         raise Refused(
-            "far_field.half_angle",
+            "images[0].receiver.half_angle",
             f"goes up to {widest:g} degrees; Mitsuba's camera sees up to {_MOST:g}",
         )
     h, v = (
@@ -91,9 +91,9 @@ def _of_far_field(far_field: FarField, optic: Optic) -> Picture:
     away = _FAR * max(optic.half_width)
     half_width = counts[0] * size / 2 * away, counts[1] * size / 2 * away
     screen = Screen(
-        z=optic.leaving_z + optic.onwards * away,
+        kind="plane",
+        position=(middle[0] * away, middle[1] * away, optic.leaving_z + optic.onwards * away),
         half_width=half_width,
-        center=(middle[0] * away, middle[1] * away),
         pixels=(min(counts[0], 4096), min(counts[1], 4096)),
     )
     return Picture(screen, _to_far_field(far_field, middle, counts, size))
@@ -129,7 +129,7 @@ def _shares(begin: Array, end: Array) -> list[tuple[Array, Array]]:
     return [(first, before), (first + 1, 1 - before)]
 
 
-_PICTURES: Mapping[type, Callable[[Any, Optic], Picture]] = {
+_PICTURES: Mapping[type, Callable[[Any, Element], Picture]] = {
     Screen: _of_screen,
     FarField: _of_far_field,
 }

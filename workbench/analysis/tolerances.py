@@ -20,7 +20,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.said import Said
-from workbench.scene import FreeformEntrance, Optic, Scene
+from workbench.scene import CustomIndex, Element, Scene, SplineFace
 
 
 @dataclass(frozen=True)
@@ -52,10 +52,10 @@ class Perturbation:
         """The scene and the control heights of the lens, which may be more, that is off."""
         optic = scene.optic
         if self.index:
-            off = {"refractive_index": optic.index + self.index, "wavelength_um": None}
-            optic = optic.model_copy(update=off)
+            index = CustomIndex(index=optic.index + self.index)
+            optic = optic.model_copy(update={"material": index})
         for number, (face, (amplitude, scale)) in enumerate(
-            ((optic.face, self.surface), ("entrance", self.entrance_surface))
+            ((optic.designed_face, self.surface), ("entrance", self.entrance_surface))
         ):
             if amplitude > 0:
                 net, smooth = _net_of(optic, heights, face)
@@ -64,11 +64,11 @@ class Perturbation:
         scene = scene.with_optic(_with_nets(optic, heights))
         if self.distance:
             screen = scene.receiver.moved_to(scene.receiver.plane_z + optic.onwards * self.distance)
-            scene = scene.model_copy(update={"screen": screen})
+            scene = scene.with_receiver(screen)
         return scene, heights
 
 
-def _net_of(optic: Optic, heights: Mapping[str, Array], face: str) -> tuple[ControlNet, Array]:
+def _net_of(optic: Element, heights: Mapping[str, Array], face: str) -> tuple[ControlNet, Array]:
     """Net and control heights of a face; a flat one has as few as there can be."""
     nets = freeform_nets(optic)
     if face in nets:
@@ -77,14 +77,13 @@ def _net_of(optic: Optic, heights: Mapping[str, Array], face: str) -> tuple[Cont
     return net, np.full(net.shape, optic.front_z)
 
 
-def _with_nets(optic: Optic, heights: Mapping[str, Array]) -> Optic:
+def _with_nets(optic: Element, heights: Mapping[str, Array]) -> Element:
     """An optic whose faces have as many control points as there are heights."""
-    counts: dict[str, Any] = {"control_points": heights[optic.face].shape}
-    if "entrance" in heights:
-        entrance = optic.entrance if optic.entrance.shape == "freeform" else FreeformEntrance()
-        own = {"control_points": heights["entrance"].shape}
-        counts["entrance"] = entrance.model_copy(update=own)
-    return optic.model_copy(update=counts)
+    for face, each in heights.items():
+        if face not in freeform_nets(optic):
+            optic = optic.with_face(face, SplineFace(shape="bspline"))
+        optic = optic.shaped(face, control_points=each.shape)
+    return optic
 
 
 @dataclass(frozen=True)
@@ -252,7 +251,7 @@ def _trace(
     return Perturbed(perturbation, found.relative_l2_corrected, found.efficiency)
 
 
-def _check_faces(optic: Optic, heights: Mapping[str, Array], tolerances: Tolerances) -> None:
+def _check_faces(optic: Element, heights: Mapping[str, Array], tolerances: Tolerances) -> None:
     """Refuse an exit face so far out of its place that it may touch the entrance face."""
     if not (tolerances.exit_tilt or tolerances.exit_decentre):
         return

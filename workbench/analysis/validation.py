@@ -132,7 +132,7 @@ def validating(
         scene.check_one_image("a check with the screen elsewhere")
         scene = with_screen_at(scene, screen_z)
     found: list[Validation] = []
-    images = scene.images(target)
+    images = scene.wanted(target)
     for done, image in enumerate(images):
         steps = _of_one(image.scene, image.target, heights, rays, seed, pose, threads, accuracy)
         one = yield from within(steps, partial(of_equal, len(images), done))

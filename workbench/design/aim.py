@@ -66,7 +66,7 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
     fixed : mapping of str to ndarray, shape (n_u, n_v)
         As for `first_of`.
     """
-    if scene.further_images:
+    if len(scene.images) > 1:
         return first_of_several(
             scene, target, lambda image: first_lens(image.scene, image.target, fixed), fixed
         )
@@ -79,7 +79,7 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
 
 def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | None:
     """Mean height of the designed face; of one that is not fixed, on a net of few points."""
-    face = scene.optic.face
+    face = scene.optic.designed_face
     if face in fixed:
         return float(fixed[face].mean())
     rough = first_of(_roughly(scene), target, fixed)
@@ -89,7 +89,7 @@ def _face_z(scene: Scene, target: Array, fixed: Mapping[str, Array]) -> float | 
 def _roughly(scene: Scene) -> Scene:
     """The scene on a net that is quickly fitted."""
     n_u, n_v = (min(count, _ROUGH) for count in scene.optic.net_shape)
-    return scene.with_optic(scene.optic.model_copy(update={"control_points": (n_u, n_v)}))
+    return scene.with_optic(scene.optic.shaped(control_points=(n_u, n_v)))
 
 
 def _aim(scene: Scene, target: Array, exit_z: float) -> _Aim:

@@ -164,7 +164,7 @@ def _mirrored(
 ) -> tuple[bool, bool]:
     """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
     nets: list[Array | Mask] = [*(start or {}).values(), *locked.values()]
-    images = scene.images(target)
+    images = scene.wanted(target)
     receivers = (image.scene.receiver.mirrored for image in images)
     in_x, in_y = (all(each) for each in zip(scene.source.mirrored, *receivers, strict=True))
     targets = [image.target for image in images]

@@ -5,7 +5,7 @@ import numpy as np
 from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.scene import Optic
+from workbench.scene import Element
 
 Block = tuple[slice, slice]
 
@@ -72,7 +72,7 @@ class Stroke:
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         The lens or mirror.
     face : str
         The name of the face that is shaped.
@@ -88,7 +88,7 @@ class Stroke:
 
     def __init__(
         self,
-        optic: Optic,
+        optic: Element,
         face: str,
         heights: Array,
         locked: Mask | None,

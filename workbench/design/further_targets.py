@@ -22,24 +22,24 @@ def with_targets(scene: Scene, folder: Path) -> Scene:
     Refused
         If a target cannot be drawn.
     """
-    if not scene.further_images:
+    if len(scene.images) == 1:
         return scene
     from workbench.targets import draw_target  # late: scipy.ndimage takes long to import
 
-    images = []
+    images = [scene.images[0]]
     for number, (alone, image) in enumerate(
-        zip(scene.single[1:], scene.further_images, strict=True)
+        zip(scene.single[1:], scene.images[1:], strict=True), start=1
     ):
         if image.drawn.light is None:
             picture = image.drawn.picture or picture_of(alone, folder)
-            with refused_within(f"further_images[{number}]"):
+            with refused_within(f"images[{number}]"):
                 drawn = draw_target(alone, folder, picture)
             image = image.drawn_as(DrawnTarget(drawn.light, picture, drawn.remarks))
         images.append(image)
-    return scene.model_copy(update={"further_images": tuple(images)})
+    return scene.with_images(images)
 
 
 def without_targets(scene: Scene) -> Scene:
     """The scene with the targets of its further images yet to be drawn, from their files."""
-    images = tuple(image.drawn_as(DrawnTarget()) for image in scene.further_images)
-    return scene.model_copy(update={"further_images": images}) if images else scene
+    images = (image.drawn_as(DrawnTarget()) for image in scene.images[1:])
+    return scene.with_images((scene.images[0], *images))

@@ -10,7 +10,7 @@ from torch import Tensor
 from workbench.arrays import Array, Mask
 from workbench.design.limits import HeightLimits
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Optic
+from workbench.scene import Element
 
 _AT_END = 2.0  # parameters beyond it move heights by less than a tenth of what they do at 0
 
@@ -41,9 +41,11 @@ class HeightRange:
     face: str = "exit"
 
     @classmethod
-    def of(cls, optic: Optic, net: ControlNet, device: torch.device | str = "cpu") -> "HeightRange":
+    def of(
+        cls, optic: Element, net: ControlNet, device: torch.device | str = "cpu"
+    ) -> "HeightRange":
         """The range that an optic allows on a control net of its shaped face; see `within`."""
-        return cls.within(HeightLimits.of(optic, net), device, optic.face)
+        return cls.within(HeightLimits.of(optic, net), device, optic.designed_face)
 
     @classmethod
     def within(

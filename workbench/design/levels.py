@@ -207,7 +207,7 @@ def judging_image(
 
     None where it has no more beams than that one.
     """
-    several = _SEVERAL if scene.further_images else 1.0
+    several = _SEVERAL if len(scene.images) > 1 else 1.0
     level = replace(JUDGED, per_control_point=several * JUDGED.per_control_point)
     if all(cells_of(level, each) == cells_of(FINE, each) for each in scene.single):
         return None
@@ -221,7 +221,7 @@ def _images(
     heights: Mapping[str, Tensor],
     mirrored: tuple[bool, bool],
 ) -> AnyImage:
-    images = scene.images(target)
+    images = scene.wanted(target)
     made = [_image_of(level, image, heights, mirrored) for image in images]
     return made[0] if len(made) == 1 else SeveralImages(made, images)
 
@@ -306,7 +306,7 @@ def lens_blur_of(scene: Scene, heights: Mapping[str, Tensor]) -> LensBlur | None
     """
     if _origins(scene) == 1 or not one_over_the_lens(scene):
         return None
-    blur = Blur.of(scene, heights[scene.optic.face].mean().item())
+    blur = Blur.of(scene, heights[scene.optic.designed_face].mean().item())
     if blur.seen_in(scene.receiver.pixels) != blur:
         return None
     change = BlurChange.of(scene, heights)

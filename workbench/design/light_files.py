@@ -28,7 +28,7 @@ def with_light(scene: Scene, folder: Path) -> Scene:
         scene = scene.carrying({name: content_of(folder / name) for name in missing})
     stages = len(scene.run.stages)
     for number in range(stages + 1):
-        with refused_in_stage(number, stages, scene.optic):
+        with refused_in_stage(number, stages, scene):
             check_file(scene.source_of(number))
     return scene
 

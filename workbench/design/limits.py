@@ -8,7 +8,7 @@ from workbench.arrays import Array, Mask
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.scene import Optic, Scene
+from workbench.scene import Element, Scene
 
 # A surface keeps this part of its own extent along z away from an end, where there is room for it:
 # heights that begin at an end can hardly be moved.
@@ -43,17 +43,17 @@ class HeightLimits:
     shaping: Mask
 
     @classmethod
-    def of_faces(cls, optic: Optic) -> dict[str, "HeightLimits"]:
+    def of_faces(cls, optic: Element) -> dict[str, "HeightLimits"]:
         """The limits of each freeform face of an optic, by its name, on its own net.
 
         By the convex-hull property each face stays between its limits everywhere, and all of the
         entrance face's are below those of the exit face by the minimal thickness.
         """
-        laws = {"entrance": cls.at_entrance, optic.face: cls.of}
+        laws = {"entrance": cls.at_entrance, optic.designed_face: cls.of}
         return {face: laws[face](optic, net) for face, net in freeform_nets(optic).items()}
 
     @classmethod
-    def at_entrance(cls, optic: Optic, net: ControlNet) -> "HeightLimits":
+    def at_entrance(cls, optic: Element, net: ControlNet) -> "HeightLimits":
         """The limits of the entrance face; undesigned it is where the lens says, or close to it."""
         low, high = optic.entrance_range
         middle = (
@@ -69,7 +69,7 @@ class HeightLimits:
         return cls(lower, upper, undesigned, net.shaping(outline_of(optic)))
 
     @classmethod
-    def of(cls, optic: Optic, net: ControlNet) -> "HeightLimits":
+    def of(cls, optic: Element, net: ControlNet) -> "HeightLimits":
         """The limits that an optic sets on a control net of the face that the task shapes."""
         x, y = net.positions
         lower, upper = optic.limits_at(x[:, None], y[None, :])
@@ -143,7 +143,7 @@ class HeightLimits:
         return float(low.max()), float(high.min())
 
 
-def undesigned(optic: Optic) -> ControlHeights:
+def undesigned(optic: Element) -> ControlHeights:
     """Control heights of an optic before any design, scene units."""
     limits = HeightLimits.of_faces(optic)
     return FaceArrays({face: each.undesigned for face, each in limits.items()})
@@ -153,9 +153,9 @@ CLOSEST = 0.95
 """Part of the distance to the receiver that an automatic thickness takes at most."""
 
 
-def bounded(scene: Scene, part: float = _USUAL) -> Optic:
-    """Return the optic of a scene with all that limits its heights; see `Optic.bounded`."""
+def bounded(scene: Scene, part: float = _USUAL) -> Element:
+    """Return the optic of a scene with all that limits its heights; see `Element.bounded`."""
     optic = scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
     nearest = min(ends, key=lambda z: optic.onwards * z)
-    return optic.bounded(scene.source.nearest_z, nearest, bool(scene.further_images), part)
+    return optic.bounded(scene.source.nearest_z, nearest, len(scene.images) > 1, part)

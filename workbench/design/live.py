@@ -177,7 +177,7 @@ class LiveDesign:
         """The face of a scene that sends light where that of a session did, of the same target."""
         if before.result is None or not np.array_equal(before.target, target):
             return None
-        face = scene.optic.face
+        face = scene.optic.designed_face
         former, scene = definite(before.scene, target), definite(scene, target)
         heights = self._refit(former, before.result.state.heights[face], scene)
         return None if heights is None else FaceArrays({face: heights})

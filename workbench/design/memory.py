@@ -119,7 +119,7 @@ def _of_start(scene: Scene) -> float:
     """Bytes of a first lens by transport."""
     nets, far = freeform_nets(scene.optic), scene.source.place is None
     both = "entrance" in nets
-    cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.face])
+    cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.designed_face])
     array = _REAL * cells**2
     arrays = _BOTH if both else _FAR if far else _NEAR
     return float(arrays[array >= _MAPPED] * array)

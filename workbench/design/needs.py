@@ -51,7 +51,7 @@ def check_stages(
     """
     finished = scenes[-1]
     for stage, part in enumerate(scenes[first:], first):
-        with refused_in_stage(stage, len(scenes) - 1, part.optic):
+        with refused_in_stage(stage, len(scenes) - 1, part):
             device_of(part)
             method_of(part).check(part)
             _check_lit(part)
@@ -85,7 +85,7 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Said | None:
     A scene that says from where its pictures are viewed needs no remark, and neither do those that
     are their own mirror images.
     """
-    for part, light, _ in scene.images(target):
+    for part, light, _ in scene.wanted(target):
         unsaid = part.target.viewed_from is None and pixel_side(part) == "back"
         if unsaid and np.abs(light - light[:, ::-1]).sum() > _SYMMETRIC * light.sum():
             return Said(
@@ -112,7 +112,7 @@ def _check_net(part: Scene, finished: Scene) -> None:
     """Refuse another net than that of the finished lens, which the locks are about."""
     if freeform_nets(part.optic) != freeform_nets(finished.optic):
         raise Refused(
-            f"{part.optic.called}.control_points",
+            f"{part.face_path()}.control_points",
             Said(
                 "{net} are not the control points of the finished {optic} that are locked; leave "
                 "the stage's net out or unlock them",

@@ -29,7 +29,7 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
-from workbench.scene.net import LARGEST_NET
+from workbench.scene.faces import LARGEST_NET
 
 _PER_PIXEL = 1.875
 # Parts of that for targets with fine detail in dark places, and for targets and sources with less
@@ -82,7 +82,7 @@ def definite(scene: Scene, target: Array) -> Scene:
     """
     if scene.optic.known_shape is not None:
         return scene
-    counts = (_chosen(image.scene, image.target) for image in scene.images(target))
+    counts = (_chosen(image.scene, image.target) for image in scene.wanted(target))
     n_u, n_v = map(max, zip(*counts, strict=True))  # enough for each image
     return scene.with_net((n_u, n_v))
 

@@ -15,7 +15,7 @@ from workbench.design.transport import First, behind_flat_entrance
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.said import Said
-from workbench.scene import Optic, Scene
+from workbench.scene import Element, Scene
 from workbench.system_memory import release_freed_memory
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
@@ -74,7 +74,7 @@ class Room:
     ) -> None:
         self.scene, self.target, self.start, self.locked = scene, target, start, locked
         self._net = ControlNet.of(scene.optic)
-        self._lens, self._face = bounded(scene), scene.optic.face
+        self._lens, self._face = bounded(scene), scene.optic.designed_face
         self._found: tuple[First | None] | None = None  # once it was looked for
         self.limits = HeightLimits.of_faces(self._lens)
         if start is not None:
@@ -240,7 +240,7 @@ class Room:
         return self._lens.base.height_at(x[:, None], y[None, :])
 
     @cached_property
-    def _ranged(self) -> Optic:
+    def _ranged(self) -> Element:
         """The lens with a height range in any case."""
         if self._lens.height_range is not None:
             return self._lens

@@ -23,7 +23,7 @@ from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
-from workbench.scene import AutoNet, Optic, Scene
+from workbench.scene import AutoNet, Element, Scene
 
 _FULL_CARD = Said(
     "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
@@ -178,7 +178,7 @@ def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
     return tuple(filter(None, (net if chosen else None, *surprises)))
 
 
-def _carried(heights: ControlHeights, optic: Optic, other: Optic) -> ControlHeights:
+def _carried(heights: ControlHeights, optic: Element, other: Element) -> ControlHeights:
     """Control heights of a lens on the nets of another one."""
     nets, others = freeform_nets(optic), freeform_nets(other)
     if nets == others:

@@ -17,7 +17,7 @@ from workbench.geometry.approximation import project
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.said import Said
-from workbench.scene import Scene, Unit
+from workbench.scene import Scene, SplineFace, Unit
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""
@@ -104,7 +104,7 @@ class KeptRun:
 
         Where it has fewer, it is the last one. What a check said is of the first.
         """
-        number = min(number, len(self.scene.further_images))
+        number = min(number, len(self.scene.images) - 1)
         alone = Session(self.scene, self.target, self.result).of_image(number)
         return replace(
             self,
@@ -160,7 +160,7 @@ class Session:
     >>> from workbench.files.session import open_design
     >>> session = open_design(path("examples", "tophat.json"))
     >>> in_inches = session.in_unit("inch")
-    >>> round(in_inches.scene.screen.z * 2.54, 6) == session.scene.screen.z
+    >>> round(in_inches.scene.receiver.z * 2.54, 6) == session.scene.receiver.z
     True
     """
 
@@ -176,7 +176,9 @@ class Session:
 
     def __post_init__(self) -> None:
         if self.scene.optic.known_shape is None:
-            there = None if self.heights is None else self.heights[self.scene.optic.face].shape
+            there = (
+                None if self.heights is None else self.heights[self.scene.optic.designed_face].shape
+            )
             object.__setattr__(self, "scene", _on_net(self.scene, self.target, there))
 
     @property
@@ -187,12 +189,12 @@ class Session:
     @property
     def pictures(self) -> tuple[bytes | None, ...]:
         """Content of the image file of each target that keeps it, the first one first."""
-        return (self.picture, *(image.drawn.picture for image in self.scene.further_images))
+        return (self.picture, *(image.drawn.picture for image in self.scene.images[1:]))
 
     @property
     def picture_remarks(self) -> tuple[str, ...]:
         """What a person should know of the image file of each target, the first one first."""
-        further = (image.drawn.remarks for image in self.scene.further_images)
+        further = (image.drawn.remarks for image in self.scene.images[1:])
         return (*self.remarks, *(remark for remarks in further for remark in remarks))
 
     def of_image(self, number: int) -> "Session":
@@ -200,9 +202,9 @@ class Session:
 
         Its lens is still the one that was found for all of them.
         """
-        if not self.scene.further_images:
+        if len(self.scene.images) == 1:
             return self
-        scene, target, _ = self.scene.images(self.target)[number]
+        scene, target, _ = self.scene.wanted(self.target)[number]
         result = self.result
         if result is not None:
             result = replace(result, state=result.state.of_image(number, target))
@@ -319,17 +321,19 @@ def asked_of_the_lens(scene: Scene) -> Scene:
     return scene.model_copy(update=_BESIDE_THE_LENS | {"source": scene.source.of_any_flux})
 
 
-def task_of(scene: Scene) -> Scene:
+def task_of(scene: Scene) -> tuple[Scene, float]:
     """What a result is one for: all but how it was searched for, where, and on which control net.
 
     A task of another size is the same one as long as its numbers are: no length has one of its own.
     """
-    searched = ("control_points", "degree", "height_range", "max_thickness", "min_thickness")
-    optic = scene.optic
-    entrance = optic.entrance.shape, optic.front_z
-    known = {name: None for name in searched if hasattr(optic, name)}
-    optic = optic.model_copy(update=known | {"entrance": entrance})
-    return asked_of_the_lens(scene.with_optic(optic)).model_copy(update={"unit": None})
+    optic, front_z = scene.optic, scene.optic.front_z
+    for placed in optic.placed_faces:
+        if isinstance(placed.face, SplineFace):
+            optic = optic.shaped(placed.name, control_points=None, degree=None, height_range=None)
+    thickness = ("max_thickness", "min_thickness")
+    optic = optic.model_copy(update={name: None for name in thickness if hasattr(optic, name)})
+    task = asked_of_the_lens(scene.with_optic(optic)).model_copy(update={"unit": None})
+    return task, front_z
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:

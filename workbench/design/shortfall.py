@@ -22,13 +22,6 @@ _CURES: dict[Cause, Said] = {
     "screen": Said("move the screen away from the lens"),
     "entrance_range": Said("widen the entrance range"),
 }
-# Fields that replace a limit that the program has chosen, by the names of optics.
-_FIELDS: dict[tuple[Cause, str], Said] = {
-    ("height_range", "lens"): Said("set lens.height_range to a wider range"),
-    ("height_range", "mirror"): Said("set mirror.height_range to a wider range"),
-    ("screen", "lens"): Said("set lens.max_thickness to a larger thickness"),
-    ("entrance_range", "lens"): Said("set lens.entrance.height_range to a wider range"),
-}
 
 
 @dataclass(frozen=True)
@@ -137,14 +130,20 @@ class Shortfall:
 
     def at_field(self, scene: Scene) -> Said:
         """The sentence and what helps, behind the path of the field that holds the limit."""
-        fields: dict[Cause, str] = {
-            "height_range": f"{scene.optic.called}.height_range",
-            "max_thickness": "lens.max_thickness",
-            "min_thickness": "lens.min_thickness",
-            "screen": "screen.z" if scene.receiver.at_distance else "lens.max_thickness",
-            "entrance_range": "lens.entrance.height_range",
-        }
-        return Said("{field}: {said}", field=fields[self.cause], said=self.in_full(scene))
+        return Said("{field}: {said}", field=self._field(scene), said=self.in_full(scene))
+
+    def _field(self, scene: Scene) -> str:
+        thickness = f"{scene.optic_path}.max_thickness"
+        match self.cause:
+            case "height_range":
+                return f"{scene.face_path()}.height_range"
+            case "entrance_range":
+                return f"{scene.face_path('entrance')}.height_range"
+            case "min_thickness":
+                return f"{scene.optic_path}.min_thickness"
+            case "screen" if scene.receiver.at_distance:
+                return "images[0].receiver.position[2]"
+        return thickness
 
     def scaled(self, factor: float) -> "Shortfall":
         """The same in another unit of length, of which ``factor`` make the one before."""
@@ -162,7 +161,10 @@ class Shortfall:
     def cure_in(self, scene: Scene) -> Said:
         """What helps in a scene."""
         if self.automatic_in(scene):
-            return _FIELDS[self.cause, scene.optic.called]
+            if self.cause == "screen":
+                field = f"{scene.optic_path}.max_thickness"
+                return Said("set {field} to a larger thickness", field=field)
+            return Said("set {field} to a wider range", field=self._field(scene))
         return _CURES[self.cause]
 
 
@@ -183,8 +185,7 @@ def wider_entrance(scene: Scene) -> Interval | None:
         wider = middle - times * half, middle + times * half
         try:
             entrance = scene.optic.entrance.within(wider)
-            optic = scene.optic.model_copy(update={"entrance": entrance})
-            optic.check()
+            optic = scene.optic.with_face("entrance", entrance)
             scene.with_optic(optic).check()
         except Refused:
             continue

@@ -48,9 +48,9 @@ class Smoothness:
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
         optic, run, nets = scene.optic, scene.run, freeform_nets(scene.optic)
-        x, y = nets[optic.face].positions
+        x, y = nets[optic.designed_face].positions
         # An entrance face bends away from a plane, whose place does not matter.
-        bases = {optic.face: optic.base.height_at(x[:, None], y[None, :])}
+        bases = {optic.designed_face: optic.base.height_at(x[:, None], y[None, :])}
         self.faces = {
             face: FaceCurvature(
                 net, bases.get(face, np.zeros(net.shape)), device, optic.outwards(face)

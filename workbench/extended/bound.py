@@ -114,7 +114,7 @@ class Bound:
         Of several images, each may be worse than alone: none is known of them together; nor of
         rays of a file, whose blur need not be even.
         """
-        none = self.scene.further_images or self._measured or self.blur.within_a_pixel
+        none = len(self.scene.images) > 1 or self._measured or self.blur.within_a_pixel
         return not none
 
     @property

@@ -24,4 +24,4 @@ def diffraction(scene: Scene) -> float:
 
 def wavelength_um(scene: Scene) -> float:
     """Of the light, as far as the scene says it; that of green light otherwise."""
-    return (scene.lens.wavelength_um if scene.lens is not None else None) or 0.55
+    return scene.source.wavelength_um or 0.55

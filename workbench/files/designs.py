@@ -6,6 +6,7 @@ A kept run's entries are named like those of the open design, in a folder of the
 import re
 from collections.abc import Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,18 +20,8 @@ from workbench.files.figures import AccountFigures, Figures
 from workbench.geometry.faces import ControlHeights, FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
-from workbench.scene import DrawnTarget, Scene
+from workbench.scene import DrawnTarget, PlacedFace, Scene
 
-_TARGET = "target.npy"
-# Of further images, by their numbers from 1.
-_FURTHER_TARGET, _FURTHER_IRRADIANCE = "further_target_{}.npy", "further_irradiance_{}.npy"
-# By the name of the face.
-_CONTROL_POINTS = {
-    "entrance": "entrance_points.npy",
-    "exit": "control_points.npy",
-    "mirror": "control_points.npy",
-}
-_IRRADIANCE = "irradiance.npy"
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # sessions of earlier programs have none
 
@@ -45,41 +36,99 @@ _ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 _TINY, _HUGE = 1e-100, 1e100  # largest values that are left as they are
 
 
+class Names(NamedTuple):
+    """Names of the entries of a design in a session of some version.
+
+    Attributes
+    ----------
+    version : int
+        Of the session. In version 3 control heights are in the coordinates of their element, in
+        older versions in those of the scene.
+    """
+
+    version: int
+
+    def target(self, number: int) -> str:
+        """The target of an image."""
+        if self.version >= 3:
+            return f"images/{number}/target.npy"
+        return f"further_target_{number}.npy" if number else "target.npy"
+
+    def irradiance(self, number: int) -> str:
+        """The light of an image."""
+        if self.version >= 3:
+            return f"images/{number}/irradiance.npy"
+        return f"further_irradiance_{number}.npy" if number else "irradiance.npy"
+
+    def picture(self, number: int) -> str:
+        """The image file of a target, without its ending."""
+        if self.version >= 3:
+            return f"images/{number}/target_image"
+        return f"further_target_{number}_image" if number else "target_image"
+
+    def face(self, placed: PlacedFace, what: str = "") -> str:
+        """The control heights of a face; or "start" heights, or which are "locked"."""
+        if self.version >= 3:
+            return f"faces/{placed.id}{what and '.'}{what}.npy"
+        if placed.name == "entrance":
+            return f"entrance_{what or 'points'}.npy"
+        return f"{what or 'control_points'}.npy"
+
+    def lift(self, scene: Scene) -> float:
+        """What is added to control heights of an entry to make them z of the scene."""
+        return scene.optic.position[2] if self.version >= 3 else 0.0
+
+
+NEWEST = Names(3)
+"""What is written."""
+
+
+def face_entries(scene: Scene, heights: Mapping[str, Array], what: str = "") -> dict[str, Array]:
+    """Control heights of faces by the names of their entries; see `Names.face`."""
+    lift = NEWEST.lift(scene)
+    placed = {each.name: each for each in scene.optic.placed_faces}
+    return {NEWEST.face(placed[face], what): z - lift for face, z in heights.items()}
+
+
 def entries_of(folder: str, scene: Scene, target: Array, result: Result | None) -> dict[str, Array]:
     """The arrays of a design, by the names of their entries."""
-    _, *others = scene.images(target)
-    arrays = {folder + _TARGET: target}
-    arrays |= {
-        folder + _FURTHER_TARGET.format(number): image.target
-        for number, image in enumerate(others, start=1)
+    arrays = {
+        folder + NEWEST.target(number): image.target
+        for number, image in enumerate(scene.wanted(target))
     }
     if result is not None:
-        arrays |= {folder + _CONTROL_POINTS[face]: z for face, z in result.state.heights.items()}
-        arrays[folder + _IRRADIANCE] = result.state.irradiance
-        arrays |= {
-            folder + _FURTHER_IRRADIANCE.format(number): light.irradiance
-            for number, light in enumerate(result.state.further, start=1)
-        }
+        state = result.state
+        arrays |= {folder + name: z for name, z in face_entries(scene, state.heights).items()}
+        lights = (state.irradiance, *(light.irradiance for light in state.further))
+        arrays |= {folder + NEWEST.irradiance(k): light for k, light in enumerate(lights)}
         arrays[folder + _LOSS] = result.losses
         if result.seconds_at is not None:
             arrays[folder + _SECONDS] = result.seconds_at
     return arrays
 
 
-def names_of(entries: Entries, folder: str, scene: Scene, figures: Figures | None) -> set[str]:
+def names_of(
+    entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures | None
+) -> set[str]:
     """Names of the entries of a design that has, or has not, a result."""
-    numbers = range(1, len(scene.further_images) + 1)
-    names = [_TARGET, *(_FURTHER_TARGET.format(number) for number in numbers)]
+    numbers = range(len(scene.images))
+    found = [names.target(number) for number in numbers]
     if figures is not None:
-        names += [_FURTHER_IRRADIANCE.format(number) for number in numbers]
-        names += [_CONTROL_POINTS[face] for face in freeform_nets(scene.optic)]
-        names += [_IRRADIANCE, _LOSS]
+        found += [names.irradiance(number) for number in numbers]
+        found += [names.face(placed) for placed in designed_faces(scene)]
+        found.append(_LOSS)
         if folder + _SECONDS in entries:
-            names.append(_SECONDS)
-    return {folder + name for name in names}
+            found.append(_SECONDS)
+    return {folder + name for name in found}
 
 
-def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
+def designed_faces(scene: Scene) -> list[PlacedFace]:
+    """The faces of a scene that have control heights."""
+    nets = freeform_nets(scene.optic)
+    return [placed for placed in scene.optic.placed_faces if placed.name in nets]
+
+
+def read_target(entries: Entries, names: Names, folder: str, scene: Scene) -> Array:
     """The target image of a design.
 
     One whose sum of squares would be beyond float64, or 0, is scaled to a largest value of 1: only
@@ -90,43 +139,43 @@ def read_target(entries: Entries, folder: str, scene: Scene) -> Array:
     Refused
         If it is not as the scene implies, or it is dark.
     """
-    return _read_target(entries, folder + _TARGET, scene)
+    return _read_target(entries, folder + names.target(0), scene)
 
 
-def with_read_targets(entries: Entries, folder: str, scene: Scene) -> Scene:
+def with_read_targets(entries: Entries, names: Names, folder: str, scene: Scene) -> Scene:
     """The scene of a design with the targets of its further images; see `read_target`."""
-    if not scene.further_images:
+    if len(scene.images) == 1:
         return scene
-    pictures = picture_entries(scene, folder)
-    images = []
+    pictures = picture_entries(scene, names, folder)
+    images = [scene.images[0]]
     for number, (alone, image) in enumerate(
-        zip(scene.single[1:], scene.further_images, strict=True), start=1
+        zip(scene.single[1:], scene.images[1:], strict=True), start=1
     ):
-        light = _read_target(entries, folder + _FURTHER_TARGET.format(number), alone)
+        light = _read_target(entries, folder + names.target(number), alone)
         images.append(image.drawn_as(DrawnTarget(light, _read_picture(entries, pictures[number]))))
-    return scene.model_copy(update={"further_images": tuple(images)})
+    return scene.with_images(images)
 
 
-def picture_entries(scene: Scene, folder: str = "") -> list[str | None]:
+def picture_entries(scene: Scene, names: Names = NEWEST, folder: str = "") -> list[str | None]:
     """Names of the entries of the targets' image files, None for a built-in shape.
 
     Any program can open them there.
     """
-    stems = ["target", *(f"further_target_{k}" for k in range(1, len(scene.further_images) + 1))]
     return [
-        None if alone.image is None else f"{folder}{stem}_image{_ending(alone.image)}"
-        for stem, alone in zip(stems, scene.single, strict=True)
+        None if alone.image is None else f"{folder}{names.picture(number)}{_ending(alone.image)}"
+        for number, alone in enumerate(scene.single)
     ]
 
 
-def names_of_pictures(entries: Entries, scene: Scene) -> set[str]:
+def names_of_pictures(entries: Entries, names: Names, scene: Scene) -> set[str]:
     """Those entries of image files that are there."""
-    return {name for name in picture_entries(scene) if name is not None and name in entries}
+    found = picture_entries(scene, names)
+    return {name for name in found if name is not None and name in entries}
 
 
-def read_picture(entries: Entries, scene: Scene) -> bytes | None:
+def read_picture(entries: Entries, names: Names, scene: Scene) -> bytes | None:
     """The image file of the first target, where it is kept."""
-    return _read_picture(entries, picture_entries(scene)[0])
+    return _read_picture(entries, picture_entries(scene, names)[0])
 
 
 def _read_picture(entries: Entries, name: str | None) -> bytes | None:
@@ -152,7 +201,7 @@ def _read_target(entries: Entries, name: str, scene: Scene) -> Array:
 
 
 def read_heights(
-    entries: Entries, scene: Scene, names: Mapping[str, str], folder: str = ""
+    entries: Entries, names: Names, scene: Scene, folder: str = "", what: str = ""
 ) -> ControlHeights:
     """Control heights of a lens; one that is no body can be looked at, and mended.
 
@@ -160,26 +209,37 @@ def read_heights(
     ----------
     entries : Entries
         Of the session.
+    names : Names
+        Names of the entries in the folder.
     scene : Scene
         The task of the lens.
-    names : mapping of str to str
-        Names of the entries in the folder, by the names of the faces.
     folder : str
         What the names of the entries begin with.
+    what : str
+        See `Names.face`.
 
     Raises
     ------
     Refused
         If they are not as the scene implies, or so far away that the file must be damaged.
     """
-    nets = freeform_nets(scene.optic)
+    nets, lift = freeform_nets(scene.optic), names.lift(scene)
     return FaceArrays(
-        {face: _read_face(entries, folder + names[face], scene, nets[face].shape) for face in nets}
+        {
+            placed.name: _read_face(
+                entries, folder + names.face(placed, what), scene, nets[placed.name].shape, lift
+            )
+            for placed in designed_faces(scene)
+        }
     )
 
 
-def _read_face(entries: Entries, name: str, scene: Scene, shape: tuple[int, int]) -> Array:
+def _read_face(
+    entries: Entries, name: str, scene: Scene, shape: tuple[int, int], lift: float
+) -> Array:
     heights = entries.array(name, shape)
+    if lift:
+        heights = frozen(heights + lift)
     optic = scene.optic
     entrance = optic.front_z
     farthest = _FARTHEST * abs(scene.receiver.nearest_to(optic) - entrance)
@@ -221,7 +281,7 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountF
 
 
 def _read_further(
-    entries: Entries, folder: str, scene: Scene, figures: Figures
+    entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures
 ) -> tuple[FurtherLight, ...]:
     """The light of a lens at the receivers of further images."""
     given, _, *others = figures.further_images or (), *scene.single
@@ -236,9 +296,7 @@ def _read_further(
         )
     return tuple(
         FurtherLight(
-            _read_irradiance(
-                entries, folder + _FURTHER_IRRADIANCE.format(number), alone, each.ledger
-            ),
+            _read_irradiance(entries, folder + names.irradiance(number), alone, each.ledger),
             each.loss,
             each.ledger.to_account(),
         )
@@ -246,7 +304,9 @@ def _read_further(
     )
 
 
-def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -> Result:
+def read_result(
+    entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures
+) -> Result:
     """The lens of a design.
 
     Raises
@@ -266,12 +326,12 @@ def read_result(entries: Entries, folder: str, scene: Scene, figures: Figures) -
             ),
         )
     state = LensState(
-        heights=read_heights(entries, scene, _CONTROL_POINTS, folder),
-        irradiance=_read_irradiance(entries, folder + _IRRADIANCE, scene, figures.ledger),
+        heights=read_heights(entries, names, scene, folder),
+        irradiance=_read_irradiance(entries, folder + names.irradiance(0), scene, figures.ledger),
         loss=figures.loss,
         account=figures.ledger.to_account(),
         shortfall=None if figures.shortfall is None else figures.shortfall.to_shortfall(),
-        further=_read_further(entries, folder, scene, figures),
+        further=_read_further(entries, names, folder, scene, figures),
     )
     return Result(
         state,

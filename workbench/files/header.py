@@ -13,9 +13,9 @@ from workbench.files.json_text import check_fields_once
 from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import AutoNet, Part, Scene
-from workbench.scene.net import NetShape
+from workbench.scene.faces import NetShape
 
-VERSION: Final = 2
+VERSION: Final = 3
 """Of the newest session files that this program reads."""
 
 MOST_RUNS = 64
@@ -41,7 +41,7 @@ class Header(Part):
     """The whole text; the scene in it is validated by itself."""
 
     format: Literal["freeform-session"] = "freeform-session"
-    version: Literal[1, 2]
+    version: Literal[1, 2, 3]
     scene: dict[str, Any]
     control_points: NetShape | None = None  # what "auto" has come to
     result: Figures | None = None

@@ -13,7 +13,11 @@ from workbench.design.task import begin
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.designs import (
+    NEWEST,
+    Names,
+    designed_faces,
     entries_of,
+    face_entries,
     names_of,
     names_of_pictures,
     picture_entries,
@@ -28,6 +32,7 @@ from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
 from workbench.files.header import (
     MOST_RUNS,
+    VERSION,
     Header,
     RunHeader,
     chosen_net,
@@ -50,13 +55,8 @@ from workbench.said import Said
 from workbench.scene import Scene
 
 HEADER = "session.json"
-# By the name of the face.
-_LOCKED = {"entrance": "entrance_locked.npy", "exit": "locked.npy", "mirror": "locked.npy"}
-_START = {
-    "entrance": "entrance_start.npy",
-    "exit": "start.npy",
-    "mirror": "start.npy",
-}  # control heights, where no result has any
+_LOCKED, _START = "locked", "start"
+"""Entries of faces: which heights are locked; heights to begin with, where no result has any."""
 
 
 def open_design(path: Path) -> Session:
@@ -119,9 +119,10 @@ def write_session(session: Session, path: Path) -> str:
     arrays: dict[str, Array | Mask] = {
         **entries_of("", session.scene, session.target, session.result)
     }
-    arrays |= {_LOCKED[face]: mask for face, mask in session.locked.items()}
+    placed = {each.name: each for each in designed_faces(session.scene)}
+    arrays |= {NEWEST.face(placed[face], _LOCKED): each for face, each in session.locked.items()}
     if session.result is None and session.start is not None:
-        arrays |= {_START[face]: z for face, z in session.start.items()}
+        arrays |= face_entries(session.scene, session.start, _START)
     for number, run in enumerate(session.runs):
         arrays |= entries_of(_folder(number), run.scene, run.target, run.result)
     with replacing(path) as file:
@@ -165,34 +166,45 @@ def read_session(path: Path) -> Session:
         entries = Entries(path, file)
         where = entries.where(HEADER)
         header = read_header(entries.content(HEADER, LARGEST_TEXT), where)
-        scene = _scene_of(header, where, entries, "", path, {})
+        named = Names(header.version)
+        scene = _scene_of(header, where, entries, named, "", path, {})
         light = scene.light_files
         runs = [
-            (run, _scene_of(run, f"{where}: runs[{k}].scene", entries, _folder(k), path, light))
+            (
+                run,
+                _scene_of(
+                    run, f"{where}: runs[{k}].scene", entries, named, _folder(k), path, light
+                ),
+            )
             for k, run in enumerate(header.runs or ())
         ]
-        names = {HEADER} | names_of(entries, "", scene, header.result)
+        names = {HEADER} | names_of(entries, named, "", scene, header.result)
         names |= names_of_light(entries, "", scene)
         nets = freeform_nets(scene.optic)
-        locks = {face: _LOCKED[face] for face in nets if _LOCKED[face] in entries}
+        faces = designed_faces(scene)
+        locks = {each.name: named.face(each, _LOCKED) for each in faces}
+        locks = {face: name for face, name in locks.items() if name in entries}
         names.update(locks.values())
-        starts = header.result is None and any(_START[face] in entries for face in nets)
+        begins = {named.face(each, _START) for each in faces}
+        starts = header.result is None and any(name in entries for name in begins)
         if starts:
-            names.update(_START[face] for face in nets)
-        names |= names_of_pictures(entries, scene)
+            names |= begins
+        names |= names_of_pictures(entries, named, scene)
         for number, (run, task) in enumerate(runs):
-            names |= names_of(entries, _folder(number), task, run.result)
+            names |= names_of(entries, named, _folder(number), task, run.result)
             names |= names_of_light(entries, _folder(number), task)
         entries.check_names(names)
         return Session(
             scene,
-            read_target(entries, "", scene),
-            None if header.result is None else read_result(entries, "", scene, header.result),
+            read_target(entries, named, "", scene),
+            None
+            if header.result is None
+            else read_result(entries, named, "", scene, header.result),
             FaceArrays({face: entries.mask(locks[face], nets[face].shape) for face in locks}),
-            tuple(_read_runs(entries, runs)),
+            tuple(_read_runs(entries, named, runs)),
             header.view,
-            read_heights(entries, scene, _START) if starts else None,
-            read_picture(entries, scene),
+            read_heights(entries, named, scene, what=_START) if starts else None,
+            read_picture(entries, named, scene),
         )
 
 
@@ -234,9 +246,8 @@ def _header(session: Session, path: Path) -> Header:
         )
         for run in session.runs
     ]
-    scenes = [session.scene, *(run.scene for run in session.runs)]
     return Header(
-        version=max(scene.needed_version for scene in scenes),
+        version=VERSION,
         scene=with_portable_files(session.scene, path).to_data(),
         control_points=chosen_net(session.scene),
         result=None if session.result is None else Figures.of(session.result),
@@ -250,22 +261,25 @@ def _scene_of(
     header: Header | RunHeader,
     where: str,
     entries: Entries,
+    names: Names,
     folder: str,
     path: Path,
     light: Mapping[str, bytes | None],
 ) -> Scene:
     """The scene of a design; of a program that does not say what it took, with our choice."""
     scene = read_part(header.scene, header.control_points, where)
-    scene = with_read_targets(entries, folder, scene)
+    scene = with_read_targets(entries, names, folder, scene)
     if scene.optic.known_shape is None:
-        scene = definite(scene, read_target(entries, folder, scene))
+        scene = definite(scene, read_target(entries, names, folder, scene))
     return with_kept_light(entries, folder, with_absolute_files(scene, path), light)
 
 
-def _read_runs(entries: Entries, runs: Sequence[tuple[RunHeader, Scene]]) -> Iterator[KeptRun]:
+def _read_runs(
+    entries: Entries, names: Names, runs: Sequence[tuple[RunHeader, Scene]]
+) -> Iterator[KeptRun]:
     for number, (run, scene) in enumerate(runs):
-        target = read_target(entries, _folder(number), scene)
-        result = read_result(entries, _folder(number), scene, run.result)
+        target = read_target(entries, names, _folder(number), scene)
+        result = read_result(entries, names, _folder(number), scene, run.result)
         verified = None if run.verified is None else run.verified.to_error()
         yield KeptRun(run.name, scene, target, result, verified)
 

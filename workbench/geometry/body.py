@@ -42,7 +42,7 @@ def check_body(
     """
     optic = scene.optic
     gap = _TOUCH * max(optic.half_width)
-    face, entrance = heights[optic.face], heights.get("entrance")
+    face, entrance = heights[optic.designed_face], heights.get("entrance")
     low, high, below, above = _room(scene, receivers or scene.receivers)
     top = low if entrance is None else float(entrance.max())
     # A face lies in the convex hull of its control points: nearly always they alone tell.
@@ -51,12 +51,14 @@ def check_body(
     nets = freeform_nets(optic)
     u, v = (
         np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
-        for n, p in zip(nets[optic.face].shape, nets[optic.face].degree, strict=True)
+        for n, p in zip(
+            nets[optic.designed_face].shape, nets[optic.designed_face].degree, strict=True
+        )
     )
     x, y = ((2 * t - 1) * r for t, r in zip((u, v), optic.half_width, strict=True))
     height, floor = (
         np.full((len(u), len(v)), low) if each is None else nets[name].grid(u, v).evaluate(each)[0]
-        for name, each in ((optic.face, face), ("entrance", entrance))
+        for name, each in ((optic.designed_face, face), ("entrance", entrance))
     )
     # Places beside the optic count as its middle.
     middle = len(u) // 2, len(v) // 2

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Array
-from workbench.scene import Optic
+from workbench.scene import Element
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -193,7 +193,7 @@ _OUTLINES: Mapping[str, Callable[[tuple[float, float]], Outline]] = {
 }
 
 
-def outline_of(optic: Optic) -> Outline:
+def outline_of(optic: Element) -> Outline:
     """The outline of a lens."""
     return outline_named(optic.outline, optic.half_width)
 

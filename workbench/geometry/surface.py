@@ -11,7 +11,7 @@ from workbench.arrays import Array, Mask
 from workbench.geometry.basis import basis_matrix, local_basis
 from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.scene import Optic
+from workbench.scene import Element
 
 if TYPE_CHECKING:
     import torch
@@ -108,7 +108,7 @@ class ControlNet:
     half_width: tuple[float, float]
 
     @classmethod
-    def of(cls, optic: Optic) -> "ControlNet":
+    def of(cls, optic: Element) -> "ControlNet":
         """The net of the face that the task shapes; see also `freeform_nets`."""
         return cls(optic.net_shape, optic.degree, optic.half_width)
 
@@ -254,9 +254,9 @@ class ControlNet:
         return np.asarray(into_u @ heights @ into_v.T)
 
 
-def freeform_nets(optic: Optic) -> dict[str, ControlNet]:
+def freeform_nets(optic: Element) -> dict[str, ControlNet]:
     """The net of each freeform face of an optic by the name of the face, as light meets them."""
-    nets = {optic.face: ControlNet.of(optic)}
+    nets = {optic.designed_face: ControlNet.of(optic)}
     entrance = optic.entrance.net(optic.net_shape)
     if entrance is None:
         return nets
@@ -270,13 +270,13 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
 
 
 def sample_faces(
-    optic: Optic, heights: Mapping[str, Array], count: tuple[int, int]
+    optic: Element, heights: Mapping[str, Array], count: tuple[int, int]
 ) -> dict[str, Array]:
     """Points of each freeform face on a grid that includes the rim: regular where that is straight.
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         The lens.
     heights : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of each freeform face by its name, scene units.

@@ -26,7 +26,7 @@ from workbench.errors import RunFailed
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.bound import Bound
 from workbench.scene import AutoNet
-from workbench.scene.net import LARGEST_NET
+from workbench.scene.faces import LARGEST_NET
 
 
 class _Coarse(NamedTuple):
@@ -146,7 +146,7 @@ def _coarse(session: Session, how: _Coarse, near: bool) -> Session:
     part = min(1.0, how.pixels / max(receiver.pixels))
     n_x, n_y = (max(round(part * count), 1) for count in receiver.pixels)
     scene = scene.with_receiver(receiver.model_copy(update={"pixels": (n_x, n_y)}))
-    scene = scene.with_optic(scene.optic.model_copy(update={"control_points": AutoNet()}))
+    scene = scene.with_optic(scene.optic.shaped(control_points=AutoNet()))
     if not near and not scene.source.light_files and max(Blur.of(scene).widths) < _NARROW:
         source = scene.source
         scene = scene.model_copy(

@@ -50,7 +50,7 @@ class Experiment(Job):
         """The example of that name, with the method that was chosen and a net that suits it."""
         scene = read_scene(resources.path("examples", f"{self.name}.json"))
         if self.method == "auto":
-            scene = scene.with_optic(scene.optic.altered(control_points=AutoNet()))
+            scene = scene.with_optic(scene.optic.shaped(control_points=AutoNet()))
         if self.method == scene.run.method:
             return scene
         kind = PaperRun if self.method == "paper" else AutoRun

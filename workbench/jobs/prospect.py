@@ -226,25 +226,14 @@ def _light_of(scene: Scene) -> _Light:
     """Trace a flat face, which reflects the least light."""
     optic = scene.optic
     scene = scene.with_net((_NET, _NET))
-    flat = {scene.optic.face: np.full(scene.optic.net_shape, optic.leaving_z)}
+    flat = {scene.optic.designed_face: np.full(scene.optic.net_shape, optic.leaving_z)}
     tally = None
     for batch in Trace(scene, flat, _RAYS, seed=0).batches(threads=1):
         tally = added(tally, batch) if batch is not None else tally
     assert tally is not None  # all batches have been traced
     caught = 1 - tally.lost.get(f"missed_{optic.called}", 0.0) / tally.emitted
     enters = caught - tally.lost.get("fresnel_entrance", 0.0) / tally.emitted
-    return _Light(caught, enters * (1 - _least_loss(scene)))
-
-
-def _least_loss(scene: Scene) -> float:
-    """The least part of the light that the face loses that the task shapes."""
-    lens, mirror = scene.lens, scene.mirror
-    if mirror is not None:
-        return 1 - mirror.reflectance
-    assert lens is not None  # a scene has one of them
-    if lens.coating is not None:
-        return lens.coating[1]
-    return 0.0 if lens.reflection == "none" else ((lens.index - 1) / (lens.index + 1)) ** 2
+    return _Light(caught, enters * (1 - optic.least_loss))
 
 
 def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:

@@ -103,7 +103,7 @@ def side_view(scene: Scene) -> SideView:
     view = SideView(
         "xy"[axis], source, outline, image, rays, _dimensions(scene, axis, image, source)
     )
-    return view.upright() if scene.lens is not None and receiver.at_distance else view
+    return view.upright() if scene.optic.onwards > 0 and receiver.at_distance else view
 
 
 def _seen(scene: Scene, axis: int, steps: Array) -> Array:

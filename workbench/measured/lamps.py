@@ -17,8 +17,8 @@ from workbench.reading import opened
 from workbench.said import Said
 from workbench.scene import (
     AreaSource,
+    Element,
     MeasuredSource,
-    Optic,
     PhotometricSource,
     PointSource,
     RayFileSource,
@@ -63,7 +63,7 @@ def placed_rays(source: RayFileSource) -> PlacedRays:
     return _placed(source, source.unit, rays_of(source))
 
 
-def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
+def ray_model(source: RayFileSource, optic: Element, points: int) -> RayModel:
     """The light of a source's rays to a lens as that of points; see `RayModel`.
 
     Raises
@@ -85,14 +85,14 @@ def ray_model(source: RayFileSource, optic: Optic, points: int) -> RayModel:
         ) from None
 
 
-def of_known_size(source: Source, optic: Optic) -> Source:
+def of_known_size(source: Source, optic: Element) -> Source:
     """A source that says how large it is.
 
     Parameters
     ----------
     source : Source
         The source; only files of rays do not say it themselves.
-    optic : Optic
+    optic : Element
         What it lights: of rays, those that come there count.
 
     Returns
@@ -116,7 +116,7 @@ def of_known_size(source: Source, optic: Optic) -> Source:
         return PointSource(kind="point", position=place)
     half_width = max(r_x, least), max(r_y, least)
     outline: Literal["rectangle", "ellipse"] = "ellipse" if model.size.round else "rectangle"
-    return AreaSource(kind="area", center=place, half_width=half_width, outline=outline)
+    return AreaSource(kind="area", position=place, half_width=half_width, outline=outline)
 
 
 def check_file(source: object) -> None:

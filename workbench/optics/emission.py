@@ -6,7 +6,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.optics.cap import covering_caps
-from workbench.scene import LightOfPoints, Optic
+from workbench.scene import Element, LightOfPoints
 
 
 class Rays(NamedTuple):
@@ -28,14 +28,14 @@ class Rays(NamedTuple):
     flux: Array
 
 
-def emit(source: LightOfPoints, optic: Optic, seed: int, draw: int = 0) -> Rays:
+def emit(source: LightOfPoints, optic: Element, seed: int, draw: int = 0) -> Rays:
     """Rays of a source into the cap that just covers the entrance face.
 
     Parameters
     ----------
     source : LightOfPoints
         The source; each point of a grid has a cap and rays of its own.
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     seed : int
         The same seed gives the same rays.

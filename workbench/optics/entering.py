@@ -10,7 +10,7 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.optics.cap import Caps, covering_caps
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import LightOfPoints, Optic
+from workbench.scene import Element, LightOfPoints
 
 # Steps around an outline: for so many of the distance of a point, at least and at most.
 _PER_LENGTH, _FEWEST, _MOST = 100, 512, 1 << 15
@@ -36,7 +36,7 @@ class Entering(NamedTuple):
 
 
 @lru_cache(maxsize=8)
-def entering(source: LightOfPoints, optic: Optic, law: TransmittanceLaw) -> Entering:
+def entering(source: LightOfPoints, optic: Element, law: TransmittanceLaw) -> Entering:
     """Account of a source's light before and at the entrance face.
 
     The law is that of the face; the points are a grid, and emit as in
@@ -93,7 +93,7 @@ def _through(
     return found
 
 
-def intensity_of(source: LightOfPoints, optic: Optic) -> float:
+def intensity_of(source: LightOfPoints, optic: Element) -> float:
     """Flux per solid angle of any point, straight ahead; all light of the source together is 1."""
     caps = covering_caps(source.positions, optic.half_width, optic.front_z)
     lambertian = source.emission == "lambertian"

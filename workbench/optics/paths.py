@@ -12,7 +12,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
 from workbench.optics.sources import emitter_of
-from workbench.scene import Optic, Scene
+from workbench.scene import Element, Scene
 
 
 class RayPaths(NamedTuple):
@@ -66,7 +66,7 @@ def _rows(place: Vector, count: int) -> Array:
     return np.stack([c.expand(count).numpy() for c in place], axis=-1)
 
 
-def _grid(optic: Optic, count: tuple[int, int]) -> tuple[Array, Array]:
+def _grid(optic: Element, count: tuple[int, int]) -> tuple[Array, Array]:
     """Places (x, y) spread over the lens in rows, each of shape (n,); middles of its rectangles."""
     u, v = ((np.arange(m) + 0.5) / m * 2 - 1 for m in count)
     x, y = outline_of(optic).from_square(u[:, None], v)

@@ -26,7 +26,7 @@ glass: with the thickness t and the distance d, the account of a rough lens was 
 import torch
 
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.scene import Optic, Scene
+from workbench.scene import Element, Scene
 
 # In pixels: the image is good to 1e-3 of its light up to here, the gradient to a few per cent.
 _TOLERABLE = 0.01
@@ -70,7 +70,7 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     net = net or ControlNet.of(optic)
     low, high = _extent(optic)
     level, steepest = optic.base.height, 0.0
-    nets = [each for face, each in freeform_nets(optic).items() if face != optic.face]
+    nets = [each for face, each in freeform_nets(optic).items() if face != optic.designed_face]
     if not scene.source.along_axis or nets:
         steepest = optic.steepest
     if not scene.source.along_axis and not nets:
@@ -96,7 +96,7 @@ def shift_of(scene: Scene, net: ControlNet | None = None) -> float:
     return torch.finfo(torch.float32).eps * pixels
 
 
-def _extent(optic: Optic) -> tuple[float, float]:
+def _extent(optic: Element) -> tuple[float, float]:
     """The lowest and the highest z of its face, or about that."""
     rise = _RISE * max(optic.half_width)
     low, high = optic.base.extent(optic.half_width)

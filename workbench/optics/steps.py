@@ -13,7 +13,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
 from workbench.optics.surfaces import BSplineSurface, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import Lens, Mirror, Optic
+from workbench.scene import Element, Lens, Mirror
 
 
 class FaceStep(NamedTuple):
@@ -67,7 +67,7 @@ class PathContext(NamedTuple):
         return BSplineSurface(name, net, self.datum, *how, outline, level)
 
 
-def steps_of(optic: Optic, along: PathContext) -> tuple[FaceStep, ...]:
+def steps_of(optic: Element, along: PathContext) -> tuple[FaceStep, ...]:
     """Faces of an optic, in the order in which light meets them."""
     return _STEPS[type(optic)](optic, along)
 

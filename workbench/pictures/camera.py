@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene import Optic, Scene
+from workbench.scene import Element, Scene
 
 VIEWS = {
     "side": ((-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
@@ -301,12 +301,12 @@ def space(scene: Scene) -> Array:
     return np.concatenate(corners)
 
 
-def first_top(optic: Optic) -> float:
+def first_top(optic: Element) -> float:
     """Greatest z of the exit face where it begins."""
     return optic.base.extent(optic.half_width)[1]
 
 
-def _on_optic(optic: Optic, top: float) -> Array:
+def _on_optic(optic: Element, top: float) -> Array:
     """Corners of a lens, or of a mirror with its plate, whose exit face comes up to ``top``."""
     return _corners(optic.half_width, optic.front_z, top, optic.flat_z(np.array(top)))
 
@@ -331,7 +331,7 @@ def _direction(azimuth: float, elevation: float, along: int) -> Array:
     )
 
 
-def axes_of(optic: Optic) -> Array:
+def axes_of(optic: Element) -> Array:
     """Where the axes that are drawn beside an optic meet, and the names of x, y and z, (4, 3)."""
     length, (r_x, r_y) = 0.5 * max(optic.half_width), optic.half_width
     origin = np.array([-1.1 * r_x, -1.1 * r_y, optic.lowest - length])

@@ -19,7 +19,7 @@ from workbench.geometry.surface import freeform_nets
 from workbench.pictures import shapes
 from workbench.pictures.dots import Dots
 from workbench.pictures.sight import Sight
-from workbench.scene import Optic
+from workbench.scene import Element
 
 Block = tuple[slice, slice]
 
@@ -46,7 +46,7 @@ class ControlNetPicture:
     ----------
     plotter : pyvista.BasePlotter
         Where the lens is drawn.
-    optic : Optic
+    optic : Element
         Says where the control points are along x and y.
     face : str
         The name of the face.
@@ -54,7 +54,7 @@ class ControlNetPicture:
         Whether the ground is dark.
     """
 
-    def __init__(self, plotter: Any, optic: Optic, face: str, *, dark: bool = False) -> None:
+    def __init__(self, plotter: Any, optic: Element, face: str, *, dark: bool = False) -> None:
         self._net = freeform_nets(optic)[face]
         x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))

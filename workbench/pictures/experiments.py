@@ -135,7 +135,9 @@ def _image(axes: Axes, scene: Scene, image: Array, colours: str, ends: tuple[flo
 def _height_field(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     """How far the exit face is from its base, with contours: the deviations are subtle."""
     optic = scene.optic
-    x, y, z = np.moveaxis(sample_faces(optic, heights, (_SAMPLES, _SAMPLES))[optic.face], -1, 0)
+    x, y, z = np.moveaxis(
+        sample_faces(optic, heights, (_SAMPLES, _SAMPLES))[optic.designed_face], -1, 0
+    )
     rise = z - optic.base.height_at(x, y)
     axes.contourf(x, y, rise, levels=24, cmap="viridis")
     axes.contour(x, y, rise, levels=24, colors="k", linewidths=0.25)
@@ -156,7 +158,7 @@ def _traced(axes: Axes, scene: Scene, heights: ControlHeights) -> None:
     half_height = 1.15 * max(optic.half_width[0], half_width)
     axes.plot([screen_z, screen_z], [-half_width, half_width], "k", lw=1.5)
     faces = sample_faces(optic, heights, (_SAMPLES, 3))
-    x, _, z = np.moveaxis(faces.pop(optic.face)[:, 1], -1, 0)
+    x, _, z = np.moveaxis(faces.pop(optic.designed_face)[:, 1], -1, 0)
     front = next((each[::-1, 1, 2] for each in faces.values()), np.full(len(z), optic.front_z))
     axes.plot([*z, *front, z[0]], [*x, *x[::-1], x[0]], color="#2f6f9f", lw=1.0)
     axes.set_ylim(-half_height, half_height)

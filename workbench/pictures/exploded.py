@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.scene import FurtherImage, Scene, Screen, Source
+from workbench.scene import Image, Scene, Screen, Source
 
 # Longest distances from the lens, and largest width of the screen, in widths of the lens.
 _TO_SCREEN, _TO_SOURCE, _WIDTH = 2.0, 1.5, 1.5
@@ -19,8 +19,9 @@ _ROUNDING = 1e-9
 
 def exploded(scene: Scene) -> Scene:
     """The scene as it is drawn; nothing is moved farther away, and nothing enlarged."""
-    shown = {"screen": _drawn_screen(scene), "source": _drawn_source(scene)}
-    return scene.model_copy(update=shown | {"further_images": _drawn_further(scene)})
+    return scene.with_images(_drawn_images(scene)).model_copy(
+        update={"source": _drawn_source(scene)}
+    )
 
 
 def explode_paths(points: Array, scene: Scene) -> Array:
@@ -35,8 +36,8 @@ def explode_paths(points: Array, scene: Scene) -> Array:
     """
     drawn = points.copy()
     drawn[:, 0] = _nearer(points[:, 0], scene.optic.front_z, _source_scale(scene))
-    screen, shown = scene.screen, _drawn_screen(scene)
-    if screen is not None and shown is not None and shown != screen:
+    screen, shown = scene.receiver, _drawn_screen(scene)
+    if isinstance(screen, Screen) and shown is not None and shown != screen:
         x, y, off = screen.sides @ (points[:, -1] - screen.position).T
         arrives = np.abs(off) <= _ROUNDING * (abs(screen.z) + max(screen.half_width))
         scale = shown.half_width[0] / screen.half_width[0]
@@ -50,41 +51,42 @@ def _lens_width(scene: Scene) -> float:
 
 def _drawn_screen(scene: Scene) -> Screen | None:
     """The screen nearer and smaller; a far field is drawn near the lens as it is."""
-    screen = scene.screen
-    if screen is None:
+    screen = scene.receiver
+    if not isinstance(screen, Screen):
         return None
     scale = min(1.0, _WIDTH * _lens_width(scene) / (2 * max(screen.half_width)))
     (r_x, r_y), (x, y) = screen.half_width, screen.center
     z = min(screen.z, scene.optic.highest + _TO_SCREEN * _lens_width(scene))
     return screen.model_copy(
-        update={"half_width": (scale * r_x, scale * r_y), "center": (scale * x, scale * y), "z": z}
+        update={
+            "half_width": (scale * r_x, scale * r_y),
+            "position": (scale * x, scale * y, z),
+        }
     )
 
 
-def _drawn_further(scene: Scene) -> tuple[FurtherImage, ...]:
-    """Further screens in proportion to the first, so that none hides in another."""
-    screen, shown, top = scene.screen, _drawn_screen(scene), scene.optic.leaving_z
-    if screen is None or shown is None:
-        return scene.further_images
+def _drawn_images(scene: Scene) -> list[Image]:
+    """Images on smaller, nearer receivers; further ones in proportion, so that none hides."""
+    screen, shown, top = scene.receiver, _drawn_screen(scene), scene.optic.leaving_z
+    if not isinstance(screen, Screen) or shown is None:
+        return list(scene.images)
+    first, *others = scene.images
     nearer, smaller = (
         (shown.z - top) / (screen.z - top),
         shown.half_width[0] / screen.half_width[0],
     )
-    return tuple(
-        image.model_copy(
-            update={
-                "screen": image.screen
-                and image.screen.model_copy(
-                    update={
-                        "z": top + nearer * (image.screen.z - top),
-                        "half_width": tuple(smaller * r for r in image.screen.half_width),
-                        "center": tuple(smaller * c for c in image.screen.center),
-                    }
-                )
+    images = [first.model_copy(update={"receiver": shown})]
+    for image in others:
+        receiver = image.receiver
+        if isinstance(receiver, Screen):
+            x, y, z = receiver.position
+            changes = {
+                "position": (smaller * x, smaller * y, top + nearer * (z - top)),
+                "half_width": tuple(smaller * r for r in receiver.half_width),
             }
-        )
-        for image in scene.further_images
-    )
+            receiver = receiver.model_copy(update=changes)
+        images.append(image.model_copy(update={"receiver": receiver}))
+    return images
 
 
 def _source_scale(scene: Scene) -> float:

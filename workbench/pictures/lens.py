@@ -236,9 +236,9 @@ class LensPicture:
 
     def _place_lens(self, surfaces: Mapping[str, Array]) -> None:
         optic = self._scene.optic
-        surface = surfaces[optic.face]
+        surface = surfaces[optic.designed_face]
         self._camera.top = float(surface[..., 2].max())
-        others = [surfaces[face][..., 2] for face in self._faces if face != optic.face]
+        others = [surfaces[face][..., 2] for face in self._faces if face != optic.designed_face]
         walls = shapes.wall_points(surface, others[0] if others else optic.flat_z(surface[..., 2]))
         for mesh in (self._walls, self._edges):
             mesh.points = walls
@@ -262,7 +262,7 @@ class LensPicture:
             self._edges.verts = np.zeros(0, dtype=np.int64)
 
     def _add_receivers(self, target: npt.NDArray[Any]) -> None:
-        images = self._traced.images(target)
+        images = self._traced.wanted(target)
         self._receivers = [
             LitReceiver(self._add, receiver, self._scene.optic, image)
             for receiver, image in zip(self._scene.receivers, images, strict=True)

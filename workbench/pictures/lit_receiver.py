@@ -8,7 +8,7 @@ import pyvista as pv
 from workbench.arrays import Array
 from workbench.pictures import shapes
 from workbench.pictures.images import LIGHT, full_scale, to_colours
-from workbench.scene import AnyReceiver, Optic, WantedImage
+from workbench.scene import AnyReceiver, Element, WantedImage
 
 _TEXTURE_PIXELS = 512  # per axis; more than a view shows
 
@@ -29,7 +29,7 @@ class LitReceiver:
         Draws a mesh.
     receiver : AnyReceiver
         As it is drawn.
-    optic : Optic
+    optic : Element
         What lights it.
     wanted : WantedImage
         The image there; the brightness is relative to its target at the light that arrives.
@@ -40,7 +40,9 @@ class LitReceiver:
         The frame.
     """
 
-    def __init__(self, add: Add, receiver: AnyReceiver, optic: Optic, wanted: WantedImage) -> None:
+    def __init__(
+        self, add: Add, receiver: AnyReceiver, optic: Element, wanted: WantedImage
+    ) -> None:
         self._wanted = wanted
         corners = receiver.outline(optic)
         count = len(corners)

@@ -31,14 +31,12 @@ def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
     >>> from resources import path
     >>> from workbench.files.scene import read_scene
     >>> scene = read_scene(path("examples", "tophat.json"))
-    >>> other = scene.altered(screen=scene.screen.altered(z=6.0))
+    >>> other = scene.with_receiver(scene.receiver.moved_to(6.0))
     >>> differences(scene, other)
     (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
     """
-    version = max(one.needed_version, other.needed_version)
     found = [
-        {row.path: row for row in field_rows(scene, version)}
-        for scene in (one, other.in_unit(one.unit))
+        {row.path: row for row in field_rows(scene)} for scene in (one, other.in_unit(one.unit))
     ]
     if other.unit != one.unit:
         found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)

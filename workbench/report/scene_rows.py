@@ -5,7 +5,6 @@ from typing import Any, NamedTuple
 
 from workbench.report.content import Fact
 from workbench.scene import FieldDescription, Part, Scene
-from workbench.scene.fields import Since, Version
 
 _FILE = {"format", "version"}
 
@@ -29,33 +28,27 @@ class FieldRow(NamedTuple):
 
 
 def scene_rows(scene: Scene) -> tuple[Fact, ...]:
-    """A row for each field that has a value, those of a kind before those of all kinds.
-
-    Fields that the scene's file leaves out, as its version does not know them, have none.
-    """
-    return tuple(Fact(row.path, row.value) for row in field_rows(scene, scene.needed_version))
+    """A row for each field that has a value, those of a kind before those of all kinds."""
+    return tuple(Fact(row.path, row.value) for row in field_rows(scene))
 
 
-def field_rows(scene: Scene, version: Version) -> Iterator[FieldRow]:
-    """A row for each field of a scene that has a value and that files of a version know."""
-    return _rows(scene, "", "", scene, version)
+def field_rows(scene: Scene) -> Iterator[FieldRow]:
+    """A row for each field of a scene that has a value."""
+    return _rows(scene, "", "", scene)
 
 
-def _rows(part: Part, path: str, title: str, scene: Scene, version: Version) -> Iterator[FieldRow]:
+def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]:
     """Rows of a part, as deep as there are names."""
     remarks = part.remarks()
     for field in part.fields():
-        since = field.mark(Since)
-        if since is not None and since.version > version:
-            continue
         value, place = getattr(part, field.name), f"{path}{field.name}"
         called = f"{title}{field.title}"
         if isinstance(value, Part):
-            yield from _rows(value, f"{place}.", f"{called} · ", scene, version)
+            yield from _rows(value, f"{place}.", f"{called} · ", scene)
         elif field.listed:
             for number, each in enumerate(value):
                 where = f"{place}[{number}].", f"{called} {number + 1} · "
-                yield from _rows(each, *where, scene, version)
+                yield from _rows(each, *where, scene)
         elif value is not None and place not in _FILE:
             text = f"{_text(value, field)} {field.measure.words_in(scene.unit)}".rstrip()
             remark = remarks.get(field.name)

@@ -79,12 +79,15 @@ class PlacedFace(NamedTuple):
         Its shape.
     z : float
         z of its vertex, scene units.
+    id : str
+        Its name in files: that of the element, and "front", "back" or "face".
     """
 
     name: str
     path: str
     face: Face
     z: float
+    id: str
 
 
 class Element(Part):
@@ -242,6 +245,11 @@ class Element(Part):
     @abstractmethod
     def steepest(self) -> float:
         """Tangent of the largest angle to the axis at which light may come to its face, about."""
+
+    @property
+    @abstractmethod
+    def least_loss(self) -> float:
+        """The least part of the light that its last face loses."""
 
     @property
     @abstractmethod

@@ -169,8 +169,10 @@ class Lens(Element):
         """Front face and back face."""
         front, back = self.faces
         return (
-            PlacedFace("entrance", "faces[0]", front, self.entrance_z),
-            PlacedFace("exit", "faces[1]", back, self.entrance_z + self.thickness),
+            PlacedFace("entrance", "faces[0]", front, self.entrance_z, f"{self.name}.front"),
+            PlacedFace(
+                "exit", "faces[1]", back, self.entrance_z + self.thickness, f"{self.name}.back"
+            ),
         )
 
     def with_face(self, name: str, face: Face) -> Self:
@@ -369,6 +371,13 @@ class Lens(Element):
     def steepest(self) -> float:
         """By Snell's law at the entrance face."""
         return float((self.index**2 - 1) ** -0.5)
+
+    @property
+    def least_loss(self) -> float:
+        """What the coating, or the bare face at normal incidence, reflects."""
+        if self.coating is not None:
+            return self.coating[1]
+        return 0.0 if self.reflection == "none" else ((self.index - 1) / (self.index + 1)) ** 2
 
     @property
     def least_thickness(self) -> float:

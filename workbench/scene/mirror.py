@@ -86,7 +86,7 @@ class Mirror(Element):
     @property
     def placed_faces(self) -> tuple[PlacedFace, ...]:
         """The one face."""
-        return (PlacedFace("mirror", "face", self.face, self.position[2]),)
+        return (PlacedFace("mirror", "face", self.face, self.position[2], f"{self.name}.face"),)
 
     def with_face(self, name: str, face: Face) -> Self:
         """See `Element.with_face`."""
@@ -162,6 +162,11 @@ class Mirror(Element):
     def steepest(self) -> float:
         """That of light from points nearby."""
         return 1.0
+
+    @property
+    def least_loss(self) -> float:
+        """What it absorbs."""
+        return 1 - self.reflectance
 
     @property
     def least_thickness(self) -> float:

@@ -33,14 +33,19 @@ class AnySource(Part):
     """
 
     wavelength_um: Annotated[
-        Positive,
+        Positive | None,
         Measure("µm"),
         about(
             "Wavelength",
-            "Vacuum wavelength at which the indices of materials are taken.",
-            le=100,
+            "Vacuum wavelength at which the indices of materials are taken. Left empty, it is "
+            "0.5876 µm (helium d).",
         ),
-    ] = DEFAULT_WAVELENGTH
+    ] = None
+
+    @property
+    def wavelength(self) -> float:
+        """Vacuum wavelength in µm: as stated, or that of the helium d line."""
+        return self.wavelength_um or DEFAULT_WAVELENGTH
 
     @property
     def along_axis(self) -> bool:

@@ -1,7 +1,7 @@
 """The scene: an optical train with a source and images, and how to design it."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, ValidationError
@@ -170,7 +170,7 @@ class Scene(Part):
         if not designed:
             raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
         with refused_within(f"elements[{designed[0]}]"):
-            self.elements[designed[0]].lit(self.source.wavelength_um).check_element()
+            self.elements[designed[0]].lit(self.source.wavelength).check_element()
 
     @property
     def designed_number(self) -> int:
@@ -180,13 +180,17 @@ class Scene(Part):
     @property
     def optic(self) -> Element:
         """The element that the design shapes, as the source's light meets it."""
-        return self.elements[self.designed_number].lit(self.source.wavelength_um)
+        return self.elements[self.designed_number].lit(self.source.wavelength)
 
     def with_optic(self, optic: Element) -> Self:
         """Return the scene with another element in place of `optic`, which goes with all else."""
-        elements = list(self.elements)
+        elements: list[Element] = list(self.elements)
         elements[self.designed_number] = optic.lit(DEFAULT_WAVELENGTH)
         return self.model_copy(update={"elements": tuple(elements)})
+
+    def with_images(self, images: Iterable[Image]) -> Self:
+        """Return the scene with other images."""
+        return self.model_copy(update={"images": tuple(images)})
 
     @property
     def optic_path(self) -> str:
@@ -220,8 +224,7 @@ class Scene(Part):
 
     def _with_image(self, **changes: Any) -> Self:
         first, *others = self.images
-        images = (first.model_copy(update=changes), *others)
-        return self.model_copy(update={"images": images})
+        return self.with_images((first.model_copy(update=changes), *others))
 
     @property
     def receivers(self) -> tuple[Receiver, ...]:
@@ -233,7 +236,7 @@ class Scene(Part):
         """The scene for each of its images as if there were no other, the first one first."""
         if len(self.images) == 1:
             return (self,)
-        return tuple(self.model_copy(update={"images": (image,)}) for image in self.images)
+        return tuple(self.with_images((image,)) for image in self.images)
 
     def wanted(self, target: Array) -> tuple[WantedImage, ...]:
         """All images that are wanted, the first one first.
@@ -301,8 +304,7 @@ class Scene(Part):
         scene = self.carrying(other.light_files)
         if len(self.images) == 1:
             return scene
-        images = (scene.images[0], *images_like(scene, other))
-        return scene.model_copy(update={"images": images})
+        return scene.with_images((scene.images[0], *images_like(scene, other)))
 
     def source_of(self, stage: int) -> Source:
         """The source of a stage, by its number; behind all stages that of the scene itself."""

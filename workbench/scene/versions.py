@@ -85,7 +85,9 @@ def upgraded(data: Data, version: int) -> Data:
     """
     _check_known("", data, _SCENE)
     optic = _one_of(data, "lens", "mirror")
-    new = {name: data[name] for name in ("format", "unit", "filter", "regions") if name in data}
+    new: Data = {
+        name: data[name] for name in ("format", "unit", "filter", "regions") if name in data
+    }
     source = _source("source", data["source"]) if "source" in data else None
     if optic == "lens":
         element, wavelength = _lens(_object("lens", data["lens"]), version)

@@ -3,10 +3,10 @@ import pytest
 from ui.commands.availability import Situation
 from ui.commands.table import COMMANDS
 from workbench.scene import Lens, Mirror
-from workbench.scene.entrance import FreeformEntrance
+from workbench.scene.entrance import SplineFace
 
 LENS = Lens(half_width=(1, 1), control_points=(8, 8), refractive_index=1.5)
-TWO_FACES = LENS.altered(entrance=FreeformEntrance())
+TWO_FACES = LENS.altered(entrance=SplineFace())
 MIRROR = Mirror(half_width=(1, 1), control_points=(8, 8))
 
 

@@ -15,7 +15,7 @@ from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.powers import written
-from workbench.scene import FlatEntrance, FreeformEntrance
+from workbench.scene import PlaneFace, SplineFace
 
 
 @pytest.fixture
@@ -155,7 +155,7 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     document = desk.document
     before = document.session
     two_faced = before.scene.lens.altered(
-        entrance=FreeformEntrance(control_points=(8, 8), height_range=(0.0, 0.1))
+        entrance=SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
     )
     document.edit(before.scene.altered(lens=two_faced), "two faces", "lens.entrance.shape")
     assert set(document.session.heights) == {"entrance", "exit"}
@@ -164,7 +164,7 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     assert document.session is before
     document.undo_stack.redo()
     two = document.session
-    flat = two.scene.lens.altered(entrance=FlatEntrance())
+    flat = two.scene.lens.altered(entrance=PlaneFace())
     document.edit(two.scene.altered(lens=flat), "one face", "lens.entrance")
     assert set(document.session.heights) == {"exit"}
     assert desk.messages.text.startswith("The entrance face is flat now;")
@@ -173,11 +173,11 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
 def test_another_net_of_the_entrance_face_is_said_of_that_face(desk):
     document = desk.document
     two_faced = document.session.scene.lens.altered(
-        entrance=FreeformEntrance(control_points=(8, 8), height_range=(0.0, 0.1))
+        entrance=SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
     )
     document.edit(document.session.scene.altered(lens=two_faced), "two faces", "lens.entrance")
     finer = two_faced.altered(
-        entrance=FreeformEntrance(control_points=(13, 13), height_range=(0.0, 0.1))
+        entrance=SplineFace(control_points=(13, 13), height_range=(0.0, 0.1))
     )
     document.edit(
         document.session.scene.altered(lens=finer), "finer", "lens.entrance.control_points"

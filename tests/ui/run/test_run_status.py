@@ -55,7 +55,7 @@ def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
 
 def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    scene, wanted, _ = session.scene.images(session.target)[1]
+    scene, wanted, _ = session.scene.wanted(session.target)[1]
     upside_down = target_irradiance(scene, wanted)[::-1] + 0.1
     further = FurtherLight(upside_down, 0.1, account_of(1.0, 0.3, 0.62, 0.0, 0.0, 0.0, 0.04, 0.04))
     exact = target_irradiance(session.scene, session.target)

@@ -268,9 +268,9 @@ def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) ->
     # A method may design on a net of its own.
     net = {"control_points": lens.shape}
     scene = example.scene.model_copy(update={"lens": example.scene.optic.model_copy(update=net)})
-    image = finished(imaging(scene, {example.scene.optic.face: lens}, accuracy))
+    image = finished(imaging(scene, {example.scene.optic.designed_face: lens}, accuracy))
     if image is None:
-        light = validate(scene, example.target, {example.scene.optic.face: lens}, _RAYS)
+        light = validate(scene, example.target, {example.scene.optic.designed_face: lens}, _RAYS)
         low, high = light.relative_l2_corrected_interval
         return TracedError(light.relative_l2_corrected, (high - low) / 2, light.efficiency)
     efficiency = scene.receiver.total(image.irradiance)

@@ -79,7 +79,7 @@ def _designed(example: BenchmarkTask, method: str, iterations: int) -> Iterator[
     scene = Scene.from_data(example.scene.to_data() | {"run": {"method": method} | settings})
     for snapshot in run(scene, example.target):
         if snapshot.best:
-            heights = snapshot.state.heights[example.scene.optic.face]
+            heights = snapshot.state.heights[example.scene.optic.designed_face]
             own = relative_l2(snapshot.state.irradiance, example.target)
         yield MethodLens(snapshot.seconds, heights, own)
 

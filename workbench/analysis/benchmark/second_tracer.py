@@ -150,7 +150,7 @@ def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
 
 
 def cases() -> Iterator[tuple[str, str, str, str]]:
-    """Optic, source, receiver and outline of each row."""
+    """Element, source, receiver and outline of each row."""
     lit = [("one face", source, receiver) for source in SOURCES for receiver in RECEIVERS]
     for source in ("parallel", "point"):
         lit += [("two faces", source, receiver) for receiver in RECEIVERS]

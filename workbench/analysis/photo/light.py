@@ -102,15 +102,15 @@ LIGHTS = {
 def light_of(scene: Scene) -> Illuminant:
     """The light that the source of a scene is likely to be.
 
-    Light from infinitely far is daylight, a Gaussian beam that of a laser whose wavelength is that
-    of the lens, and what stands somewhere is an LED. A beam of no known or no visible wavelength
+    Light from infinitely far is daylight, a Gaussian beam that of a laser of the
+    wavelength stated, and what stands somewhere is an LED. A beam of no known or no visible wavelength
     counts as white.
     """
     if scene.source.place is not None:
         return LIGHTS["led"]
     if not scene.source.moves:
         return LIGHTS["daylight"]
-    wavelength = None if scene.lens is None else scene.lens.wavelength_um
+    wavelength = scene.source.wavelength_um
     if wavelength is None or not _GRID[0] <= wavelength <= _GRID[-1]:
         return LIGHTS["equal"]
     return line(wavelength)

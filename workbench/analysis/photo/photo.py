@@ -29,7 +29,7 @@ from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.powers import written
 from workbench.said import Said
-from workbench.scene import Scene
+from workbench.scene import CustomIndex, Lens, Scene
 from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
@@ -185,16 +185,16 @@ def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
 
     Beside the wavelengths that the material was measured at its formula is continued.
     """
-    lens, material = scene.lens, _material(scene)
-    if lens is None or material is None:
+    material = _material(scene)
+    if material is None:
         return scene
-    index = material.index(wavelength_um)
-    return scene.altered(lens=lens.altered(refractive_index=index, wavelength_um=None))
+    index = CustomIndex(index=material.index(wavelength_um))
+    return scene.with_optic(scene.optic.model_copy(update={"material": index}))
 
 
 def _material(scene: Scene) -> Material | None:
     """That of the lens; None where nothing is known of its dispersion."""
-    name = None if scene.lens is None else scene.lens.refractive_index
+    name = scene.optic.material if isinstance(scene.optic, Lens) else None
     return CATALOGUE[name] if isinstance(name, str) else None
 
 

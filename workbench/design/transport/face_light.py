@@ -34,7 +34,7 @@ class FaceLight:
         r_x, r_y = scene.optic.half_width
         middle = 2 * (np.arange(cells) + 0.5) / cells - 1
         self.x, self.y = (middle * r_x)[:, None], (middle * r_y)[None, :]
-        self._entrance_z, self._face = scene.optic.front_z, scene.optic.face
+        self._entrance_z, self._face = scene.optic.front_z, scene.optic.designed_face
         self._along: tuple[float, float, float] | None = None
         self._glass: FlatGlass | None = None
         self._fit, self._given = fit, emitter_of(scene.source, scene.optic).origins

@@ -15,7 +15,7 @@ from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import freeform_nets
 from workbench.powers import written
 from workbench.said import Said
-from workbench.scene import FlatEntrance, Scene, WantedImage
+from workbench.scene import PlaneFace, Scene, WantedImage
 
 _BOTH, _ALONE = Said("both faces"), Said("the exit face alone")
 _LINES = Said("both faces along lines through all images")
@@ -65,7 +65,7 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
     """
     if "entrance" not in freeform_nets(scene.optic):
         heights = transport_start(scene, target)
-        return None if heights is None else First({scene.optic.face: heights})
+        return None if heights is None else First({scene.optic.designed_face: heights})
     if fixed:
         both = split_start(scene, target, fixed)
         return None if both is None else First(both)
@@ -106,7 +106,7 @@ def first_of_several(
     """
     # The lens has the limits that all images leave it together.
     optic = bounded(scene)
-    images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.images(target)]
+    images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.wanted(target)]
     found: dict[Said, Mapping[str, Array]] = {}
     both_free = "entrance" in freeform_nets(scene.optic) and not fixed
     if both_free and (both := line_start(scene, target)) is not None:
@@ -165,8 +165,10 @@ def behind_flat_entrance(scene: Scene) -> Scene:
     near = lens.front_z - scene.source.nearest_z < max(lens.half_width)
     z = low + (_NEAR_PLACE if near else _PLACE) * (high - low)
     clear = lens.floor - z
-    flat = {"entrance": FlatEntrance(), "entrance_z": z, "min_thickness": clear}
-    return scene.with_optic(scene.optic.model_copy(update=flat))
+    optic = scene.optic.with_face("entrance", PlaneFace())
+    x, y, _ = optic.position
+    flat = {"thickness": optic.base.height - z, "min_thickness": clear}
+    return scene.with_optic(optic.model_copy(update=flat | {"position": (x, y, z)}))
 
 
 def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:

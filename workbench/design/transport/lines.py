@@ -38,7 +38,7 @@ def line_start(scene: Scene, target: Array) -> dict[str, Array] | None:
         See `workbench.design.transport.both_faces.BothFaces.heights`; also None if a receiver is at
         no distance.
     """
-    images = scene.images(target)
+    images = scene.wanted(target)
     if not all(image.scene.receiver.at_distance for image in images):
         return None
     weights = [image.weight for image in images]

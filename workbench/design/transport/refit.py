@@ -73,8 +73,8 @@ def _alike(before: Scene, scene: Scene) -> bool:
     return (
         first.called == second.called
         and first.net_shape == second.net_shape
-        and list(freeform_nets(first)) == list(freeform_nets(second)) == [second.face]
+        and list(freeform_nets(first)) == list(freeform_nets(second)) == [second.designed_face]
         and type(before.receiver) is type(scene.receiver)
         and before.unit == scene.unit
-        and not (before.further_images or scene.further_images)
+        and len(before.images) == len(scene.images) == 1
     )

@@ -103,7 +103,7 @@ class _Judged(NamedTuple):
     @classmethod
     def of(cls, scene: Scene, target: Array, heights: Array) -> Self:
         try:
-            error = first_error(scene, target, {scene.optic.face: heights})
+            error = first_error(scene, target, {scene.optic.designed_face: heights})
         except UnbalancedAccount:  # the samples are too few for such a face
             error = math.inf
         return cls(error, heights)

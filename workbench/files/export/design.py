@@ -83,12 +83,12 @@ class Design:
     @property
     def heights(self) -> Array:
         """Control heights of the face, shape (n_u, n_v)."""
-        return self.result.state.heights[self.face or self.scene.optic.face]
+        return self.result.state.heights[self.face or self.scene.optic.designed_face]
 
     @cached_property
     def net(self) -> ControlNet:
         """Control net of the face."""
-        return freeform_nets(self.scene.optic)[self.face or self.scene.optic.face]
+        return freeform_nets(self.scene.optic)[self.face or self.scene.optic.designed_face]
 
     @cached_property
     def faces(self) -> tuple["Design", ...]:
@@ -104,7 +104,7 @@ class Design:
     @property
     def outward(self) -> int:
         """1 if normals of the face that point out of the body point to +z, -1 if to -z."""
-        return self.scene.optic.outwards(self.face or self.scene.optic.face)
+        return self.scene.optic.outwards(self.face or self.scene.optic.designed_face)
 
     @property
     def flat_z(self) -> float:

@@ -187,7 +187,7 @@ def _between_origins(scene: Scene, far_field: FarField, corners: Corners, flux: 
 
 def _window(scene: Scene, heights: Mapping[str, Tensor]) -> FarField:
     """The angles that hold nearly all light."""
-    window = FarField(half_angle=(90.0, 90.0), pixels=(_LOOK, _LOOK))
+    window = FarField(kind="far_field", half_angle=(90.0, 90.0), pixels=(_LOOK, _LOOK))
     while True:
         plan = BeamPlan(_with_far_field(scene, window), Corners(_FEW, _FEW, _ORIGINS))
         with torch.no_grad():
@@ -256,8 +256,8 @@ def _cells(scene: Scene, window: FarField) -> tuple[int, int]:
 
 def _with_far_field(scene: Scene, far_field: FarField) -> Scene:
     """The same lens and source with another receiver."""
-    changes = {"screen": None, "far_field": far_field, "further_images": (), "regions": ()}
-    return scene.model_copy(update=changes)
+    image = scene.images[0].model_copy(update={"receiver": far_field})
+    return scene.model_copy(update={"images": (image,), "regions": ()})
 
 
 def _blocks(values: Array, size: int) -> Array:

@@ -168,7 +168,7 @@ def compile_for(dtype: torch.dtype) -> None:
     known = arrange(face.net, None, np.zeros((5, 1), kind), np.zeros(1, kind))
     bounds, table = face.bounds(heights, known.steepest), make_table(heights, face.powers)
     glass = make_glass(TransmittanceLaw.fresnel(1.5), 1.5, 0.0, 0.0, kind)
-    screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(2, 2))
+    screen = Screen(kind="plane", position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(2, 2))
     spread = make_spread(PlaneReceiver(screen, 0.0), GaussianFilter(), kind)
     canvas, d_table = make_canvases(spread, 1)[0], np.zeros(table.shape)
     rays = known.bundle, known.depths

@@ -22,8 +22,8 @@ from workbench.optics.sources.ray_file import RayFileEmitter
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
+    Element,
     LightOfPoints,
-    Optic,
     PhotometricSource,
     RayFileSource,
     Source,
@@ -100,12 +100,12 @@ class Emitter(Protocol):
         ...
 
 
-def _collimated(source: CollimatedSource, optic: Optic, samples: Samples | None) -> Emitter:
+def _collimated(source: CollimatedSource, optic: Element, samples: Samples | None) -> Emitter:
     straight = source.along_axis
     return (CollimatedEmitter if straight else DirectionEmitter)(source, optic, samples)
 
 
-_EMITTERS: Mapping[type, Callable[[Any, Optic, Samples | None], Emitter]] = {
+_EMITTERS: Mapping[type, Callable[[Any, Element, Samples | None], Emitter]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaEmitter,
     LightOfPoints: PointEmitter,
@@ -114,7 +114,7 @@ _EMITTERS: Mapping[type, Callable[[Any, Optic, Samples | None], Emitter]] = {
 }
 
 
-def emitter_of(source: Source, optic: Optic, samples: Samples | None = None) -> Emitter:
+def emitter_of(source: Source, optic: Element, samples: Samples | None = None) -> Emitter:
     """The element that emits the light of a source towards a lens.
 
     Parameters

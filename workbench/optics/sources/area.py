@@ -11,7 +11,7 @@ from workbench.optics.samples import Samples
 from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
-from workbench.scene import AreaSource, Optic
+from workbench.scene import AreaSource, Element
 
 
 class AreaEmitter(ExtendedEmitter):
@@ -20,14 +20,14 @@ class AreaEmitter(ExtendedEmitter):
     All light of the half-space before it is 1: what misses the entrance face misses the lens.
     """
 
-    def __init__(self, source: AreaSource, optic: Optic, samples: Samples | None = None) -> None:
+    def __init__(self, source: AreaSource, optic: Element, samples: Samples | None = None) -> None:
         super().__init__(optic, source.rays, samples)
         self._source, self.outline = source, source.outline
         self.aspect = source.half_width[0] / source.half_width[1]
 
     def origins_at(self, places: SpreadPlaces) -> Origins:
         """See `ExtendedEmitter`."""
-        (x, y, z), (r_x, r_y) = self._source.center, self._source.half_width
+        (x, y, z), (r_x, r_y) = self._source.position, self._source.half_width
         points = np.column_stack(
             [x + r_x * places.x, y + r_y * places.y, np.full(len(places.x), z)]
         )
@@ -37,7 +37,7 @@ class AreaEmitter(ExtendedEmitter):
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the middle of the emitter and its corners in turn; see `Emitter.towards`."""
-        starts = np.vstack([self._source.center, self._source.corners])
+        starts = np.vstack([self._source.position, self._source.corners])
         start = starts[np.arange(len(x)) % len(starts)]
         way = np.column_stack([x, y, np.full(len(x), self.optic.front_z)]) - start
         way /= np.linalg.norm(way, axis=1, keepdims=True)

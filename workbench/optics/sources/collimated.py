@@ -12,7 +12,7 @@ from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples, cells, counts, parts_inside, places, shares
 from workbench.optics.sources.origins import Origins
-from workbench.scene import CollimatedSource, Optic
+from workbench.scene import CollimatedSource, Element
 
 
 class CollimatedEmitter:
@@ -22,7 +22,7 @@ class CollimatedEmitter:
     ----------
     source : CollimatedSource
         How many rays.
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
         Rays along x and y; those of the source by default.
@@ -36,7 +36,7 @@ class CollimatedEmitter:
     by_area = True
 
     def __init__(
-        self, source: CollimatedSource, optic: Optic, samples: Samples | None = None
+        self, source: CollimatedSource, optic: Element, samples: Samples | None = None
     ) -> None:
         self.samples, self._lens = samples or source.rays, optic
         self._outline = outline_of(optic)

@@ -19,8 +19,8 @@ from workbench.optics.sources.photometric import light_of_table
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
+    Element,
     LightOfPoints,
-    Optic,
     PhotometricSource,
     Source,
 )
@@ -51,14 +51,16 @@ class _Face(NamedTuple):
     inside: float
 
     @classmethod
-    def of(cls, optic: Optic) -> Self:
+    def of(cls, optic: Element) -> Self:
         face = next(iter(freeform_nets(optic)))
         low, high = optic.range_of(face) or (-_MOVES * max(optic.half_width),) * 2
         depth = float(optic.place_of(face, 0.0, 0.0)) - optic.front_z
-        return cls(depth, max(abs(low), abs(high)), optic.index if face == optic.face else 1.0)
+        return cls(
+            depth, max(abs(low), abs(high)), optic.index if face == optic.designed_face else 1.0
+        )
 
 
-def where_lit(corners: Corners, source: Source, optic: Optic) -> Corners:
+def where_lit(corners: Corners, source: Source, optic: Element) -> Corners:
     """Corners of cells where light is.
 
     Parameters
@@ -82,7 +84,7 @@ def where_lit(corners: Corners, source: Source, optic: Optic) -> Corners:
     return corners._replace(crowd_x=x, crowd_y=y)
 
 
-def _of_beam(source: CollimatedSource, optic: Optic, face: _Face, axis: int) -> Crowd:
+def _of_beam(source: CollimatedSource, optic: Element, face: _Face, axis: int) -> Crowd:
     """Where a beam is on a face along an axis."""
     half, rim = optic.half_width[axis], np.linspace(0, 2 * math.pi, 8, endpoint=False)
     ways = source.directions(np.append(0.0, np.cos(rim)), np.append(0.0, np.sin(rim)))
@@ -94,7 +96,7 @@ def _of_beam(source: CollimatedSource, optic: Optic, face: _Face, axis: int) -> 
     return Crowd.of((_RADII * shadow + spread + moved) / half, middle / half)
 
 
-def _of_points(source: AreaSource | LightOfPoints, optic: Optic, face: _Face, axis: int) -> Crowd:
+def _of_points(source: AreaSource | LightOfPoints, optic: Element, face: _Face, axis: int) -> Crowd:
     """Where the light of points is on a face along an axis."""
     half, place = optic.half_width[axis], source.place
     away = (optic.front_z - place[2]) * face.inside + face.depth
@@ -102,7 +104,7 @@ def _of_points(source: AreaSource | LightOfPoints, optic: Optic, face: _Face, ax
     return Crowd.about((away + wide) / half, min(max(place[axis] / half, -1.0), 1.0))
 
 
-def _of_lamp(source: PhotometricSource, optic: Optic, face: _Face) -> tuple[Crowd, Crowd]:
+def _of_lamp(source: PhotometricSource, optic: Element, face: _Face) -> tuple[Crowd, Crowd]:
     """Where the light of a lamp is on a face, along x and y."""
     light, *away = light_of_table(source).onto(optic.front_z - source.position[2])
     entered = np.stack(away) + np.array(source.position[:2])[:, None]

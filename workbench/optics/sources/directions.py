@@ -13,7 +13,7 @@ from workbench.optics.sources.crowding import where_lit
 from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
 from workbench.optics.sources.origins import Origins, vector
-from workbench.scene import CollimatedSource, Optic
+from workbench.scene import CollimatedSource, Element
 
 # The shadow of a beam on the face is not taken to be longer than this many of its radii.
 _LONGEST = 20.0
@@ -30,7 +30,7 @@ class DirectionEmitter(ExtendedEmitter):
     outline = "ellipse"
 
     def __init__(
-        self, source: CollimatedSource, optic: Optic, samples: Samples | None = None
+        self, source: CollimatedSource, optic: Element, samples: Samples | None = None
     ) -> None:
         super().__init__(optic, source.ray_count, samples)
         self._source, self.many = source, where_lit(self.many, source, optic)

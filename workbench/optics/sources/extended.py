@@ -13,7 +13,7 @@ from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.evenly import Outline, SpreadPlaces, at_corners, filling, spread
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
-from workbench.scene import Optic
+from workbench.scene import Element
 
 
 class ExtendedEmitter(ABC):
@@ -24,7 +24,7 @@ class ExtendedEmitter(ABC):
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     rays : int
         How many rays are drawn, where no corners are asked for.
@@ -38,7 +38,7 @@ class ExtendedEmitter(ABC):
     many: Corners = Corners(64, 64, 64)
     """Cells and origins that tell how much light meets the lens, where rays are drawn at random."""
 
-    def __init__(self, optic: Optic, rays: int, samples: Samples | None) -> None:
+    def __init__(self, optic: Element, rays: int, samples: Samples | None) -> None:
         self.optic, self.samples = optic, samples
         self._rays = rays
 

@@ -14,7 +14,7 @@ from workbench.arrays import Array, Index
 from workbench.geometry.outlines import outline_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples, parts_inside, places_of_points
-from workbench.scene import Optic
+from workbench.scene import Element
 
 
 class EnteringLight(NamedTuple):
@@ -151,7 +151,7 @@ class Origins(NamedTuple):
         return np.average(self.places, axis=0, weights=light if any(light) else None)
 
 
-def through_cells(origins: Origins, optic: Optic, samples: Samples) -> RayBundle:
+def through_cells(origins: Origins, optic: Element, samples: Samples) -> RayBundle:
     """Rays through cells of the entrance face, shape (m_x, m_y for each origin).
 
     Several origins need `Corners`. The flux is that of what of the cells is inside the outline of

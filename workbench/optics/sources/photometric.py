@@ -19,7 +19,7 @@ from workbench.optics.sources.origins import (
     through_cells,
     vector,
 )
-from workbench.scene import Optic, PhotometricSource
+from workbench.scene import Element, PhotometricSource
 
 
 class TurnedTable:
@@ -67,7 +67,7 @@ class PhotometricEmitter:
     """
 
     def __init__(
-        self, source: PhotometricSource, optic: Optic, samples: Samples | None = None
+        self, source: PhotometricSource, optic: Element, samples: Samples | None = None
     ) -> None:
         self._source, self._lens, self.samples = source, optic, samples
         table = intensity_of(source)

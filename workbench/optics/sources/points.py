@@ -10,7 +10,7 @@ from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Origins, splits_of, through_cells
-from workbench.scene import LightOfPoints, Optic
+from workbench.scene import Element, LightOfPoints
 
 
 class PointEmitter:
@@ -20,7 +20,7 @@ class PointEmitter:
     ----------
     source : LightOfPoints
         Where the points are, and how they emit.
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     samples : tuple[int, int] or Corners, optional
         Corners of cells of the first freeform face; rays drawn at random by default.
@@ -31,7 +31,7 @@ class PointEmitter:
     def __init__(
         self,
         source: LightOfPoints,
-        optic: Optic,
+        optic: Element,
         samples: Samples | None = None,
     ) -> None:
         self.source, self.optic, self.samples = source, optic, samples

@@ -10,7 +10,7 @@ from workbench.measured.rays.model import RayModel
 from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Corners, Samples
 from workbench.optics.sources.origins import Origins, splits_of, through_cells, vector
-from workbench.scene import Optic, RayFileSource
+from workbench.scene import Element, RayFileSource
 
 # Points that stand for the rays where nothing says how many.
 _POINTS = 16
@@ -36,7 +36,9 @@ class RayFileEmitter:
 
     beside = 0.0
 
-    def __init__(self, source: RayFileSource, optic: Optic, samples: Samples | None = None) -> None:
+    def __init__(
+        self, source: RayFileSource, optic: Element, samples: Samples | None = None
+    ) -> None:
         self._source, self._lens, self.samples = source, optic, samples
         count = samples.origins if isinstance(samples, Corners) else _POINTS
         self._model = model = ray_model(source, optic, count if source.continuous else 1)

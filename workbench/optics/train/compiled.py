@@ -306,5 +306,5 @@ def compile_for(dtype: torch.dtype) -> None:
     path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=Corners(2, 2))
     heights = torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64, requires_grad=True)
     with torch.enable_grad():  # whoever asks, the way back is compiled, too
-        light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
+        light = CompiledTrain(path).image({scene.optic.designed_face: heights}, scene.filter)
         light.flux.sum().backward()  # type: ignore[no-untyped-call]

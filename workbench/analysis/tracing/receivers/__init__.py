@@ -10,16 +10,16 @@ from workbench.analysis.tracing.elements import Detector
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers.far_field import FarFieldDetector
 from workbench.analysis.tracing.receivers.plane import PlaneDetector
-from workbench.scene import AnyReceiver, FarField, Optic, Screen
+from workbench.scene import AnyReceiver, Element, FarField, Screen
 
 __all__ = ["FarFieldDetector", "PlaneDetector", "detector_of"]
 
-_DETECTORS: Mapping[type, Callable[[Any, Optic, Pose], Detector]] = {
+_DETECTORS: Mapping[type, Callable[[Any, Element, Pose], Detector]] = {
     Screen: PlaneDetector,
     FarField: FarFieldDetector,
 }
 
 
-def detector_of(receivers: Sequence[AnyReceiver], optic: Optic, pose: Pose) -> Detector:
+def detector_of(receivers: Sequence[AnyReceiver], optic: Element, pose: Pose) -> Detector:
     """The detector of some receivers of one kind, at least one, which do not hide each other."""
     return _DETECTORS[type(receivers[0])](receivers, optic, pose)

@@ -9,7 +9,7 @@ from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.arrays import Array, Mask
 from workbench.compiled import jit
-from workbench.scene import FarField, Optic
+from workbench.scene import Element, FarField
 
 
 class FarFieldDetector:
@@ -19,13 +19,13 @@ class FarFieldDetector:
     ----------
     far_fields : sequence of FarField
         The directions in which each image is.
-    optic : Optic
+    optic : Element
         Tells to which side light goes.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, far_fields: Sequence[FarField], optic: Optic, pose: Pose) -> None:
+    def __init__(self, far_fields: Sequence[FarField], optic: Element, pose: Pose) -> None:
         first = far_fields[0]
         self.images, self.pixels = len(far_fields), math.prod(first.pixels)
         self._size = first.pixels

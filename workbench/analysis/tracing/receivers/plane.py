@@ -10,7 +10,7 @@ from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.arrays import Array, Mask
 from workbench.compiled import jit
-from workbench.scene import Optic, Screen
+from workbench.scene import Element, Screen
 
 
 class PlaneDetector:
@@ -20,13 +20,13 @@ class PlaneDetector:
     ----------
     screens : sequence of Screen
         Where they are; all with the same pixels.
-    optic : Optic
+    optic : Element
         Gives the entrance face, from which rays count.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, screens: Sequence[Screen], optic: Optic, pose: Pose) -> None:
+    def __init__(self, screens: Sequence[Screen], optic: Element, pose: Pose) -> None:
         first = screens[0]
         self.images, self.pixels = len(screens), math.prod(first.pixels)
         self._size = first.pixels

@@ -18,8 +18,8 @@ from workbench.analysis.tracing.sources.ray_file import RayFileLight
 from workbench.scene import (
     AreaSource,
     CollimatedSource,
+    Element,
     LightOfPoints,
-    Optic,
     PhotometricSource,
     RayFileSource,
     Source,
@@ -28,14 +28,14 @@ from workbench.scene.kinds import row_of
 
 
 def _collimated(
-    source: CollimatedSource, optic: Optic, pose: Pose, rays: int, seed: int
+    source: CollimatedSource, optic: Element, pose: Pose, rays: int, seed: int
 ) -> LightSource:
     """Parallel light that is even, or a beam."""
     even = math.isinf(source.profile.radius) and not source.continuous
     return (CollimatedLight if even else BeamLight)(source, optic, pose, rays, seed)
 
 
-_SOURCES: Mapping[type, Callable[[Any, Optic, Pose, int, int], LightSource]] = {
+_SOURCES: Mapping[type, Callable[[Any, Element, Pose, int, int], LightSource]] = {
     CollimatedSource: _collimated,
     AreaSource: AreaLight,
     LightOfPoints: PointLight,
@@ -44,14 +44,14 @@ _SOURCES: Mapping[type, Callable[[Any, Optic, Pose, int, int], LightSource]] = {
 }
 
 
-def light_source(source: Source, optic: Optic, pose: Pose, rays: int, seed: int) -> LightSource:
+def light_source(source: Source, optic: Element, pose: Pose, rays: int, seed: int) -> LightSource:
     """The element that a source is.
 
     Parameters
     ----------
     source : Source
         The source.
-    optic : Optic
+    optic : Element
         Gives the entrance face.
     pose : Pose
         How the lens stands.

@@ -12,7 +12,7 @@ from workbench.analysis.tracing.sources.even import in_disc, in_square, pairs
 from workbench.analysis.tracing.sources.near import near_places
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
-from workbench.scene import AreaSource, Optic
+from workbench.scene import AreaSource, Element
 
 # Points that stand for the emitter at the first level of cells: their error is then like that of
 # the cells. And those by which the light that meets the face is added up, along each axis.
@@ -28,12 +28,12 @@ class AreaLight(Unspread):
     """
 
     def __init__(
-        self, source: AreaSource, optic: Optic, pose: Pose, rays: int, seed: int, doubled: int = 0
+        self, source: AreaSource, optic: Element, pose: Pose, rays: int, seed: int, doubled: int = 0
     ) -> None:
         self._given = source, optic, pose, rays, seed
         self._source, self._lens, self._pose, self._seed = source, optic, pose, seed
         self._upwards, self._half_width = pose.axis(), optic.half_width
-        middle = pose.to_lens(np.array([source.center]), optic.front_z)
+        middle = pose.to_lens(np.array([source.position]), optic.front_z)
         # From afar all points light the face alike: places by the middle are spread more evenly.
         self._middle = middle if -middle[0, 2] > max(source.half_width) else None
         self._lambertian = source.emission == "lambertian"
@@ -72,7 +72,7 @@ class AreaLight(Unspread):
         if self._source.outline == "ellipse":
             x, y = (np.sqrt(a) * turn(2 * math.pi * b) for turn in (np.cos, np.sin))
         r_x, r_y = self._source.half_width
-        places = np.column_stack([r_x * x, r_y * y, np.zeros_like(x)]) + self._source.center
+        places = np.column_stack([r_x * x, r_y * y, np.zeros_like(x)]) + self._source.position
         return self._pose.to_lens(places, self._lens.front_z)
 
     def _between(self, points: Array, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:

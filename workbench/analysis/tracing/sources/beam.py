@@ -11,7 +11,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.even import in_disc, pairs
 from workbench.arrays import Array
-from workbench.scene import CollimatedSource, Optic
+from workbench.scene import CollimatedSource, Element
 
 # Directions that stand for the disc at the first level of cells.
 _ORIGINS = 32
@@ -38,7 +38,7 @@ class BeamLight:
     def __init__(
         self,
         source: CollimatedSource,
-        optic: Optic,
+        optic: Element,
         pose: Pose,
         rays: int,
         seed: int,

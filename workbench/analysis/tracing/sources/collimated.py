@@ -10,7 +10,7 @@ from workbench.analysis.tracing.sources.cells import Cells
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
-from workbench.scene import CollimatedSource, Optic
+from workbench.scene import CollimatedSource, Element
 
 
 class CollimatedLight(Unspread):
@@ -21,7 +21,7 @@ class CollimatedLight(Unspread):
     """
 
     def __init__(
-        self, source: CollimatedSource, optic: Optic, pose: Pose, rays: int, seed: int
+        self, source: CollimatedSource, optic: Element, pose: Pose, rays: int, seed: int
     ) -> None:
         r_x, r_y = optic.half_width
         self._outline = outline_of(optic)

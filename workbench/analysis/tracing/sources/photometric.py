@@ -14,7 +14,7 @@ from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.measured.lamps import intensity_of
-from workbench.scene import Optic, PhotometricSource
+from workbench.scene import Element, PhotometricSource
 
 
 class PhotometricLight(Unspread):
@@ -27,7 +27,7 @@ class PhotometricLight(Unspread):
     beside = 0.0
 
     def __init__(
-        self, source: PhotometricSource, optic: Optic, pose: Pose, rays: int, seed: int
+        self, source: PhotometricSource, optic: Element, pose: Pose, rays: int, seed: int
     ) -> None:
         r_x, r_y = optic.half_width
         self._outline, self._half_width, self._beside = outline_of(optic), (r_x, r_y), 2 * r_x

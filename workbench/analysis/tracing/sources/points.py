@@ -12,7 +12,7 @@ from workbench.analysis.tracing.sources.cone_kernels import emit
 from workbench.analysis.tracing.sources.cones import Cones, covering_cones, powers
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
-from workbench.scene import LightOfPoints, Optic
+from workbench.scene import Element, LightOfPoints
 
 
 class PointLight(Unspread):
@@ -25,7 +25,7 @@ class PointLight(Unspread):
     beside = 0.0
 
     def __init__(
-        self, source: LightOfPoints, optic: Optic, pose: Pose, rays: int, seed: int
+        self, source: LightOfPoints, optic: Element, pose: Pose, rays: int, seed: int
     ) -> None:
         self._seed = seed
         # Flux goes with the cosine to this; even light has none.

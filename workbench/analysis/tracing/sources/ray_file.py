@@ -12,7 +12,7 @@ from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.analysis.tracing.sources.unspread import Unspread
 from workbench.arrays import Array
 from workbench.measured.lamps import ray_model, rays_of
-from workbench.scene import Optic, RayFileSource
+from workbench.scene import Element, RayFileSource
 
 _AT_ONCE = 1 << 15
 # Points that stand for the rays where cells ask for light.
@@ -31,7 +31,7 @@ class RayFileLight(Unspread):
     beside, sampled = 0.0, True
 
     def __init__(
-        self, source: RayFileSource, optic: Optic, pose: Pose, rays: int, seed: int
+        self, source: RayFileSource, optic: Element, pose: Pose, rays: int, seed: int
     ) -> None:
         found = rays_of(source)
         count = len(found.flux)

@@ -10,7 +10,7 @@ from workbench.analysis.tracing.surfaces.spline_kernels import Spline, meet, sur
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Optic
+from workbench.scene import Element
 
 # Places on the rim, over the half-width, by rounding.
 _RIM = 1 + 1e-9
@@ -24,7 +24,7 @@ class SplineFace:
 
     Parameters
     ----------
-    optic : Optic
+    optic : Element
         The lens.
     control_points : ndarray, shape (n_u, n_v)
         Control heights, scene units.
@@ -35,7 +35,7 @@ class SplineFace:
     """
 
     def __init__(
-        self, optic: Optic, control_points: Array, missed: str, net: ControlNet | None = None
+        self, optic: Element, control_points: Array, missed: str, net: ControlNet | None = None
     ) -> None:
         self.missed = missed
         net = net or ControlNet.of(optic)
