@@ -61,4 +61,4 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     Refused
         If the screen may touch the lens there, or the receiver is at no distance.
     """
-    return scene.altered(screen=scene.receiver.moved_to(z))
+    return scene.with_receiver(scene.receiver.moved_to(z))

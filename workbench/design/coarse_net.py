@@ -72,7 +72,7 @@ def coarse_net(scene: Scene, target: Array, result: Result) -> CoarseNet | None:
     if limited or any(any(Blur.of(image).widths) for image in scene.single):
         return None
     shape = scene.optic.net_shape
-    optic = scene.optic.model_copy(update={"control_points": AutoNet()})
+    optic = scene.optic.shaped(control_points=AutoNet())
     finer = definite(scene.with_optic(optic), target).optic.net_shape
     if max(many / few for many, few in zip(finer, shape, strict=True)) < _FINER:
         return None

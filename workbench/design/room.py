@@ -201,7 +201,7 @@ class Room:
         tolerable = _TOLERABLE * float(np.ptp(first - limits.undesigned))
         if limits.lacks(first) <= tolerable:
             return None
-        optic = self.scene.optic.model_copy(update={"height_range": None})
+        optic = self.scene.optic.shaped(height_range=None)
         optic = bounded(self.scene.with_optic(optic), CLOSEST)
         limits = HeightLimits.of(optic, self._net)
         lacks = limits.lacks(first)

@@ -266,8 +266,7 @@ def _timed(method: Method, example: BenchmarkTask, iterations: int | None) -> It
 def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) -> TracedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
     # A method may design on a net of its own.
-    net = {"control_points": lens.shape}
-    scene = example.scene.model_copy(update={"lens": example.scene.optic.model_copy(update=net)})
+    scene = example.scene.with_optic(example.scene.optic.shaped(control_points=lens.shape))
     image = finished(imaging(scene, {example.scene.optic.designed_face: lens}, accuracy))
     if image is None:
         light = validate(scene, example.target, {example.scene.optic.designed_face: lens}, _RAYS)

@@ -50,9 +50,9 @@ def _auto(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens
 
 def _paper(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
     n_u, n_v = example.scene.optic.net_shape
-    net = {"control_points": (min(n_u, _PAPER_NET), min(n_v, _PAPER_NET))}
-    lens = example.scene.optic.model_copy(update=net)
-    coarse = replace(example, scene=example.scene.model_copy(update={"lens": lens}))
+    net = min(n_u, _PAPER_NET), min(n_v, _PAPER_NET)
+    lens = example.scene.optic.shaped(control_points=net)
+    coarse = replace(example, scene=example.scene.with_optic(lens))
     lenses = _designed(coarse, "paper", iterations or _PAPER_ITERATIONS)
     return takewhile(lambda lens: lens.seconds <= _PAPER_SECONDS, lenses)
 
