@@ -107,12 +107,12 @@ def test_a_look_at_the_lens_holds_it_large_and_free_of_the_screen(
     camera = FittedCamera(plotter, scene, perspective=perspective)
     camera.fit("lens")
     sight = Sight(plotter)
-    left, low, right, high = outline(sight, scene.lens.half_width, (0.0, 0.5))
+    left, low, right, high = outline(sight, scene.optic.half_width, (0.0, 0.5))
     width, height = plotter.window_size
     assert min(left, low) > 0 and right < width and high < height
     assert max((right - left) / width, (high - low) / height) > 0.7
-    beyond = perspective and plotter.camera.position[2] < scene.screen.z  # behind the camera
-    assert beyond or outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right
+    beyond = perspective and plotter.camera.position[2] < scene.receiver.z  # behind the camera
+    assert beyond or outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right
 
 
 @pytest.mark.parametrize("changes", SCENES)
@@ -120,10 +120,10 @@ def test_a_look_at_the_screen_is_from_its_free_side(make_scene, plotter, changes
     scene = make_scene(changes)
     camera = FittedCamera(plotter, scene)
     camera.fit("screen")
-    left, low, right, high = outline(Sight(plotter), scene.screen.half_width, (scene.screen.z,))
+    left, low, right, high = outline(Sight(plotter), scene.receiver.half_width, (scene.receiver.z,))
     assert high - low == pytest.approx(HEIGHT / 1.12)
     assert right - left == pytest.approx(high - low)
-    assert plotter.camera.position[2] > scene.screen.z and plotter.camera.up == (0, 1, 0)
+    assert plotter.camera.position[2] > scene.receiver.z and plotter.camera.up == (0, 1, 0)
 
 
 @pytest.mark.parametrize("changes", SCENES)
@@ -131,8 +131,8 @@ def test_the_first_look_shows_the_lens_free_of_the_screen(make_scene, plotter, c
     scene = make_scene(changes)
     FittedCamera(plotter, scene).fit("")
     sight = Sight(plotter)
-    *_, right, _ = outline(sight, scene.lens.half_width, (0.0, 0.5))
-    assert outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right - 1
+    *_, right, _ = outline(sight, scene.optic.half_width, (0.0, 0.5))
+    assert outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right - 1
 
 
 def test_a_look_at_the_lens_follows_how_high_it_is(make_scene, plotter):

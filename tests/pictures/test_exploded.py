@@ -23,10 +23,10 @@ def test_a_far_and_wide_screen_leaves_the_lens_a_good_part_of_the_picture(make_s
     scene = make_scene(changes if source is None else {**changes, "source": source})
     corners = space(exploded(scene))
     extent = corners.max(axis=0) - corners.min(axis=0)
-    assert (extent <= 2 * max(scene.lens.half_width) * np.array([1.5, 1.5, 4.5])).all()
-    drawn = exploded(scene).screen
+    assert (extent <= 2 * max(scene.optic.half_width) * np.array([1.5, 1.5, 4.5])).all()
+    drawn = exploded(scene).receiver
     assert drawn.half_width[0] == pytest.approx(2 * drawn.half_width[1])
-    assert exploded(scene).lens == scene.lens
+    assert exploded(scene).optic == scene.optic
 
 
 def test_near_and_small_parts_stay(make_scene):
@@ -43,9 +43,9 @@ def test_rays_begin_at_the_source_and_end_in_the_image(make_scene, source):
     paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (5, 5))
     points = explode_paths(paths.points, scene)
     np.testing.assert_array_equal(points[:, 1:3], paths.points[:, 1:3])
-    np.testing.assert_allclose(points[:, 3, 2], drawn.screen.z)
-    before = scene.screen.to_pixels(*paths.points[:, 3, :2].T)
-    np.testing.assert_allclose(drawn.screen.to_pixels(*points[:, 3, :2].T), before)
+    np.testing.assert_allclose(points[:, 3, 2], drawn.receiver.z)
+    before = scene.receiver.to_pixels(*paths.points[:, 3, :2].T)
+    np.testing.assert_allclose(drawn.receiver.to_pixels(*points[:, 3, :2].T), before)
     starts = ray_paths(drawn, {"exit": np.full((12, 10), 0.5)}, (5, 5)).points[:, 0]
     np.testing.assert_allclose(points[:, 0], starts)
 

@@ -28,7 +28,7 @@ def axes():
 
 def test_target_irradiance_carries_unit_flux(scene, rng):
     target = rng.random((4, 8))
-    flux = target_irradiance(scene, target).sum() * scene.screen.pixel_measure
+    flux = target_irradiance(scene, target).sum() * scene.receiver.pixel_measure
     assert flux == pytest.approx(1, abs=1e-12)
 
 

@@ -76,7 +76,7 @@ def scene_sight(make_scene, plotter):
 
 def test_a_look_finds_the_body_under_the_pointer(scene_sight):
     scene, sight = scene_sight
-    for place in ([0.2, 0.3, 0.5], [-0.4, 0.1, scene.screen.z]):  # the exit face, the screen
+    for place in ([0.2, 0.3, 0.5], [-0.4, 0.1, scene.receiver.z]):  # the exit face, the screen
         (pixel,) = sight.pixels(np.array([place]))
         np.testing.assert_allclose(sight.point(*pixel), place, atol=1e-3)
 

@@ -53,7 +53,7 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     traced = Plan(scene).trace({"exit": torch.tensor(result.state.heights["exit"])}).account
     assert result.state.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
-    flux = result.state.irradiance.sum() * scene.screen.pixel_measure
+    flux = result.state.irradiance.sum() * scene.receiver.pixel_measure
     assert flux == pytest.approx(traced.on_screen, rel=0.05)
     assert np.ptp(result.state.irradiance) > 5 * np.ptp(flat.snapshot.state.irradiance[4:-4, 4:-4])
     document.undo_stack.undo()
