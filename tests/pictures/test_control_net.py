@@ -98,12 +98,12 @@ def test_a_coarse_net_is_shown_whole_with_its_lines(net, plotter):
     assert shown(net._points) == 0
     net.show(True)
     assert shown(net._points) == 120
-    assert net._threads.visibility and net._lines.n_lines == 22
+    assert net._net_lines.visibility and net._lines.n_lines == 22
     plotter.camera.zoom(0.2)
     net.update(np.full((12, 10), 0.5))
-    assert not net._threads.visibility and shown(net._points) == 120  # too close together
+    assert not net._net_lines.visibility and shown(net._points) == 120  # too close together
     net.show(False)
-    assert shown(net._points) == 0 and not net._threads.visibility
+    assert shown(net._points) == 0 and not net._net_lines.visibility
 
 
 def test_a_fine_net_is_shown_near_the_brush_alone(fine, plotter):
@@ -114,7 +114,7 @@ def test_a_fine_net_is_shown_near_the_brush_alone(fine, plotter):
     assert shown(fine._points) == 25 * 16
     assert fine._lines.n_lines == 25 + 16
     fine.brush(None)
-    assert shown(fine._points) == 0 and not fine._threads.visibility
+    assert shown(fine._points) == 0 and not fine._net_lines.visibility
 
 
 @pytest.mark.parametrize("view", ["", "side", "top", "axis"])
@@ -154,7 +154,7 @@ def test_locked_points_are_squares_of_another_colour(net, plotter):
     net.show(True)
     plotter.camera.focal_point = net.places[8, 8]
     plotter.camera.zoom(5)
-    net._threads.SetVisibility(False)
+    net._net_lines.SetVisibility(False)
     plain = drawn(plotter)
     assert shown(net._locks) == 1
     assert shown(net._points) == 119

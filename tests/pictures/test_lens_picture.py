@@ -7,7 +7,7 @@ from resources import path
 from workbench.files.scene import read_scene
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
-from workbench.pictures.exploded import exploded
+from workbench.pictures.compressed import compress_distances
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
 from workbench.scene import DrawnTarget
@@ -150,7 +150,7 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     picture.fit("axis")
     surface, paths, _ = state(scene, rays=(1, 1))
     picture.update(surface, paths, 0 * even, further=[target_irradiance(scene, even)])
-    shown = exploded(scene) if explode else scene
+    shown = compress_distances(scene) if explode else scene
     place = (0.5, 0.5, shown.further_images[0].screen.z)
     assert shown.receiver.z < place[2] <= 40.0  # seen from beyond, the far one is in front
     row, column = screen_pixel(plotter, place)

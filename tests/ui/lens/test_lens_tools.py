@@ -324,7 +324,7 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     qtbot.waitUntil(lambda: view.frame.session is tools.document.session, timeout=20_000)
     view.explode(True)
     qtbot.waitUntil(lambda: view._shown is not None)
-    held = drag(view, seen_at(view, view.handles._dots._mesh.points[-1]))
+    held = drag(view, seen_at(view, view.handles._markers._mesh.points[-1]))
     held.move(QPoint(20, 5))
     held.release()
     assert tools.document.undo_stack.count() == 1
