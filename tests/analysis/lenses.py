@@ -7,8 +7,8 @@ from workbench.geometry.surface import ControlNet
 
 def net_of(scene, height):
     """Control heights of the spline that interpolates a height function."""
-    net = ControlNet.of(scene.lens)
-    (x, y), (p, q), (r_x, r_y) = net.positions, scene.lens.degree, scene.lens.half_width
+    net = ControlNet.of(scene.optic)
+    (x, y), (p, q), (r_x, r_y) = net.positions, scene.optic.degree, scene.optic.half_width
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, (r_x, r_y), strict=True)]
     values = height(x[:, None], y[None, :])
     values = make_interp_spline(x, values, p, t=knots[0]).c

@@ -80,7 +80,7 @@ class TestWithMitsuba:
     @staticmethod
     def lopsided(scene):
         """A face that gathers light beside the axis, differently along x and y."""
-        x, y = ControlNet.of(scene.lens).positions
+        x, y = ControlNet.of(scene.optic).positions
         x, y = x[:, None], y[None, :]
         return 0.5 - 0.05 * x**2 + 0.03 * y**2 + 0.04 * x + 0.03 * x * y**2 - 0.02 * y
 

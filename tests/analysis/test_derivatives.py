@@ -41,11 +41,11 @@ def make(make_scene):
 
 
 def flat(scene):
-    return np.full(scene.lens.net_shape, scene.lens.base.height)
+    return np.full(scene.optic.net_shape, scene.optic.base.height)
 
 
 def wavy(scene, rng):
-    return flat(scene) + 0.02 * rng.normal(size=scene.lens.net_shape)
+    return flat(scene) + 0.02 * rng.normal(size=scene.optic.net_shape)
 
 
 def derivative_of(scene, heights, weights, index):
@@ -53,7 +53,7 @@ def derivative_of(scene, heights, weights, index):
     leaf = torch.tensor(heights, requires_grad=True)
     flux = Plan(scene, dtype=torch.float64).flux({"exit": leaf})
     (flux * torch.as_tensor(weights)).sum().backward()
-    return leaf.grad[index].item() / scene.screen.pixel_measure
+    return leaf.grad[index].item() / scene.receiver.pixel_measure
 
 
 @pytest.mark.parametrize("case", ["a", "b"])
@@ -64,7 +64,7 @@ def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
     border[1:-1, 1:-1] = False
     assert not found.map[border].any()
     assert abs(found.sum) < 1e-14 * found.flux
-    assert found.sum == pytest.approx(found.map.sum() * scene.screen.pixel_measure, abs=1e-14)
+    assert found.sum == pytest.approx(found.map.sum() * scene.receiver.pixel_measure, abs=1e-14)
 
 
 def test_light_is_all_but_conserved_where_border_pixels_are_reached(make):
@@ -147,7 +147,7 @@ def test_differences_of_images_agree(make, rng, case, source):
         moved = torch.tensor(heights)
         moved[index] += sign * step
         images.append(plan.flux({"exit": moved}).numpy())
-    differences = (images[0] - images[1]) / (2 * step * scene.screen.pixel_measure)
+    differences = (images[0] - images[1]) / (2 * step * scene.receiver.pixel_measure)
     # The truncated filter has kinks, and few rays within a step of one make all the difference.
     error = np.linalg.norm(found.map - differences) / np.linalg.norm(differences)
     assert error < 1e-4
@@ -198,18 +198,18 @@ def test_each_face_has_derivatives_of_its_own(make_scene, rng):
     scene = make_scene({"lens.entrance": entrance})
     heights = {
         face: each + 0.01 * rng.normal(size=each.shape)
-        for face, each in undesigned(scene.lens).items()
+        for face, each in undesigned(scene.optic).items()
     }
-    weights = rng.normal(size=scene.screen.pixels[::-1])
+    weights = rng.normal(size=scene.receiver.pixels[::-1])
     leaves = {face: torch.tensor(each, requires_grad=True) for face, each in heights.items()}
     flux = Plan(scene, dtype=torch.float64).flux(leaves)
     (flux * torch.as_tensor(weights)).sum().backward()
     for face, index in [("entrance", (2, 3)), ("exit", (6, 5))]:
         found = irradiance_derivative(scene, heights, index, face=face)
-        wanted = leaves[face].grad[index].item() / scene.screen.pixel_measure
+        wanted = leaves[face].grad[index].item() / scene.receiver.pixel_measure
         assert (found.map * weights).sum() == pytest.approx(wanted, rel=1e-9)
         assert found.position == pytest.approx(
-            [at[i] for at, i in zip(freeform_nets(scene.lens)[face].positions, index, strict=True)]
+            [at[i] for at, i in zip(freeform_nets(scene.optic)[face].positions, index, strict=True)]
         )
     with pytest.raises(Refused, match="0 to 5"):
         irradiance_derivative(scene, heights, (6, 5), face="entrance")

@@ -66,9 +66,11 @@ def test_within_the_lens(lens):
 
 def test_parts_of_the_way_to_the_screen_clear_the_lens(make_scene):
     scene, flat = make_scene(), np.full((12, 10), 0.5)
-    top = scene.lens.highest
-    assert screen_at(scene, {"exit": flat}, 1) == scene.screen.z
-    assert screen_at(scene, {"exit": flat}, 0.5) - top == pytest.approx((scene.screen.z - top) / 2)
+    top = scene.optic.highest
+    assert screen_at(scene, {"exit": flat}, 1) == scene.receiver.z
+    assert screen_at(scene, {"exit": flat}, 0.5) - top == pytest.approx(
+        (scene.receiver.z - top) / 2
+    )
     with_screen_at(scene, screen_at(scene, {"exit": flat}, 1e-6))
     with pytest.raises(Refused, match="may touch the lens"):
         with_screen_at(scene, screen_at(scene, {"exit": flat}, 0))

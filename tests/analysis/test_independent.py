@@ -110,7 +110,7 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
 def test_a_source_without_size_has_cells_alone(make_scene, target):
     point = {"kind": "point", "position": [0, 0, -4.0]}
     scene = make_scene({"source": point, "screen.pixels": [24, 24]})
-    plate = {"exit": np.full(scene.lens.net_shape, 0.5)}
+    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
     found = validate(scene, target, plate, 10_000, accuracy=1e-3)
     assert found.by_cells.independent is None
     assert found.by_cells.way.endswith("cells, without random rays")
@@ -122,7 +122,7 @@ def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp
     for name, count in (("few", 60_000), ("many", 1_200_000)):
         (tmp_path / name).mkdir()
         scene = make_scene(PLATE | {"source": led(tmp_path / name, count)})
-        plate = {"exit": np.full(scene.lens.net_shape, 0.5)}
+        plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
         wanted = np.ones((40, 40))
         found.append(validate(scene, wanted, plate, 4_000_000, accuracy=1e-3))
     few, many = found

@@ -48,10 +48,10 @@ tasks = [source | shape | {"run": {"method": method, "iterations": 2}}
          for shape in shapes for method in ("auto", "paper")]
 for task in tasks:
     scene = Scene.from_data(changed(task))
-    fine.append(precision_of(scene, ControlNet.of(scene.lens)) == torch.float64)
-    target = np.ones(scene.screen.pixels[::-1])
+    fine.append(precision_of(scene, ControlNet.of(scene.optic)) == torch.float64)
+    target = np.ones(scene.receiver.pixels[::-1])
     target[:, 0] = 0
-    heights = undesigned(scene.lens)
+    heights = undesigned(scene.optic)
     with suppress(RunFailed):  # a far screen may see no light
         for snapshot in run(scene, target):
             heights = snapshot.state.heights

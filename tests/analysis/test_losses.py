@@ -40,7 +40,7 @@ def checked(scene, heights):
 
 def walked(scene, heights):
     """Account of the walk in float64."""
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     leaf = {name: torch.as_tensor(z) for name, z in heights.items()}
     arrival = path.walk(leaf)
     lost = {name: flux.item() for name, flux in arrival.lost.items()}
@@ -87,7 +87,7 @@ def test_glass_that_absorbs_nothing_has_no_such_entry(make_scene):
 def test_design_and_check_lose_the_same_light_and_all_adds_up(make_scene, source, losses):
     screen = {"screen.half_width": [4.0, 4.0]}
     scene = make_scene({"source": source, "lens.refractive_index": 1.8} | screen | losses)
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     heights = {"exit": 0.5 - 0.1 * x[:, None] ** 2 + 0.06 * x[:, None] * y[None, :]}
     check, design = checked(scene, heights), planned(scene, heights)
     for account in (check, design):

@@ -11,7 +11,7 @@ from workbench.geometry.surface import ControlNet
 def lens_of(make_scene, height, changes=None):
     """A lens and the control heights that interpolate a height function."""
     changes = {"lens.control_points": [40, 36], "lens.half_width": [1.0, 0.8]} | (changes or {})
-    lens = make_scene(changes).lens
+    lens = make_scene(changes).optic
     net = ControlNet.of(lens)
     (x, y), (p, q) = net.positions, net.degree
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
@@ -96,7 +96,7 @@ def test_thickness_counts_from_the_entrance_face(make_scene):
 @pytest.mark.parametrize("degree", [(2, 3), (3, 3), (5, 4)])
 def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     changes = {"lens.control_points": [9, 8], "lens.degree": list(degree)}
-    lens = make_scene(changes).lens
+    lens = make_scene(changes).optic
     heights = {"exit": 0.5 + 0.1 * rng.random((9, 8))}
     found = manufacture(lens, heights)
     maps = surface_maps(lens, heights, (1237, 1171))
@@ -116,17 +116,17 @@ def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
 def test_edges_of_degree_1_have_radius_0(make_scene):
     changes = {"lens.control_points": [3, 4], "lens.degree": [1, 3]}
     roof = np.array([0.5, 0.6, 0.5])[:, None] * np.ones(4)
-    found = manufacture(make_scene(changes).lens, {"exit": roof})
+    found = manufacture(make_scene(changes).optic, {"exit": roof})
     assert found.tightest_convex.value == 0
     assert found.tightest_concave.value == math.inf
-    valley = manufacture(make_scene(changes).lens, {"exit": 1.1 - roof})
+    valley = manufacture(make_scene(changes).optic, {"exit": 1.1 - roof})
     assert valley.tightest_concave.value == 0
     assert valley.tightest_convex.value == math.inf
 
 
 def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
     """Wild heights at a corner of the bounding rectangle are not of the lens."""
-    flat = make_scene({"lens.control_points": [32, 32]}).lens
+    flat = make_scene({"lens.control_points": [32, 32]}).optic
     heights = np.full((32, 32), 0.5)
     heights[:4, :4] = 3.0
     heights[-3:, -3:] = -2.0
@@ -140,7 +140,7 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
 
 
 def test_maps_of_an_elliptic_lens_are_blank_beside_it(make_scene):
-    lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).lens
+    lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).optic
     maps = surface_maps(lens, {"exit": np.full((12, 10), 0.5)}, (41, 21))
     inside = (maps.x / 1.0) ** 2 + (maps.y[:, None] / 0.5) ** 2 <= 1
     for values in (maps.thickness, maps.slope, maps.concave, maps.convex):

@@ -60,7 +60,7 @@ def test_a_ball_cutter_has_to_fit(radius, state):
 
 
 def test_a_figure_on_its_limit_keeps_it(make_scene):
-    plate = manufacture(make_scene().lens, {"exit": np.full((12, 10), 0.5)})
+    plate = manufacture(make_scene().optic, {"exit": np.full((12, 10), 0.5)})
     found = verdicts(plate, Limits(min_thickness=0.5, max_thickness=0.5))
     assert [v.state for v in found] == ["met", "met"]
     assert plate.to_data()["tightest_concave"]["value"] is None

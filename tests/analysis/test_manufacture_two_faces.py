@@ -28,7 +28,7 @@ def lens_of(make_scene):
                 "lens.outline": outline,
                 "lens.entrance": freeform,
             }
-        ).lens
+        ).optic
         heights = {}
         for (face, net), z in zip(freeform_nets(lens).items(), (entrance, exit_face), strict=True):
             (x, y), (p, q) = net.positions, net.degree

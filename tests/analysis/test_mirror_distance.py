@@ -30,7 +30,7 @@ def test_a_screen_at_half_the_way_is_between_mirror_and_screen(scene):
 
 def test_a_screen_that_is_too_far_has_a_smaller_z(scene):
     moved, _ = Perturbation(distance=0.25).applied(scene, {"mirror": np.zeros((4, 4))})
-    assert moved.screen.z == pytest.approx(-5.25)
+    assert moved.receiver.z == pytest.approx(-5.25)
 
 
 def test_a_distance_up_to_the_mirror_is_tolerated(scene):

@@ -14,7 +14,7 @@ COUNT = 100_000
 
 
 def found(draw, scene):
-    return draw(scene.source, scene.lens, np.random.default_rng(3), COUNT)
+    return draw(scene.source, scene.optic, np.random.default_rng(3), COUNT)
 
 
 def test_light_of_a_disc_is_even_in_solid_angle(make_scene):
@@ -41,16 +41,16 @@ def test_rays_of_an_emitter_come_from_its_face(make_scene, outline):
     emitter = {"kind": "area", "center": [0.1, 0.2, -3.0], "half_width": [0.4, 0.2]}
     scene = make_scene({"source": emitter | {"outline": outline, "emission": "uniform"}})
     light = found(_from_area, scene)
-    back = (scene.lens.entrance_z + 3.0) / light.way[:, 2]
+    back = (scene.optic.entrance_z + 3.0) / light.way[:, 2]
     x = (light.x - back * light.way[:, 0] - 0.1) / 0.4
     y = (light.y - back * light.way[:, 1] - 0.2) / 0.2
     far = np.hypot(x, y) if outline == "ellipse" else np.maximum(abs(x), abs(y))
     assert far.max() <= 1 + 1e-6
     assert (far < 0.5).mean() == pytest.approx(0.25, rel=0.03)
     # From afar: the solid angle of the face over that of the half-space.
-    r_x, r_y = scene.lens.half_width
+    r_x, r_y = scene.optic.half_width
     x, y = np.meshgrid(np.linspace(-r_x, r_x, 101), np.linspace(-r_y, r_y, 101))
-    h = scene.lens.entrance_z + 3.0
+    h = scene.optic.entrance_z + 3.0
     solid = 4 * r_x * r_y * np.mean(h / ((x - 0.1) ** 2 + (y - 0.2) ** 2 + h**2) ** 1.5)
     assert light.flux.sum() / light.emitted == pytest.approx(solid / (2 * math.pi), rel=0.02)
 

@@ -32,10 +32,10 @@ def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, sour
         }
     )
     heights = {}
-    for (name, net), z in zip(freeform_nets(scene.lens).items(), (0.0, 0.6), strict=True):
+    for (name, net), z in zip(freeform_nets(scene.optic).items(), (0.0, 0.6), strict=True):
         x, y = net.positions[0][:, None], net.positions[1]
         heights[name] = z + 0.01 * np.sin(2 * x + len(name)) * np.cos(3 * y)
-    x, y = freeform_nets(scene.lens)["entrance"].positions
+    x, y = freeform_nets(scene.optic)["entrance"].positions
     heights["entrance"] += 0.12 * (x[:, None] ** 2 + y**2)
     found = cross_check(scene, np.ones((16, 16)), heights, rays=100_000)
     assert found.ours.efficiency > 0.3

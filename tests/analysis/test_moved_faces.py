@@ -43,7 +43,7 @@ def test_an_afocal_pair_bends_by_what_one_face_is_tilted(make_scene):
     scene = make_scene({"version": 2, "lens.entrance": FREEFORM})
     heights = {}
     for face, shape, z in (("entrance", (6, 6), 0.0), ("exit", (12, 10), 0.5)):
-        x, _ = ControlNet(shape, (3, 3), scene.lens.half_width).positions
+        x, _ = ControlNet(shape, (3, 3), scene.optic.half_width).positions
         heights[face] = np.tile(z + 0.1 * x[:, None], (1, shape[1]))
     straight, _ = leaving(scene, heights, Pose())
     assert straight == pytest.approx([0.0, 0.0, 1.0], abs=1e-14)
@@ -85,7 +85,7 @@ def test_an_entrance_face_is_as_rough_as_it_was_said(make_scene):
         rough = Perturbation(entrance_surface=(1e-3, 0.3), seed=3)
         off, moved = rough.applied(scene, heights)
         assert moved["exit"] is heights["exit"]
-        net = ControlNet(*off.lens.entrance.net(off.lens.net_shape), off.lens.half_width)
+        net = ControlNet(*off.optic.entrance.net(off.optic.net_shape), off.optic.half_width)
         middles = (np.arange(200) + 0.5) / 200
         errors = net.grid(middles, middles).evaluate(moved["entrance"])[0]
         assert errors.std() == pytest.approx(1e-3, rel=0.02)
@@ -104,7 +104,7 @@ def test_exit_faces_are_drawn_within_their_disc_and_other_errors_as_before():
 
 
 def test_faces_that_may_touch_are_refused(make_scene):
-    x, _ = ControlNet.of(make_scene().lens).positions
+    x, _ = ControlNet.of(make_scene().optic).positions
     wedge = {"exit": np.tile(0.5 + 0.2 * x[:, None], (1, 10))}
     for within, words in (
         (Tolerances(exit_tilt=0.2), "exit_tilt: the exit face may come 0.287 nearer"),

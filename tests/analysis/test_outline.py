@@ -46,7 +46,7 @@ def test_parallel_light_beside_the_ellipse_is_counted_without_a_ray(make_scene):
 
 
 def test_rays_fill_the_ellipse_evenly(make_scene):
-    lens = make_scene(ROUND).lens
+    lens = make_scene(ROUND).optic
     light = light_source(make_scene(ROUND).source, lens, Pose(), 40_000, 1)
     places = np.vstack([r.position for n in range(BATCHES) for r in light.batch(n)])
     x, y = places[:, 0], places[:, 1] / 0.8

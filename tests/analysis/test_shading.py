@@ -100,7 +100,7 @@ def test_far_fields_and_screens_behind_lenses_shade_nothing(make_scene):
     scene = mirror(screen=None, far_field=field)
     assert shading_of(scene, trough(scene, 0.0), seed=1).through_receiver == 0.0
     lens = make_scene()
-    plate = {"exit": np.full(lens.lens.net_shape, 0.5)}
+    plate = {"exit": np.full(lens.optic.net_shape, 0.5)}
     assert shading_of(lens, plate, seed=1).figures == {}
 
 

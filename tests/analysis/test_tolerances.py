@@ -24,7 +24,7 @@ def wide(make_scene):
 
 
 def prism(scene, slope_x, slope_y):
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     return 0.5 + slope_x * np.asarray(x)[:, None] + slope_y * np.asarray(y)[None, :]
 
 
@@ -147,7 +147,7 @@ class TestSurfaceNoise:
     @pytest.mark.parametrize("scale", [0.05, 0.3, 1.5])
     @pytest.mark.parametrize("degree", [(3, 3), (1, 5)])
     def test_amplitude(self, make_scene, rng, degree, scale):
-        lens = make_scene({"lens.degree": degree, "lens.half_width": [1.0, 0.8]}).lens
+        lens = make_scene({"lens.degree": degree, "lens.half_width": [1.0, 0.8]}).optic
         heights = 0.5 + 0.1 * rng.random((12, 10))
         rng = np.random.default_rng(3)
         noisy = with_noise(ControlNet.of(lens), heights, 0.01, scale, rng)
@@ -156,7 +156,7 @@ class TestSurfaceNoise:
         assert abs(error.mean()) < 1e-4
 
     def test_scale(self, make_scene):
-        lens, scale = make_scene().lens, 0.1
+        lens, scale = make_scene().optic, 0.1
         rng = np.random.default_rng(4)
         noise = with_noise(ControlNet.of(lens), np.zeros((12, 10)), 1.0, scale, rng)
         error = self.sampled(lens, noise)  # 400 samples over 2: 20 over the scale
@@ -165,7 +165,7 @@ class TestSurfaceNoise:
             assert (a * b).mean() == pytest.approx(math.exp(-1), abs=0.1)
 
     def test_no_amplitude_is_the_same_face(self, make_scene, rng):
-        lens = make_scene().lens
+        lens = make_scene().optic
         heights = 0.5 + 0.1 * rng.random((12, 10))
         same = with_noise(ControlNet.of(lens), heights, 0.0, 0.05, rng)
         error = self.sampled(lens, same) - self.sampled(lens, heights)
@@ -334,8 +334,8 @@ class TestSource:
 def test_round_lenses_on_any_base_are_perturbed(make_scene, changes):
     """Worse than the lens as designed, and still most of its light."""
     scene = make_scene({"screen.half_width": [1.5, 1.5]} | changes)
-    x, y = ControlNet.of(scene.lens).positions
-    heights = {"exit": scene.lens.base.height_at(x[:, None], y)}
+    x, y = ControlNet.of(scene.optic).positions
+    heights = {"exit": scene.optic.base.height_at(x[:, None], y)}
     target = validate(scene, np.ones((32, 32)), heights, RAYS).irradiance
     within = Tolerances(tilt=0.02, decentre=0.1, index=0.01, distance=0.1, surface=(1e-3, 0.4))
     nominal, *others = perturbed(scene, target, heights, within, 3, 20_000)

@@ -22,7 +22,7 @@ SOURCES = {
 def lens_of(scene):
     """Heights of two faces with some waves; the first gathers light, so that none leaves aside."""
     heights = {}
-    for (name, net), z in zip(freeform_nets(scene.lens).items(), (0.0, 0.6), strict=True):
+    for (name, net), z in zip(freeform_nets(scene.optic).items(), (0.0, 0.6), strict=True):
         x, y = net.positions[0][:, None], net.positions[1]
         heights[name] = z + 0.01 * np.sin(2 * x + len(name)) * np.cos(3 * y)
         if name == "entrance":
@@ -82,12 +82,12 @@ def test_rays_and_the_design_see_the_same_light(scene):
 
 @pytest.mark.parametrize("scene", ["collimated"], indirect=True)
 def test_a_rough_exit_face_leaves_the_net_of_the_entrance_face(scene):
-    entrance = scene.lens.entrance.model_copy(update={"control_points": AutoNet()})
-    scene = scene.with_optic(scene.lens.model_copy(update={"entrance": entrance}))
+    entrance = scene.optic.entrance.model_copy(update={"control_points": AutoNet()})
+    scene = scene.with_optic(scene.optic.model_copy(update={"entrance": entrance}))
     heights = lens_of(scene)
     rough = Perturbation(surface=(1e-3, 0.1), seed=1)
     moved, found = rough.applied(scene, heights)
-    nets = freeform_nets(moved.lens)
+    nets = freeform_nets(moved.optic)
     assert {face: each.shape for face, each in found.items()} == {
         face: net.shape for face, net in nets.items()
     }

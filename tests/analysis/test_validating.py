@@ -17,8 +17,8 @@ RAYS = 20_000
 @pytest.fixture
 def lens(make_scene):
     scene = make_scene()
-    n_x, n_y = scene.screen.pixels
-    return scene, np.ones((n_y, n_x)), {"exit": np.full(scene.lens.net_shape, 0.5)}
+    n_x, n_y = scene.receiver.pixels
+    return scene, np.ones((n_y, n_x)), {"exit": np.full(scene.optic.net_shape, 0.5)}
 
 
 def driven(steps):

@@ -21,7 +21,7 @@ ALIGNED = 16 * 64 * 64  # rays whose cells, 256 × 256, fill 32 × 32 pixels eve
 
 
 def uniform(scene):
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     return np.ones((n_y, n_x))
 
 
@@ -73,7 +73,7 @@ class TestPrism:
         scene = make_scene(
             {"lens.degree": degree, "lens.entrance_z": -1.0, "screen.half_width": [2.0, 2.0]}
         )
-        x, y = ControlNet.of(scene.lens).positions
+        x, y = ControlNet.of(scene.optic).positions
         heights = 0.5 + slope_x * x[:, None] + slope_y * y[None, :]
         return validate(scene, uniform(scene), {"exit": heights}, ALIGNED)
 
@@ -174,7 +174,7 @@ def test_the_optimisers_trace_agrees(rough):
     traced = plan.trace({"exit": torch.tensor(heights)})
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=2e-4)
-    expected = traced.flux.numpy() / scene.screen.pixel_measure
+    expected = traced.flux.numpy() / scene.receiver.pixel_measure
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
     assert error < 0.01
 

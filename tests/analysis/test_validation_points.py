@@ -15,7 +15,7 @@ GRID = {"kind": "grid", "center": [0.1, 0, -2], "half_width": [0.5, 1], "points"
 
 
 def uniform(scene):
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     return np.ones((n_y, n_x))
 
 
@@ -43,7 +43,7 @@ def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
     )
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=5e-3)
-    expected = traced.flux.numpy() / scene.screen.pixel_measure
+    expected = traced.flux.numpy() / scene.receiver.pixel_measure
     error = np.linalg.norm(found.irradiance - expected) / np.linalg.norm(expected)
     assert error < 0.06
     emitted, *parts = found.account.to_data().values()

@@ -50,14 +50,14 @@ def fake_run(monkeypatch, rng):
 
     def put(events, seconds=float):
         def run(scene, target, start=None, locked=None):
-            n_x, n_y = scene.screen.pixels
+            n_x, n_y = scene.receiver.pixels
             for i in range(scene.run.iterations + 1):
                 if i in events:
                     events[i]()
                 yield Snapshot(
                     LensState(
                         loss=1 / (i + 1),
-                        heights=FaceArrays({"exit": rng.random(scene.lens.net_shape)}),
+                        heights=FaceArrays({"exit": rng.random(scene.optic.net_shape)}),
                         irradiance=rng.random((n_y, n_x)),
                         account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     ),

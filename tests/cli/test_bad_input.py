@@ -200,7 +200,7 @@ def test_commands_that_need_a_lens(refusal, session_file, scene_file, command):
 def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, command):
     scene = Scene.from_data(changed({"target.blur": 1.0}))
     path = tmp_path / "edited.freeform"
-    start = np.full(scene.lens.net_shape, 0.5)
+    start = np.full(scene.optic.net_shape, 0.5)
     write_session(Session(scene, np.ones((32, 32)), start=FaceArrays({"exit": start})), path)
     verb, *tail = command
     said = refusal(verb, path, *tail)

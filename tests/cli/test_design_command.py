@@ -55,7 +55,7 @@ class TestDone:
         data["lens"]["control_points"] = "auto"
         scene_file.write_text(json.dumps(data))
         status, _, progress = freeform("design", scene_file, "-o", out, "--iterations", "1")
-        n_u, n_v = read_session(out).scene.lens.net_shape
+        n_u, n_v = read_session(out).scene.optic.net_shape
         assert status == 0
         assert progress.count(f"control points: {n_u} × {n_v}, chosen for this task") == 1
 
@@ -81,7 +81,7 @@ class TestDone:
         with zipfile.ZipFile(out) as session:
             assert "height_range" not in json.loads(session.read("session.json"))["scene"]["lens"]
         assert freeform("design", out, "-o", out)[0] == 0  # it goes on from its lens
-        assert read_session(out).scene.lens.height_range is None
+        assert read_session(out).scene.optic.height_range is None
 
     def test_an_svg_can_be_the_target_and_goes_along(self, freeform, scene_file, scene_data, out):
         drawing = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><circle r="4"/></svg>'
@@ -139,10 +139,8 @@ class TestDone:
         freeform("design", scene_file, "-o", out)
         designed = read_session(out)
         heights = designed.result.state.heights["exit"]
-        screen = designed.scene.screen.model_copy(update={"z": designed.scene.screen.z + 0.5})
-        moved = designed.with_scene(
-            designed.scene.model_copy(update={"screen": screen}), designed.target
-        )
+        screen = designed.scene.receiver.model_copy(update={"z": designed.scene.receiver.z + 0.5})
+        moved = designed.with_scene(designed.scene.with_receiver(screen), designed.target)
         write_session(moved, out)
         assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0
         found = read_session(out)

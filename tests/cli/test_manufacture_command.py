@@ -23,7 +23,7 @@ def few_places(monkeypatch):
 def bowl(make_scene, tmp_path):
     """A session with a lens that is 0.2 x² thicker beside the middle."""
     scene = make_scene()
-    x, _ = ControlNet.of(scene.lens).positions
+    x, _ = ControlNet.of(scene.optic).positions
     heights = 0.5 + 0.2 * x[:, None] ** 2 + np.zeros((12, 10))
     image = np.ones((32, 32))
     account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)

@@ -137,7 +137,7 @@ class TestValidate:
         """The figures are printed, and the check fails: random rays meet another glass."""
 
         def in_denser_glass(scene, *others):
-            denser = scene.lens.altered(refractive_index=1.7)
+            denser = scene.optic.altered(refractive_index=1.7)
             return Trace(scene.altered(lens=denser), *others)
 
         monkeypatch.setattr("workbench.analysis.validation.Trace", in_denser_glass)

@@ -33,12 +33,12 @@ def sun(make_scene):
 @pytest.fixture
 def heights(sun, rng):
     """A lens that is not mirrored and sends some light beside the screen."""
-    shape = ControlNet.of(sun.lens).shape
-    return {"exit": torch.as_tensor(sun.lens.base.height + 0.01 * rng.random(shape))}
+    shape = ControlNet.of(sun.optic).shape
+    return {"exit": torch.as_tensor(sun.optic.base.height + 0.01 * rng.random(shape))}
 
 
 def blurred(scene, cells=(256, 256)):
-    return BlurredPlan(scene, cells, LensBlur(Blur.of(scene, scene.lens.base.height)))
+    return BlurredPlan(scene, cells, LensBlur(Blur.of(scene, scene.optic.base.height)))
 
 
 def test_blurred_image_is_the_image_of_many_origins(sun, heights):
@@ -51,8 +51,8 @@ def test_blurred_image_is_the_image_of_many_origins(sun, heights):
 
 def test_asymmetric_light_stays_where_it_is(sun):
     """A wedge moves the light by one pixel along rows and by three across them."""
-    x, y = ControlNet.of(sun.lens).positions
-    wedge = sun.lens.base.height + 0.03 * x[:, None] + 0.09 * y[None, :]
+    x, y = ControlNet.of(sun.optic).positions
+    wedge = sun.optic.base.height + 0.03 * x[:, None] + 0.09 * y[None, :]
     heights = {"exit": torch.as_tensor(wedge)}
     plans = blurred(sun), BeamPlan(sun, Corners(64, 64, 256))
     middles = []
@@ -93,15 +93,15 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights
 def test_the_blur_of_the_sun_is_even_and_that_of_a_near_light_is_not(make_scene, sun, heights):
     found = lens_blur_of(sun, heights)
     assert found is not None
-    assert found.mean.widths == pytest.approx(Blur.of(sun, sun.lens.base.height).widths, rel=0.01)
+    assert found.mean.widths == pytest.approx(Blur.of(sun, sun.optic.base.height).widths, rel=0.01)
     assert lens_blur_of(make_scene({**SUN, "source": NEAR}), heights) is None
     assert lens_blur_of(make_scene({**SUN, "source": {"kind": "collimated"}}), heights) is None
 
 
 def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
     scene = make_scene(SUN | {"screen.half_width": [2.4, 2.4], "screen.pixels": [80, 80]})
-    x, _ = ControlNet.of(scene.lens).positions
-    wedge = scene.lens.base.height + 0.4 + 0.35 * x[:, None] + 0.01 * rng.random((12, 12))
+    x, _ = ControlNet.of(scene.optic).positions
+    wedge = scene.optic.base.height + 0.4 + 0.35 * x[:, None] + 0.01 * rng.random((12, 12))
     heights = {"exit": torch.as_tensor(wedge)}
     plate, found = LensBlur(Blur.of(scene, wedge.mean())), lens_blur_of(scene, heights)
     assert found is not None

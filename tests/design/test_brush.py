@@ -11,7 +11,7 @@ from workbench.geometry.surface import ControlNet
 
 @pytest.fixture
 def lens(make_scene):
-    return make_scene().lens  # 12 × 10 points, base at 0.5, heights 0.2 to 0.8
+    return make_scene().optic  # 12 × 10 points, base at 0.5, heights 0.2 to 0.8
 
 
 @pytest.fixture

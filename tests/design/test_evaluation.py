@@ -84,4 +84,4 @@ def test_a_lens_that_lights_nothing_is_refused(make_scene, target):
 
 def test_the_undesigned_lens_is_where_a_run_begins(make_scene, target):
     scene = make_scene({"lens.height_range": [-0.1, 0.3]})
-    assert undesigned(scene.lens) == next(run(scene, target)).state.heights
+    assert undesigned(scene.optic) == next(run(scene, target)).state.heights

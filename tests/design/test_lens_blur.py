@@ -30,8 +30,8 @@ def sun(make_scene):
 
 def lens_of(scene, power, noise=0.0, rng=None):
     """A bowl or a dome: places bend light by more the farther they are from the axis."""
-    x, y = ControlNet.of(scene.lens).positions
-    bowl = scene.lens.base.height + power * (x[:, None] ** 2 + y**2)
+    x, y = ControlNet.of(scene.optic).positions
+    bowl = scene.optic.base.height + power * (x[:, None] ** 2 + y**2)
     return {"exit": torch.as_tensor(bowl if rng is None else bowl + noise * rng.random(bowl.shape))}
 
 
@@ -42,13 +42,13 @@ def test_a_plate_blurs_alike_all_over(sun):
 
 def test_widths_change_as_rays_of_the_source_say(sun):
     """Light that comes in at two angles to a place of a bowl, by Snell's law."""
-    heights, net, n = lens_of(sun, 0.1), ControlNet.of(sun.lens), sun.lens.index
+    heights, net, n = lens_of(sun, 0.1), ControlNet.of(sun.optic), sun.optic.index
 
     def hit(x, angle):
         z, slope, _ = (each.item() for each in net.at(x, np.zeros(1), heights["exit"].numpy()))
         lean = math.atan(slope)
         leaves = math.asin(n * math.sin(math.asin(math.sin(angle) / n) + lean)) - lean
-        return x.item() + (sun.screen.z - z) * math.tan(leaves)
+        return x.item() + (sun.receiver.z - z) * math.tan(leaves)
 
     def width(x):
         half = math.radians(1.5)
@@ -121,7 +121,7 @@ def test_gradient_of_a_changing_blur_is_that_of_central_differences(sun, rng):
 
 def test_a_lens_whose_light_lands_nowhere_changes_nothing(make_scene):
     total = make_scene(SUN | {"lens.base.height": 1.0})
-    x, _ = ControlNet.of(total.lens).positions
+    x, _ = ControlNet.of(total.optic).positions
     heights = {"exit": torch.as_tensor(np.broadcast_to(1.0 + 3.0 * x[:, None], (12, 12)).copy())}
     assert BlurChange.of(total, heights) is None
 

@@ -52,8 +52,8 @@ class Spy:
 
 
 def moved(session, z):
-    screen = session.scene.screen.model_copy(update={"z": z})
-    scene = session.scene.model_copy(update={"screen": screen})
+    screen = session.scene.receiver.model_copy(update={"z": z})
+    scene = session.scene.with_receiver(screen)
     return session.with_scene(scene, session.target)
 
 

@@ -140,7 +140,7 @@ def test_locks_that_are_symmetric_leave_the_lens_symmetric(small, disc):
 
 
 def test_kept_heights_have_no_gradient(small, locked, rng):
-    lens = small().lens
+    lens = small().optic
     free = HeightRange.of(lens, ControlNet.of(lens)).keeping(locked, None)
     parameters = torch.as_tensor(rng.normal(size=(12, 10))).requires_grad_()
     free.heights(parameters)["exit"].sum().backward()

@@ -18,7 +18,7 @@ def chosen(make_scene, rng):
             {"lens.control_points": "auto", "screen.pixels": [200, 120], **(changes or {})}
         )
         sharp = 3 + rng.random((120, 200))
-        return definite(scene, sharp if target is None else target).lens.net_shape
+        return definite(scene, sharp if target is None else target).optic.net_shape
 
     return choose
 
@@ -100,13 +100,13 @@ def _session(make_scene, rng, **fields):
 
 def test_a_session_has_a_net_and_keeps_that_it_was_left_to_the_program(make_scene, rng):
     session = _session(make_scene, rng)
-    assert session.scene.lens.net_shape == (60, 60)
+    assert session.scene.optic.net_shape == (60, 60)
     assert session.scene.to_data()["lens"]["control_points"] == "auto"
 
 
 def test_a_session_with_a_lens_has_the_net_of_that_lens(make_scene, rng):
     lens = FaceArrays({"exit": np.full((20, 22), 0.5)})
-    assert _session(make_scene, rng, start=lens).scene.lens.net_shape == (20, 22)
+    assert _session(make_scene, rng, start=lens).scene.optic.net_shape == (20, 22)
 
 
 def test_more_pixels_get_a_finer_net_and_the_lens_is_carried(make_scene, rng):
@@ -114,7 +114,7 @@ def test_more_pixels_get_a_finer_net_and_the_lens_is_carried(make_scene, rng):
     session = _session(make_scene, rng, start=lens)
     finer = make_scene({"lens.control_points": "auto", "screen.pixels": [64, 64]})
     after = session.with_scene(finer, 3 + rng.random((64, 64)))
-    assert after.scene.lens.net_shape == after.start["exit"].shape == (120, 120)
+    assert after.scene.optic.net_shape == after.start["exit"].shape == (120, 120)
     np.testing.assert_allclose(after.start["exit"], 0.45, atol=1e-9)
 
 
@@ -124,7 +124,7 @@ def test_locked_control_points_keep_the_net(make_scene, rng):
     session = _session(make_scene, rng, start=lens, locked=locked)
     finer = make_scene({"lens.control_points": "auto", "screen.pixels": [64, 64]})
     after = session.with_scene(finer, 3 + rng.random((64, 64)))
-    assert after.scene.lens.net_shape == (48, 48)
+    assert after.scene.optic.net_shape == (48, 48)
     assert after.locked is locked
 
 

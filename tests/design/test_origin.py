@@ -16,7 +16,7 @@ from workbench.geometry.faces import FaceArrays
 @pytest.fixture
 def task(make_scene):
     scene = make_scene()
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     return Session(scene, np.ones((n_y, n_x)))
 
 
@@ -25,7 +25,7 @@ def designed(task):
     """A design whose lens is that of its only kept run."""
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": np.full(task.scene.lens.net_shape, 0.5)}),
+            heights=FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.5)}),
             irradiance=task.target,
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -75,7 +75,7 @@ def test_a_lens_that_no_kept_run_found(designed, task):
     assert origin(replace(designed, runs=())) == "designed for this task"  # its result says so
     by_hand = replace(
         task,
-        start=FaceArrays({"exit": np.full(task.scene.lens.net_shape, 0.4)}),
+        start=FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.4)}),
         runs=designed.runs,
     )
     assert origin(by_hand) == "not designed for this task"

@@ -13,8 +13,8 @@ ROUND = {"lens.outline": "ellipse", "lens.control_points": [32, 32]}
 
 def test_heights_beside_the_lens_need_not_fit(make_scene):
     scene = make_scene(ROUND)
-    net = ControlNet.of(scene.lens)
-    limits = HeightLimits.of(scene.lens, net)
+    net = ControlNet.of(scene.optic)
+    limits = HeightLimits.of(scene.optic, net)
     assert not limits.shaping[0, 0]
     assert limits.shaping[16, 0]
     heights = np.full((32, 32), 0.5)

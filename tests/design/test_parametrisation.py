@@ -54,7 +54,7 @@ def test_links_of_the_sparse_net_are_the_pairs_of_neighbours(paper_scene, size, 
         for n, p in zip(size, degree, strict=True)
     )
     neurons = math.prod(size)
-    assert link_count(ControlNet.of(scene.lens)) == pairs
+    assert link_count(ControlNet.of(scene.optic)) == pairs
     assert parameter_count(scene) == 2 * neurons + 2 * (pairs + neurons)
 
 

@@ -54,7 +54,7 @@ def lenses(scene, start=None):
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_number_of_parameters_is_the_predicted_one(make_scene, kind):
     scene = paper(make_scene, parametrisation=kind)
-    module = build(ControlNet.of(scene.lens), scene.run)
+    module = build(ControlNet.of(scene.optic), scene.run)
     assert sum(p.numel() for p in module.parameters()) == parameter_count(scene)
     assert module().shape == (9, 7)
 
@@ -197,8 +197,8 @@ def test_a_run_goes_on_from_given_heights(make_scene, rng, kind, start):
 @pytest.mark.parametrize("kind", ["sparse", "dense"])
 def test_the_gradient_is_that_of_central_differences(make_scene, kind):
     scene = paper(make_scene)
-    net = ControlNet.of(scene.lens)
-    free = HeightRange.of(scene.lens, net)
+    net = ControlNet.of(scene.optic)
+    free = HeightRange.of(scene.optic, net)
     plan = Plan(scene, dtype=torch.float64)
     wanted = torch.as_tensor(share(load_target(scene, None)))
     module = Network(net, kind, torch.float64)

@@ -92,7 +92,7 @@ def test_irradiance_is_flux_per_area(make_scene, disc, method):
     # A dark rim, beyond which no filter spreads light.
     scene = make_scene({"run": method, "screen.half_width": [2.0, 2.0]})
     snapshot = next(run(scene, disc))
-    flux = snapshot.state.irradiance.sum() * scene.screen.pixel_measure
+    flux = snapshot.state.irradiance.sum() * scene.receiver.pixel_measure
     assert flux == pytest.approx(snapshot.state.account.on_screen, rel=1e-6)
 
 

@@ -19,10 +19,10 @@ from workbench.scene import Scene
 @pytest.fixture
 def session(make_scene, rng):
     scene = make_scene()
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.lens.net_shape)}),
+            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.optic.net_shape)}),
             irradiance=np.ones((n_y, n_x)),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -44,7 +44,7 @@ def edited(session, target=None, **values):
 
 def off(session, other):
     """How far apart the lenses of two sessions are."""
-    nets = (ControlNet.of(each.scene.lens) for each in (session, other))
+    nets = (ControlNet.of(each.scene.optic) for each in (session, other))
     one, two = nets
     return deviation(one, session.heights["exit"], two, other.heights["exit"])
 
@@ -54,9 +54,9 @@ def finer(lens, factor):
 
 
 def test_a_net_that_holds_the_surface_keeps_the_result(session):
-    other = edited(session, lens__control_points=finer(session.scene.lens, 3))
+    other = edited(session, lens__control_points=finer(session.scene.optic, 3))
     result = other.result
-    assert result.state.heights["exit"].shape == other.scene.lens.control_points
+    assert result.state.heights["exit"].shape == other.scene.optic.control_points
     assert off(session, other) < 1e-15 * 10
     assert (result.state.loss, result.losses, result.state.irradiance) == (
         session.result.state.loss,
@@ -161,17 +161,17 @@ def test_another_outline_removes_the_lens(session):
 
 
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
-    locked = FaceArrays({"exit": np.zeros(session.scene.lens.net_shape, dtype=bool)})
+    locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     session = replace(session, locked=locked)
     assert edited(session, lens__half_width=[2.0, 2.0]).locked is locked
     assert edited(session, screen__z=7.0).locked is locked
-    finer_net = finer(session.scene.lens, 2)
+    finer_net = finer(session.scene.optic, 2)
     assert edited(session, lens__control_points=finer_net).locked == NO_LOCKS
 
 
 def test_undoing_an_edit_by_hand_leaves_the_lens_a_start(session):
     moved = edited(session, screen__z=7.0)
-    back = edited(moved, screen__z=session.scene.screen.z)
+    back = edited(moved, screen__z=session.scene.receiver.z)
     assert back.result is None
     assert back.start is session.result.state.heights
 
@@ -184,12 +184,12 @@ def test_an_undesigned_lens_stays_undesigned(session):
 
 def test_another_unit_keeps_the_lens_and_its_light(session):
     found = session.in_unit("mm")
-    assert (found.scene.unit, found.scene.screen.z) == ("mm", 50)
+    assert (found.scene.unit, found.scene.receiver.z) == ("mm", 50)
     before, after = session.result, found.result
     np.testing.assert_allclose(
         after.state.heights["exit"], 10 * before.state.heights["exit"], rtol=1e-15
     )
-    pixels = [each.scene.screen.pixel_measure for each in (session, found)]
+    pixels = [each.scene.receiver.pixel_measure for each in (session, found)]
     np.testing.assert_allclose(
         after.state.irradiance * pixels[1], before.state.irradiance * pixels[0], rtol=1e-14
     )

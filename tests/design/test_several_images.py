@@ -37,7 +37,7 @@ def at_two_distances(make_scene, tmp_path):
     """The same image on two screens, by two faces."""
     scene = make_scene(BOTH)
     second = {
-        "screen": scene.screen.moved_to(5.5).model_dump(mode="json"),
+        "screen": scene.receiver.moved_to(5.5).model_dump(mode="json"),
         "target": BOTH["target"],
     }
     return begin(make_scene({**BOTH, "run.iterations": 12, "further_images": [second]}), tmp_path)

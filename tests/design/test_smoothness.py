@@ -32,17 +32,17 @@ def best(scene):
 
 
 def tightest(scene, heights):
-    found = manufacture(scene.lens, {"exit": heights})
+    found = manufacture(scene.optic, {"exit": heights})
     return min(found.tightest_concave.value, found.tightest_convex.value)
 
 
 def cutter(scene, snapshot):
-    return manufacture(scene.lens, snapshot.state.heights).tool_radius.value
+    return manufacture(scene.optic, snapshot.state.heights).tool_radius.value
 
 
 def quadratic(scene, r, s, t):
     """Control heights of d = r x²/2 + s xy + t y²/2 over the base, which is flat here."""
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     x, y = net.positions
     # Blossoms of x² and y² at the inner knots give the coefficients (Farin, section 8.6).
     squares = []
@@ -51,7 +51,7 @@ def quadratic(scene, r, s, t):
         inner = np.array([places[i + 1 : i + p + 1] for i in range(len(places) - p - 1)])
         pairs = inner.sum(1) ** 2 - (inner**2).sum(1)
         squares.append(pairs / (p * (p - 1)))
-    height = scene.lens.base.height
+    height = scene.optic.base.height
     curved = r / 2 * squares[0][:, None] + t / 2 * squares[1] + s * x[:, None] * y
     return torch.as_tensor(height + curved)
 
@@ -72,8 +72,8 @@ def test_bending_energy_of_a_quadratic_face(make_scene, degree):
 def test_the_base_itself_has_no_bending_energy(make_scene):
     base = {"shape": "sphere", "height": 0.5, "radius": 8.0}
     scene = make_scene({"lens.base": base, "run.smoothness": 1.0})
-    x, y = ControlNet.of(scene.lens).positions
-    heights = torch.as_tensor(scene.lens.base.height_at(x[:, None], y) + 0.1)
+    x, y = ControlNet.of(scene.optic).positions
+    heights = torch.as_tensor(scene.optic.base.height_at(x[:, None], y) + 0.1)
     assert smoothness_of(scene).faces["exit"].bending(heights).item() == pytest.approx(0, abs=1e-13)
 
 
@@ -87,16 +87,16 @@ def test_curvature_violation_of_a_quadratic_face(make_scene):
         1.0, rel=1e-4
     )
     assert found.faces["exit"].curvature_violation(
-        2 * scene.lens.base.height - heights, 2.0
+        2 * scene.optic.base.height - heights, 2.0
     ).item() == pytest.approx(1.0, rel=1e-4)
     assert found.faces["exit"].curvature_violation(heights, 0.99).item() == 0
 
 
 def test_curvature_violation_begins_where_the_maps_say(make_scene, rng):
     scene = make_scene({"run.min_radius": 1.0})
-    heights = 0.5 + 0.02 * rng.random(scene.lens.net_shape)
+    heights = 0.5 + 0.02 * rng.random(scene.optic.net_shape)
     u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
-    maps = surface_maps(scene.lens, {"exit": heights}, (u, v))
+    maps = surface_maps(scene.optic, {"exit": heights}, (u, v))
     radius = 1 / max(maps.concave.max(), maps.convex.max())
     found, heights = smoothness_of(scene), torch.as_tensor(heights)
     assert found.faces["exit"].curvature_violation(heights, 0.99 * radius).item() == 0
@@ -154,7 +154,7 @@ def test_penalty_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
         {"exit": torch.as_tensor(10 * heights)}
     ).item() == pytest.approx(penalty, rel=1e-9)
     finer = make_scene(settings | {"lens.control_points": [21, 17]})  # twice as many spans
-    refined = ControlNet.of(scene.lens).refine(heights, ControlNet.of(finer.lens))
+    refined = ControlNet.of(scene.optic).refine(heights, ControlNet.of(finer.optic))
     assert smoothness_of(finer).faces["exit"].bending(
         torch.as_tensor(refined)
     ).item() == pytest.approx(

@@ -34,8 +34,8 @@ def test_the_last_part_is_the_scene_itself(make_scene):
     assert isinstance(first.source, PointSource)
     assert [p.run.iterations for p in (first, second, last)] == [4, 3, 3]
     assert second.filter == GaussianFilter(size=(5, 5))
-    assert second.lens.control_points == (6, 6)
-    assert last.source == scene.source and last.lens == scene.lens
+    assert second.optic.control_points == (6, 6)
+    assert last.source == scene.source and last.optic == scene.optic
     assert not last.run.stages
     assert type(scene).from_json(scene.to_json()) == scene
 

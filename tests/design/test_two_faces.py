@@ -42,7 +42,7 @@ def uneven():
 
 def assert_apart(scene, heights):
     """The minimal thickness holds everywhere: each face is in the hull of its control points."""
-    assert heights["exit"].min() - heights["entrance"].max() >= scene.lens.min_thickness - 1e-12
+    assert heights["exit"].min() - heights["entrance"].max() >= scene.optic.min_thickness - 1e-12
     limits = HeightLimits.of_faces(bounded(scene))
     assert all(limits[face].hold(z) for face, z in heights.items())
 
@@ -146,10 +146,10 @@ def test_the_paper_method_shapes_both_faces(
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     scene = make_scene({**FREEFORM, "run.iterations": 2})
     start = {
-        "entrance": np.full(scene.lens.net_shape, 0.1),
-        "exit": np.full(scene.lens.net_shape, 0.5),
+        "entrance": np.full(scene.optic.net_shape, 0.1),
+        "exit": np.full(scene.optic.net_shape, 0.5),
     }
-    mask = np.zeros(scene.lens.net_shape, dtype=bool)
+    mask = np.zeros(scene.optic.net_shape, dtype=bool)
     mask[:, :4] = True
     *_, last = run(scene, uneven, start, {"entrance": mask})
     moved = last.state.heights["entrance"] != 0.1
@@ -169,7 +169,7 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
     scene = make_scene(
         {**FREEFORM, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
     )
-    start = undesigned(scene.lens)
+    start = undesigned(scene.optic)
     mask = np.arange(63).reshape(7, 9) % 5 == 0
     session = Session(scene, uneven, start=start, locked=FaceArrays({"entrance": mask}))
     write_session(session, tmp_path / "two.freeform")

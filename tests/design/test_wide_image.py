@@ -24,7 +24,7 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
         changes["source"] = {"kind": "point", "position": [0, 0, -5], "rays": 4096}
     scene = make_scene(changes)
     target = load_target(scene, tmp_path)
-    free = scene.lens.base.height + 0.003 * rng.random(ControlNet.of(scene.lens).shape)
+    free = scene.optic.base.height + 0.003 * rng.random(ControlNet.of(scene.optic).shape)
     heights = torch.tensor(free, requires_grad=True)
     light_extent = BeamPlan(scene, (64, 64)).light_extent({"exit": heights.detach()})
     narrow, near, gradient = descend(scene, target, heights, light_extent)

@@ -69,7 +69,7 @@ def test_blur_of_a_scene_is_that_behind_a_pinhole(make_scene):
     scene = make_scene({"source": source, "screen.z": 9})
     blur = Blur.of(scene)
     (n_x, n_y), (r_x, r_y) = scene.receiver.pixels, scene.receiver.half_extent
-    farther = (9 - scene.lens.highest) / 4
+    farther = (9 - scene.optic.highest) / 4
     assert blur.widths == pytest.approx(
         (0.4 * farther * n_x / (2 * r_x), 0.2 * farther * n_y / (2 * r_y))
     )
@@ -86,10 +86,10 @@ def test_sources_without_an_extent_hide_nothing(make_scene):
 def test_blur_is_narrower_from_an_exit_face_nearer_to_the_screen(make_scene):
     source = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.2, 0.1], "points": [5, 3]}
     scene = make_scene({"source": source})
-    z, lens = scene.lens.highest + 0.5, scene.lens
+    z, lens = scene.optic.highest + 0.5, scene.optic
     # Similar triangles: the way to the screen over that from the source, shorter in the glass.
     ways = [
-        (scene.screen.z - there) / (4 + glass / lens.index)
+        (scene.receiver.z - there) / (4 + glass / lens.index)
         for there, glass in ((z, z - lens.entrance_z), (lens.highest, 0))
     ]
     narrower = [b / a for a, b in zip(Blur.of(scene).widths, Blur.of(scene, z).widths, strict=True)]

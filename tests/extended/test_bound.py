@@ -60,7 +60,7 @@ def test_no_lens_of_some_shapes_is_below_the_bound(make_scene, rng):
     scene = make_scene({"source": GRID})
     target = square(32)
     found = Bound(scene, target)
-    n_u, n_v = scene.lens.net_shape
+    n_u, n_v = scene.optic.net_shape
     u, v = np.linspace(-1, 1, n_u)[:, None], np.linspace(-1, 1, n_v)
     for heights in (
         np.full((n_u, n_v), 0.5),
@@ -78,11 +78,11 @@ def test_bound_of_a_disc_of_parallel_light_holds_for_a_lens_that_is_traced(make_
     found = Bound(scene, target)
     assert found.blur.shape == "ellipse"
     # The angle of the disc times the way to the screen, in pixels.
-    away = scene.screen.z - scene.lens.highest
-    n_x, r_x = scene.screen.pixels[0], scene.screen.half_width[0]
+    away = scene.receiver.z - scene.optic.highest
+    n_x, r_x = scene.receiver.pixels[0], scene.receiver.half_width[0]
     assert found.blur.widths[0] == pytest.approx(np.radians(4) * away * n_x / (2 * r_x))
     assert found.relative_l2 > 0.05
-    plate = FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)})
+    plate = FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)})
     image = validate(scene, target, plate, 200_000).irradiance
     assert relative_l2(image, target) > found.relative_l2
 
@@ -102,7 +102,7 @@ def test_no_bound_is_certified_for_a_source_nearer_than_twice_the_width_of_the_l
 
 def test_no_bound_is_said_of_rays_of_a_file(make_scene, tmp_path):
     scene = make_scene({"source": led(tmp_path, 20_000)})
-    bound = Bound(scene, np.ones((scene.screen.pixels[1], scene.screen.pixels[0])))
+    bound = Bound(scene, np.ones((scene.receiver.pixels[1], scene.receiver.pixels[0])))
 
     assert max(bound.blur.widths) > 1
     assert not bound.known and not bound.certified

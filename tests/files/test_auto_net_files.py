@@ -70,7 +70,7 @@ def test_a_lens_keeps_the_net_that_was_chosen_for_it(session, path, rng):
     other = replace(session, scene=session.scene.with_net((10, 7)), result=result_on((10, 7), rng))
     write_session(other, path)
     again = read_session(path)
-    assert again.scene.lens.net_shape == (10, 7)
+    assert again.scene.optic.net_shape == (10, 7)
     np.testing.assert_array_equal(again.heights["exit"], other.heights["exit"])
 
 
@@ -78,7 +78,7 @@ def test_kept_runs_keep_theirs(session, path, rng):
     scene, result = session.scene.with_net((10, 7)), result_on((10, 7), rng)
     write_session(replace(session, runs=(KeptRun("first", scene, session.target, result),)), path)
     again = read_session(path)
-    assert again.scene.lens.net_shape == (20, 15)
+    assert again.scene.optic.net_shape == (20, 15)
     assert again.runs[0].scene == scene
 
 

@@ -187,13 +187,13 @@ class TestWithScene:
         assert found.view is session.view
 
     def test_locks_stay_with_their_control_points(self, session):
-        screen = session.scene.screen.model_copy(update={"z": 6.0})
-        scene = session.scene.model_copy(update={"screen": screen})
+        screen = session.scene.receiver.model_copy(update={"z": 6.0})
+        scene = session.scene.with_receiver(screen)
         found = session.with_scene(scene, session.target)
         assert found.result is None
         assert found.locked is session.locked
-        lens = scene.lens.model_copy(update={"degree": (3, 2)})
-        scene = scene.model_copy(update={"lens": lens})
+        lens = scene.optic.model_copy(update={"degree": (3, 2)})
+        scene = scene.with_optic(lens)
         assert session.with_scene(scene, session.target).locked == NO_LOCKS
 
 

@@ -99,6 +99,6 @@ def test_the_boundary_is_closed_and_on_the_rim(kind):
 
 
 def test_a_lens_has_the_outline_that_its_scene_names(make_scene):
-    assert outline_of(make_scene().lens) == Rectangle((1.0, 1.0))
-    round_lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).lens
+    assert outline_of(make_scene().optic) == Rectangle((1.0, 1.0))
+    round_lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).optic
     assert outline_of(round_lens) == Ellipse((1.0, 0.5))

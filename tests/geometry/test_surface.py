@@ -72,7 +72,7 @@ def test_embedding_of_a_nested_net_is_knot_insertion(net, rng):
 
 
 def test_samples_run_along_x_then_y_and_include_the_rim(make_scene):
-    lens = make_scene({"lens.half_width": [2.0, 0.5]}).lens
+    lens = make_scene({"lens.half_width": [2.0, 0.5]}).optic
     x, y = ControlNet.of(lens).positions
     heights = {"exit": 0.5 + 0.1 * x[:, None] + 0.2 * y[None, :]}
     points = sample_faces(lens, heights, (5, 3))["exit"]

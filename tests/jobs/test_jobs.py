@@ -86,29 +86,29 @@ def test_a_lamp_has_the_flux_of_its_data_sheet_or_none(kind):
 def test_full_widths_become_half_widths():
     job = SunPlate().with_answers({"size": [100.0, 80.0], "image_size": [300.0, 200.0]})
     scene = job.scene()
-    assert scene.lens.half_width == (50.0, 40.0)
-    assert scene.screen.half_width == (150.0, 100.0)
-    assert scene.screen.z == job.distance
+    assert scene.optic.half_width == (50.0, 40.0)
+    assert scene.receiver.half_width == (150.0, 100.0)
+    assert scene.receiver.z == job.distance
 
 
 def test_pixels_are_square_and_fewer_where_the_light_blurs_them():
     fine = SunPlate().with_answers({"image_size": [240.0, 160.0]}).scene()
     coarse = LedRectangle().with_answers({"lamp_size": [4.0, 4.0]}).scene()
-    n_x, n_y = fine.screen.pixels
+    n_x, n_y = fine.receiver.pixels
     assert (n_x, n_y) == (256, round(256 * 160 / 240 / 8) * 8)
-    assert max(coarse.screen.pixels) == 96
+    assert max(coarse.receiver.pixels) == 96
 
 
 def test_a_proposed_lens_is_thicker_where_its_face_has_to_be_steeper():
     near, far = (
-        SunPlate().with_answers({"distance": distance}).scene().lens for distance in (300.0, 900.0)
+        SunPlate().with_answers({"distance": distance}).scene().optic for distance in (300.0, 900.0)
     )
     assert near.base.height > far.base.height > far.min_thickness
 
 
 @pytest.mark.parametrize("thickness", [1.0, 12.0])
 def test_stock_limits_the_lens(thickness):
-    lens = SunPlate().with_answers({"thickness": thickness}).scene().lens
+    lens = SunPlate().with_answers({"thickness": thickness}).scene().optic
     assert lens.max_thickness == thickness
     assert 0 < lens.min_thickness < lens.base.height < thickness
 
@@ -119,11 +119,11 @@ def test_a_lamp_beside_a_wall_sees_the_wall_where_it_is(above):
     scene = job.scene()
     height = job.wall_size[1]
     edges = [
-        scene.screen.drawn(scene.lens, np.array(0.0), np.array(v))[1:]
+        scene.receiver.drawn(scene.optic, np.array(0.0), np.array(v))[1:]
         for v in (-height / 2, height / 2)
     ]
     # Turned so that the wall stands upright, its edges are where the job says.
-    aim = math.radians(scene.screen.tilt[0])
+    aim = math.radians(scene.receiver.tilt[0])
     for (y, z), wanted in zip(edges, (-height / 2, height / 2), strict=True):
         away = z * math.cos(aim) - y * math.sin(aim)
         up = z * math.sin(aim) + y * math.cos(aim)
@@ -135,7 +135,7 @@ def test_a_lamp_beside_a_wall_sees_the_wall_where_it_is(above):
 
 @pytest.mark.parametrize("aside", [20.0, 45.0, 70.0])
 def test_a_mirror_has_its_image_at_the_distance_and_angle_asked_for(aside):
-    screen = MirrorJob().with_answers({"aside": aside}).scene().screen
+    screen = MirrorJob().with_answers({"aside": aside}).scene().receiver
     x, _, z = screen.position
     assert math.hypot(x, z) == pytest.approx(100.0)
     assert math.degrees(math.atan2(x, -z)) == pytest.approx(aside)

@@ -66,14 +66,14 @@ def no_estimate(monkeypatch):
 
 def test_the_blur_is_that_of_the_sun_through_a_pinhole():
     scene = SunPlate().scene()
-    wide = (500.0 - scene.lens.leaving_z) * math.radians(0.533)
+    wide = (500.0 - scene.optic.leaving_z) * math.radians(0.533)
     assert blur_widths(scene) == pytest.approx((wide, wide))
 
 
 def test_diffraction_grows_with_the_root_of_the_distance():
     for distance in (200.0, 800.0):
         scene = SunPlate().with_answers({"distance": distance}).scene()
-        way = distance - scene.lens.leaving_z
+        way = distance - scene.optic.leaving_z
         assert diffraction(scene) == pytest.approx(math.sqrt(0.55e-3 * way))
 
 
@@ -119,7 +119,7 @@ def test_an_error_of_no_bound_is_not_known(no_estimate):
 def test_light_at_best_is_what_a_face_reflects_least_of():
     """Of a plate at normal incidence, by Fresnel's equations at both faces."""
     session = session_of(SunPlate().with_answers(EVEN))
-    n = session.scene.lens.index
+    n = session.scene.optic.index
     through = (1 - ((n - 1) / (n + 1)) ** 2) ** 2
     assert _light_of(session.scene).leaves == pytest.approx(through, abs=1e-3)
     assert _light_of(MirrorJob().with_answers(EVEN).scene()).leaves == pytest.approx(1)

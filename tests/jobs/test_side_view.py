@@ -29,7 +29,7 @@ def test_rays_go_from_the_lamp_by_the_lens_to_the_image():
     for ray, part in zip(view.rays, np.linspace(-1, 1, len(view.rays)), strict=True):
         begin, through, end = ray
         assert begin == pytest.approx([-80.0, 0.0])
-        assert through == pytest.approx([scene.lens.leaving_z, 30.0 * part])
+        assert through == pytest.approx([scene.optic.leaving_z, 30.0 * part])
         assert end == pytest.approx([200.0, 80.0 * part])
 
 

@@ -14,8 +14,8 @@ from workbench.jobs.torch import Torch
 def far_image(angle, distance=1e5):
     """A plate whose light all goes to a small image aside, at an angle to the axis."""
     scene = SunPlate().with_answers({"distance": distance, "image_size": [1.0, 1.0]}).scene()
-    aside = (scene.screen.z - scene.lens.leaving_z) * math.tan(math.radians(angle))
-    return scene.altered(screen=scene.screen.altered(center=(aside, 0.0)))
+    aside = (scene.receiver.z - scene.optic.leaving_z) * math.tan(math.radians(angle))
+    return scene.altered(screen=scene.receiver.altered(center=(aside, 0.0)))
 
 
 @pytest.mark.parametrize("angle", [1.0, 10.0, 30.0, 45.0])
@@ -24,7 +24,7 @@ def test_light_that_is_turned_needs_a_prism(angle):
     found = needed_slopes(scene)
     middle = found.gradient[8, 8]
     turn = math.radians(angle)
-    prism = math.sin(turn) / (scene.lens.index - math.cos(turn))  # by Snell's law
+    prism = math.sin(turn) / (scene.optic.index - math.cos(turn))  # by Snell's law
     assert middle == pytest.approx([prism, 0.0], rel=1e-3, abs=1e-9)
     assert found.turn == pytest.approx(angle, abs=0.1)
     assert found.possible
@@ -33,7 +33,7 @@ def test_light_that_is_turned_needs_a_prism(angle):
 def test_light_cannot_be_turned_beyond_grazing_exit():
     found = needed_slopes(far_image(55.0))
     assert not found.possible
-    assert found.most == pytest.approx(math.degrees(math.acos(1 / far_image(55.0).lens.index)))
+    assert found.most == pytest.approx(math.degrees(math.acos(1 / far_image(55.0).optic.index)))
     assert found.turn > found.most
 
 

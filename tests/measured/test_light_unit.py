@@ -32,7 +32,7 @@ WAY = (DISTANCE + SCREEN - THICKNESS + THICKNESS / 1.5) / 100
 def flat_lens(scene):
     """A result that is there."""
     state = LensState(
-        heights=FaceArrays({"exit": np.full(scene.lens.net_shape, 0.5)}),
+        heights=FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)}),
         irradiance=np.full((32, 32), 0.25),
         loss=0.1,
         account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
@@ -42,8 +42,8 @@ def flat_lens(scene):
 
 def middle(scene):
     """What is told of the light in the middle of the screen behind a plate."""
-    net = ControlNet.of(scene.lens)
-    flat = {"exit": torch.full(net.shape, scene.lens.base.height, dtype=torch.float64)}
+    net = ControlNet.of(scene.optic)
+    flat = {"exit": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
     count = 64 if scene.source.continuous else 1
     light = BeamPlan(scene, Corners(160, 160, count), dtype=torch.float64).trace(flat)
     density = (light.flux.numpy() / scene.receiver.pixel_measure)[19:21, 19:21].mean()

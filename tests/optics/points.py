@@ -28,7 +28,7 @@ THIN_PLATE = {
 
 def smooth(scene, amplitude=0.05):
     """A lens of soft waves, which keeps rays away from the rim of its side."""
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     x, y = (torch.as_tensor(c) for c in net.positions)
     return 0.5 + amplitude * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
 
@@ -80,4 +80,4 @@ def behind_thin_plate(scene, emission, power):
     # Intensity on the axis: 1 over the solid angle of the cap, or over that of its projection.
     rim = 1 / np.sqrt(3)
     whole = 2 * np.pi * (1 - rim) if emission == "uniform" else np.pi * (1 - rim**2)
-    return profile * scene.screen.pixel_measure / (whole * 4)
+    return profile * scene.receiver.pixel_measure / (whole * 4)

@@ -108,7 +108,7 @@ def lit(request, make_scene):
 
 @pytest.fixture
 def wavy(lit, rng):
-    flat = lit.lens.base.height + 0.01 * rng.standard_normal(ControlNet.of(lit.lens).shape)
+    flat = lit.optic.base.height + 0.01 * rng.standard_normal(ControlNet.of(lit.optic).shape)
     return torch.tensor(flat)
 
 
@@ -176,7 +176,7 @@ def test_a_part_of_a_mirrored_lens_gives_the_whole_image(
             "lens.control_points": [9, 8],
         }
     )
-    wavy = scene.lens.base.height + steep * rng.standard_normal(ControlNet.of(scene.lens).shape)
+    wavy = scene.optic.base.height + steep * rng.standard_normal(ControlNet.of(scene.optic).shape)
     wavy = symmetric(torch.tensor(wavy), mirrored)
     cotangent = torch.tensor(rng.standard_normal((16 + 2 * 3, 20 + 2 * 4)))
     found = []
@@ -197,7 +197,7 @@ def test_a_part_of_a_mirrored_lens_gives_the_whole_image(
 def test_a_part_of_a_grid_of_points_gives_the_whole_image(make_scene, rng, mirrored):
     source = SOURCES["grid"] | {"center": [0, 0, -4.0], "points": [2, 1]}
     scene = make_scene({"source": source, "screen.pixels": [20, 16], "lens.control_points": [9, 8]})
-    wavy = scene.lens.base.height + 0.01 * rng.standard_normal(ControlNet.of(scene.lens).shape)
+    wavy = scene.optic.base.height + 0.01 * rng.standard_normal(ControlNet.of(scene.optic).shape)
     heights = {"exit": symmetric(torch.tensor(wavy), mirrored)}
     part, whole = (
         BeamPlan(scene, (200, 200), dtype=torch.float64, mirrored=promise).trace(heights)
@@ -223,7 +223,7 @@ def test_totally_reflected_light_is_in_the_account(make_scene):
     # A roof whose left half is far steeper than total reflection allows.
     ramp = np.linspace(0, 1, 8)
     heights = torch.tensor(
-        scene.lens.base.height + np.maximum(0.4 - ramp, 0)[:, None] * np.ones(8) * 5
+        scene.optic.base.height + np.maximum(0.4 - ramp, 0)[:, None] * np.ones(8) * 5
     )
     for plan in tracers(scene):
         _, account = plan.trace({"exit": heights})
@@ -245,7 +245,7 @@ def test_neighbours_of_totally_reflected_light_land_alike(make_scene, rng, sourc
     if far:
         field = FarField(half_angle=(40.0, 30.0), pixels=(20, 16))
         scene = scene.altered(screen=None, far_field=field)
-    wild = torch.tensor(scene.lens.base.height + 0.2 * rng.standard_normal((9, 8)))
+    wild = torch.tensor(scene.optic.base.height + 0.2 * rng.standard_normal((9, 8)))
     found = []
     for plan in tracers(scene, dtype=torch.float64):
         heights = wild.clone().requires_grad_()

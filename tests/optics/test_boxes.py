@@ -75,8 +75,8 @@ def lit(make_scene):
     changes = {"version": 2, "lens.control_points": [7, 6], "source": LED}
     screen = {"screen.z": 8.0, "screen.half_width": [8.0, 8.0], "screen.pixels": [16, 14]}
     scene = make_scene({**changes, **screen})
-    along = (np.linspace(-1, 1, count) ** 2 for count in ControlNet.of(scene.lens).shape)
-    return scene, torch.as_tensor(scene.lens.base.height - 0.1 * np.add.outer(*along))
+    along = (np.linspace(-1, 1, count) ** 2 for count in ControlNet.of(scene.optic).shape)
+    return scene, torch.as_tensor(scene.optic.base.height - 0.1 * np.add.outer(*along))
 
 
 def test_cells_of_many_origins_of_a_source_are_boxes(lit, rng):

@@ -29,14 +29,14 @@ WINDOW = {
 
 def radii(scene):
     """Distances of the middles of pixels from the middle of the screen."""
-    (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
+    (r_x, r_y), (n_x, n_y) = scene.receiver.half_width, scene.receiver.pixels
     x, y = ((2 * (np.arange(n) + 0.5) / n - 1) * r for n, r in ((n_x, r_x), (n_y, r_y)))
     return np.hypot(x, y[:, None])
 
 
 def irradiance(scene, heights, cells):
     light = BeamPlan(scene, cells, dtype=torch.float64).trace({"exit": torch.as_tensor(heights)})
-    return light.flux.numpy() / scene.screen.pixel_measure
+    return light.flux.numpy() / scene.receiver.pixel_measure
 
 
 def behind_disc(r, radius, distance):
@@ -103,7 +103,7 @@ def test_a_gaussian_beam_becomes_a_top_hat(make_scene):
         r = np.hypot(x, y)
         return profile(r.ravel())[0].reshape(r.shape)
 
-    heights = interpolating(ControlNet.of(scene.lens), height)
+    heights = interpolating(ControlNet.of(scene.optic), height)
     found = irradiance(scene, heights, (400, 400))
     even = 1 / (math.pi * widest**2)
     assert np.linalg.norm(found / even - 1) < 1e-3 * math.sqrt(found.size)
@@ -129,13 +129,13 @@ def test_a_hyperboloid_sends_parallel_light_through_one_point(make_scene):
         half, index2_minus_1 = focal * (INDEX - 1), INDEX**2 - 1
         return middle - (np.sqrt(half**2 + index2_minus_1 * r2) - half) / index2_minus_1
 
-    heights = interpolating(ControlNet.of(scene.lens), height)
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    heights = interpolating(ControlNet.of(scene.optic), height)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     arrival = path.walk({"exit": torch.as_tensor(heights)})
     x, y = ((2 * (np.arange(n) + 0.5) / n - 1) for n in (50, 40))
     ahead = middle + focal - height(x[:, None], y)
     h = np.degrees(np.arctan2(-x[:, None], ahead))
     v = np.degrees(np.arctan2(-y, np.hypot(x[:, None], ahead)))
-    column, row = scene.far_field.to_pixels(h, v)
+    column, row = scene.receiver.to_pixels(h, v)
     for found, wanted in ((arrival.column, column), (arrival.row, row)):
         assert np.radians(np.abs(found.numpy() - wanted)).max() < 1e-6

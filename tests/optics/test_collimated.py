@@ -17,18 +17,18 @@ DTYPES = [torch.float32, torch.float64]
 
 
 def flat(scene):
-    return torch.full(scene.lens.net_shape, scene.lens.base.height, dtype=torch.float64)
+    return torch.full(scene.optic.net_shape, scene.optic.base.height, dtype=torch.float64)
 
 
 def wavy(scene, rng, amplitude=0.02):
-    return flat(scene) + amplitude * torch.as_tensor(rng.normal(size=scene.lens.net_shape))
+    return flat(scene) + amplitude * torch.as_tensor(rng.normal(size=scene.optic.net_shape))
 
 
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_a_flat_plate_does_not_deviate(make_scene, dtype):
     scene = make_scene()
-    arrival = Path.of(scene, ControlNet.of(scene.lens), dtype).walk({"exit": flat(scene)})
-    x, y = places_of(arrival, scene.screen)
+    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk({"exit": flat(scene)})
+    x, y = places_of(arrival, scene.receiver)
     centres = (np.arange(64) + 0.5) / 32 - 1
     assert np.abs(x.numpy() - centres[:, None]).max() < 1e-6
     assert np.abs(y.numpy() - centres[None, :]).max() < 1e-6
@@ -40,8 +40,8 @@ def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
     scene = make_scene(
         {"lens.control_points": [80, 90], "lens.degree": [5, 6], "source.rays": [40, 40]}
     )
-    n, d = scene.lens.index, scene.screen.z - 0.6
-    net = ControlNet.of(scene.lens)
+    n, d = scene.optic.index, scene.receiver.z - 0.6
+    net = ControlNet.of(scene.optic)
     x, y = net.positions
     r2 = x[:, None] ** 2 + y[None, :] ** 2
     w = (d * (n - 1) - np.sqrt(d**2 * (n - 1) ** 2 + (n**2 - 1) * r2)) / (n**2 - 1)
@@ -51,24 +51,24 @@ def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
     heights = np.linalg.solve(basis.along_x, np.linalg.solve(basis.along_y.T, (0.6 + w).T).T)
     arrival = Path.of(scene, net, torch.float64).walk({"exit": torch.as_tensor(heights)})
     assert arrival.rays.alive.all()
-    assert all(place.abs().max() < 1e-7 for place in places_of(arrival, scene.screen))
+    assert all(place.abs().max() < 1e-7 for place in places_of(arrival, scene.receiver))
 
 
 def test_the_walk_follows_snells_law(make_scene, rng):
     scene = make_scene({"lens.refractive_index": 1.7})
     heights = wavy(scene, rng)
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     arrival = Path.of(scene, net, torch.float64).walk({"exit": heights})
     t = (np.arange(64) + 0.5) / 64
     z, slope_x, slope_y = (torch.as_tensor(a) for a in net.grid(t, t).evaluate(heights.numpy()))
     length = (1 + slope_x**2 + slope_y**2).sqrt()
     up = torch.zeros_like(z), torch.zeros_like(z), torch.ones_like(z)
     out = refract(up, (-slope_x / length, -slope_y / length, 1 / length), 1.7)
-    path = (scene.screen.z - z) / out.direction[2]
+    path = (scene.receiver.z - z) / out.direction[2]
     x = torch.as_tensor(2 * t - 1)[:, None] + path * out.direction[0]
     y = torch.as_tensor(2 * t - 1)[None, :] + path * out.direction[1]
     assert torch.equal(arrival.rays.alive, out.passes)
-    for place, expected in zip(places_of(arrival, scene.screen), (x, y), strict=True):
+    for place, expected in zip(places_of(arrival, scene.receiver), (x, y), strict=True):
         assert (place - expected)[out.passes].abs().max() < 1e-11
 
 
@@ -115,7 +115,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_all_light_totally_reflected_is_counted_not_nan(make_scene, dtype):
     scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
-    x, _ = ControlNet.of(scene.lens).positions
+    x, _ = ControlNet.of(scene.optic).positions
     steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace({"exit": steep})
     assert traced.account.lost["total_reflection"] == pytest.approx(0.96)
@@ -159,7 +159,7 @@ def test_a_mirrored_lens_gives_a_mirrored_image(make_scene, rng):
 def test_a_wedge_throws_light_to_its_thick_side(make_scene):
     # The exit face rises towards +x: light bends to +x, the image moves to the right columns.
     scene = make_scene()
-    x, _ = ControlNet.of(scene.lens).positions
+    x, _ = ControlNet.of(scene.optic).positions
     heights = torch.as_tensor(np.repeat((0.5 + 0.1 * x)[:, None], 10, axis=1))
     flux = Plan(scene).trace({"exit": heights}).flux.numpy()
     columns = flux.sum(axis=0)
@@ -170,13 +170,13 @@ def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
     paths = ray_paths(scene, {"exit": heights.numpy()}, (5, 4))
-    arrival = Path.of(scene, ControlNet.of(scene.lens), torch.float64).walk({"exit": heights})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"exit": heights})
     assert paths.points.shape == (20, 4, 3)
     assert paths.points[:, 3, 0] == pytest.approx(
-        places_of(arrival, scene.screen)[0].numpy().ravel()
+        places_of(arrival, scene.receiver)[0].numpy().ravel()
     )
-    assert paths.points[:, 3, 2] == pytest.approx(scene.screen.z)
-    assert paths.points[:, 1, 2] == pytest.approx(scene.lens.entrance_z)
+    assert paths.points[:, 3, 2] == pytest.approx(scene.receiver.z)
+    assert paths.points[:, 1, 2] == pytest.approx(scene.optic.entrance_z)
     assert (paths.weight > 0.9).all()
     expected = (np.abs(paths.points[:, 3, :2]) < 1).all(axis=1)
     assert (paths.on_screen == expected).all()
@@ -194,7 +194,7 @@ def test_paths_of_a_result_come_without_a_warning(make_scene, recwarn):
 
 def test_reflected_paths_stop_at_the_exit_face(make_scene):
     scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
-    x, _ = ControlNet.of(scene.lens).positions
+    x, _ = ControlNet.of(scene.optic).positions
     paths = ray_paths(scene, {"exit": np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)}, (3, 3))
     assert (paths.points[:, 3] == paths.points[:, 2]).all()
     assert not paths.weight.any()

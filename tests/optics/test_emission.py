@@ -20,7 +20,7 @@ GRID = GridSource(
 
 @pytest.fixture
 def lens(make_scene):
-    return make_scene({"lens.half_width": [1.0, 0.8]}).lens
+    return make_scene({"lens.half_width": [1.0, 0.8]}).optic
 
 
 @pytest.mark.parametrize("sampling", ["sobol", "random"])

@@ -15,7 +15,7 @@ GRID = {"kind": "grid", "center": [0, 0.1, -1], "half_width": [1, 1], "points": 
 @pytest.mark.parametrize("distance", [1e-6, 1e-3, 0.5, 5.0, 1e3])
 def test_a_square_seen_from_its_axis(make_scene, distance):
     scene = make_scene({"source": POINT | {"position": [0, 0, -distance]}})
-    light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
     square = 4 * np.arcsin(1 / (1 + distance**2))  # its solid angle
     rim = np.sqrt(distance**2 / (distance**2 + 2))
     cap = 2 * np.pi * (2 / (distance**2 + 2)) / (1 + rim)
@@ -30,8 +30,8 @@ def test_a_square_seen_from_its_axis(make_scene, distance):
 )
 def test_the_account_is_that_of_many_rays(make_scene, source, emission):
     scene = make_scene({"source": source | {"rays": 1 << 15, "emission": emission}})
-    light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
-    lost = Path.of(scene, ControlNet.of(scene.lens)).lost
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    lost = Path.of(scene, ControlNet.of(scene.optic)).lost
     assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=5e-4)
     assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=5e-4)
 
@@ -40,6 +40,6 @@ def test_lambertian_light_of_a_cone_that_reaches_behind(make_scene):
     """From beside, near the plane of the face, half of the cone is behind the source: dark."""
     source = POINT | {"position": [1.5, 0.0, -0.05], "emission": "lambertian", "rays": 1 << 18}
     scene = make_scene({"source": source})
-    light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
-    missed = Path.of(scene, ControlNet.of(scene.lens)).lost["missed_lens"].item()
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    missed = Path.of(scene, ControlNet.of(scene.optic)).lost["missed_lens"].item()
     assert 1 - light.missed == pytest.approx(1 - missed, rel=5e-3)

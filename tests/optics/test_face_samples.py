@@ -34,14 +34,14 @@ SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
 
 def light_of(scene, heights, samples=None, dtype=torch.float64):
     """The light of a lens before it becomes an image, by samples or by rays that search."""
-    path = Path.of(scene, ControlNet.of(scene.lens), dtype, samples=samples)
+    path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=samples)
     return Reference(path).arrival({"exit": heights})
 
 
 def image_of(arrival, scene):
     flux = arrival.rays.flux
     return reconstruct(
-        arrival.column, arrival.row, flux, scene.screen.pixels, scene.filter
+        arrival.column, arrival.row, flux, scene.receiver.pixels, scene.filter
     ).double()
 
 
@@ -52,12 +52,12 @@ def distance(image, other):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
     scene = make_scene({"source": POINT | {"position": [0, 0, -OVAL_DISTANCE]}, **OVAL})
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     hits = light_of(scene, oval(net), Corners(40, 50), dtype)
     arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.8  # steep corners reflect it
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
-    for place in places_of(hits, scene.screen):
+    for place in places_of(hits, scene.receiver):
         assert place[arrives].abs().max() < accuracy
 
 
@@ -67,7 +67,7 @@ def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
 ):
     source = POINT | {"position": [0, 0, -1.0], "emission": emission}
     scene = make_scene({"source": source, **THIN_PLATE})
-    heights = torch.full(scene.lens.net_shape, 1e-6, dtype=torch.float64)
+    heights = torch.full(scene.optic.net_shape, 1e-6, dtype=torch.float64)
     # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
     traced = Plan(scene, samples=Corners(1001, 1003), dtype=torch.float64).trace({"exit": heights})
     expected = behind_thin_plate(scene, emission, power)
@@ -105,7 +105,7 @@ def test_light_from_very_far_is_collimated(make_scene):
     heights = smooth(far)
     hits, others = (light_of(scene, heights, Corners(90, 80)) for scene in (far, parallel))
     assert torch.equal(hits.rays.alive, others.rays.alive)
-    found, expected = (places_of(each, far.screen) for each in (hits, others))
+    found, expected = (places_of(each, far.receiver) for each in (hits, others))
     for place, other in zip(found, expected, strict=True):
         assert (place - other).abs().max() < 1e-3
     flux, parallel_flux = hits.rays.flux, others.rays.flux
@@ -129,7 +129,7 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
     ]
     # Of equal intensity: each with the flux of its own cone.
     points = scene.source.positions
-    part = covering_caps(points, scene.lens.half_width, 0.0).solid_angle
+    part = covering_caps(points, scene.optic.half_width, 0.0).solid_angle
     part /= part.sum()
     expected = sum(p * one.flux for p, one in zip(part, alone, strict=True))
     assert distance(together.flux, expected) < 1e-3
@@ -143,7 +143,7 @@ def test_each_point_of_a_grid_gives_the_light_that_it_gives_alone(make_scene):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, dtype):
     scene = make_scene({"source": source, "lens.degree": [2, 3]})
-    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.net_shape))
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.optic.net_shape))
     heights = (3.0 + amplitude * noise).requires_grad_()
     for fused in (False, True):
         plan = Plan(scene, samples=Corners(60, 50), dtype=dtype, fused=fused)
@@ -193,7 +193,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, position, degr
         flux = plan.trace({"exit": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 7
 
-    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)
     directions = x[:, None] + 0 * y, (1 - x[:, None] ** 2) * torch.sin(4 * y[None, :])
     check_against_differences(loss, heights, directions)
 
@@ -226,7 +226,7 @@ def test_samples_are_dense_before_a_source_that_is_near_a_thin_lens(make_scene, 
         .flux
     )
     exact = validate(scene, np.ones((16, 16)), {"exit": heights.numpy()}, 1 << 19).irradiance
-    assert distance(flux, torch.tensor(exact * scene.screen.pixel_measure)) < 0.1
+    assert distance(flux, torch.tensor(exact * scene.receiver.pixel_measure)) < 0.1
 
 
 def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
@@ -234,7 +234,7 @@ def test_half_of_the_dense_samples_see_a_mirror_image(make_scene):
     smooth_filter = {"kind": "gaussian", "size": [3, 3], "alpha": 1.0}
     source = POINT | {"position": [0, 0, -1e-3]}
     scene = make_scene(THIN | {"source": source, "filter": smooth_filter})
-    heights = torch.full(scene.lens.net_shape, 0.01, dtype=torch.float64)
+    heights = torch.full(scene.optic.net_shape, 0.01, dtype=torch.float64)
     whole, quarter = (
         Plan(scene, samples=Corners(400, 400), mirrored=halved, dtype=torch.float64).trace(
             {"exit": heights}

@@ -38,9 +38,11 @@ def test_many_points_take_as_many_steps_as_four(make_scene, emission):
 
     few, many = scene(2), scene(_ALONG)
     parts = {
-        "rays": lambda s: emit(s.source, s.lens, seed=0),
-        "check": lambda s: light_source(s.source, s.lens, Pose(), 1000, 1),
-        "account": lambda s: entering.__wrapped__(s.source, s.lens, TransmittanceLaw.of(s.lens)[0]),
+        "rays": lambda s: emit(s.source, s.optic, seed=0),
+        "check": lambda s: light_source(s.source, s.optic, Pose(), 1000, 1),
+        "account": lambda s: entering.__wrapped__(
+            s.source, s.optic, TransmittanceLaw.of(s.optic)[0]
+        ),
     }
     for name, work in parts.items():
         work(few)  # imports and caches

@@ -290,7 +290,7 @@ def mesh_scene(make_scene, subdivisions, **changes):
 
 def test_a_scene_chooses_its_mesh(make_scene):
     scene = mesh_scene(make_scene, [2, 3])
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     heights = wavy(net)
     mesh = Plan(scene, dtype=torch.float64).trace({"exit": heights})
     source = scene.source.model_copy(update={"intersection": ExactMethod()})

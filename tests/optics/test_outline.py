@@ -23,7 +23,7 @@ ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
 
 
 def plate(scene):
-    return {"exit": torch.full(scene.lens.net_shape, 0.5, dtype=torch.float64)}
+    return {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
 
 
 @pytest.mark.parametrize("fused", [True, False])
@@ -54,8 +54,8 @@ def test_the_image_of_a_plate_is_the_ellipse(make_scene):
 def test_light_of_a_point_through_the_ellipse_is_that_of_many_rays(make_scene, place, emission):
     source = POINT | {"position": place, "rays": 1 << 17, "emission": emission}
     scene = make_scene(ROUND | {"source": source})
-    light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
-    lost = Path.of(scene, ControlNet.of(scene.lens)).lost
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    lost = Path.of(scene, ControlNet.of(scene.optic)).lost
     assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=1e-3)
     assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=1e-3)
 
@@ -68,7 +68,7 @@ def test_a_round_face_seen_from_its_axis(make_scene):
             r2 / (distance**2 + r2 + distance * math.hypot(distance, math.sqrt(r2)))
             for r2 in (1, 2)
         )
-        light = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0])
+        light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
         assert 1 - light.missed == pytest.approx(disc / cap, rel=1e-12)
 
 
@@ -86,7 +86,7 @@ def test_slanted_rays_that_meet_the_wall_leave_by_the_side(make_scene):
 
 def test_no_ray_to_look_at_passes_beside_the_lens(make_scene):
     scene = make_scene(ROUND)
-    paths = ray_paths(scene, {"exit": np.full(scene.lens.net_shape, 0.5)}, (9, 7))
+    paths = ray_paths(scene, {"exit": np.full(scene.optic.net_shape, 0.5)}, (9, 7))
     assert len(paths.points) == 9 * 7
     assert Ellipse((1.0, 0.8)).contains(*paths.points[:, 1, :2].T).all()
 
@@ -124,7 +124,7 @@ def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
     screen = {"z": focus, "half_width": [0.4, 0.4], "pixels": [64, 64]}
     changes |= {"lens.outline": "ellipse", "lens.height_range": [-0.5, 0.5], "screen": screen}
     scene = make_scene(changes)
-    lens = {"exit": net_of(scene, scene.lens.base.height_at)}
+    lens = {"exit": net_of(scene, scene.optic.base.height_at)}
     paths = ray_paths(scene, lens, (15, 15))
     _, _, exits, hits = paths.points.transpose(1, 0, 2)
     h = np.hypot(exits[:, 0], exits[:, 1])

@@ -40,15 +40,15 @@ def total(arrival):
 @pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
 def test_arrived_and_lost_light_add_up_to_all_light(make_scene, source, dtype):
     scene = make_scene({"source": source})
-    arrival = Path.of(scene, ControlNet.of(scene.lens), dtype).walk({"exit": smooth(scene, 0.2)})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk({"exit": smooth(scene, 0.2)})
     assert total(arrival) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 1e-6)
     assert min(flux.item() for flux in arrival.lost.values()) >= -1e-6
 
 
 def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
     scene = make_scene({"source": POINT})
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
-    steep = torch.full(scene.lens.net_shape, 3.5, dtype=torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
+    steep = torch.full(scene.optic.net_shape, 3.5, dtype=torch.float64)
     arrival = path.walk({"exit": steep})
     assert arrival.rays.flux.shape == path.rays.flux.shape
     assert not arrival.rays.alive.all()
@@ -66,7 +66,7 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
                 plate, Refraction(TransmittanceLaw.schlick(1 / INDEX), "front_reflection"), "beside"
             )
         ],
-        PlaneReceiver(make_scene().screen, 0.0),
+        PlaneReceiver(make_scene().receiver, 0.0),
         datum=0.0,
         outline=plate.outline,
         seed=0,
@@ -76,14 +76,14 @@ def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
     assert arrival.lost["beside"].item() == 0.5
     assert arrival.lost["front_reflection"].item() == pytest.approx(0.5 * 0.04)
     # The ray that missed is gone before the walk begins.
-    assert places_of(arrival, make_scene().screen)[0].tolist() == [0.5]
+    assert places_of(arrival, make_scene().receiver)[0].tolist() == [0.5]
 
 
 @SOURCES
 def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     """Two planes in the glass that let all light pass change no ray."""
     scene = make_scene({"source": source})
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     whole = Path.of(scene, net, torch.float64)
     between = [
         FaceStep(Plane(f"inner {z}", z - whole.datum, Rectangle((9.0, 9.0))), Unchanged(), "aside")
@@ -113,14 +113,14 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
 @SOURCES
 def test_rays_through_a_place_are_followed_to_where_the_trace_sends_them(make_scene, source):
     scene = make_scene({"source": source})
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     heights = {"exit": smooth(scene)}
     x = torch.tensor([0.1, -0.3], dtype=torch.float64)
     rays = path.emitter.towards(x, 0.5 * x)
     (entrance, exit_face), arrival = path.follow(rays, heights)
     assert np.allclose(entrance[0], x) and np.allclose(entrance[1], 0.5 * x)
-    assert np.allclose(entrance[2], scene.lens.entrance_z)
-    places = ControlNet.of(scene.lens).points(*((c.numpy() + 1) / 2 for c in exit_face[:2]))
+    assert np.allclose(entrance[2], scene.optic.entrance_z)
+    places = ControlNet.of(scene.optic).points(*((c.numpy() + 1) / 2 for c in exit_face[:2]))
     height = places.evaluate(heights["exit"].numpy())[0]
     assert np.allclose(exit_face[2], height, rtol=0, atol=1e-12)
     assert arrival.rays.alive.all()
@@ -132,7 +132,7 @@ def test_a_screen_on_either_side_receives_the_light_that_goes_there(make_scene, 
     across = 0.5**0.5
     directions = [[across, 0, side * across], [across, 0, -across], [1, 0, 0]]
     rays = bundle([[0.0, 0.0, 0.0]] * 3, directions, [1 / 3] * 3)
-    screen = make_scene().screen.model_copy(update={"z": z})
+    screen = make_scene().receiver.model_copy(update={"z": z})
     expected = [abs(z), np.inf if side > 0 else abs(z), np.inf]
     columns = screen.to_pixels(np.array(expected), 0.0)[0].tolist()
     assert PlaneReceiver(screen, 0.0).places(rays)[0].tolist() == pytest.approx(columns)

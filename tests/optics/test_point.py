@@ -30,7 +30,7 @@ SOURCES = pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"]
 
 def towards(scene, origin, count=40):
     """Rays from a point on the axis to a grid of places on the entrance face."""
-    lens = scene.lens
+    lens = scene.optic
     place = ((np.arange(count) + 0.5) / count * 2 - 1) * 0.8
     x, y = (c.ravel() for c in np.meshgrid(place, place, indexing="ij"))
     direction = np.column_stack([x, y, np.full(len(x), lens.entrance_z)]) - origin
@@ -41,7 +41,9 @@ def towards(scene, origin, count=40):
 
 def walked(scene, rays, heights, dtype=torch.float64):
     """Given rays at the receiver."""
-    return with_rays(Path.of(scene, ControlNet.of(scene.lens), dtype), rays).walk({"exit": heights})
+    return with_rays(Path.of(scene, ControlNet.of(scene.optic), dtype), rays).walk(
+        {"exit": heights}
+    )
 
 
 def parts(account):
@@ -52,13 +54,13 @@ def parts(account):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_an_oval_of_equal_paths_brings_all_light_to_one_point(make_scene, dtype):
     scene = make_scene({"source": POINT, **OVAL})
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     _, _, rays = towards(scene, np.array([0, 0, -OVAL_DISTANCE]))
     hits = walked(scene, rays, oval(net), dtype)
     arrives = (hits.rays.flux > 0).numpy()
     assert arrives.mean() > 0.9
     accuracy = 1e-6 if dtype == torch.float64 else 3e-5
-    for place in places_of(hits, scene.screen):
+    for place in places_of(hits, scene.receiver):
         assert place[arrives].abs().max() < accuracy
 
 
@@ -72,7 +74,7 @@ class TestFlatPlate:
         outer = np.arctan2(radius, 2.0)
         inner = np.arcsin(np.sin(outer) / INDEX)
         landing = radius + 0.5 * np.tan(inner) + 4.5 * np.tan(outer)
-        assert torch.hypot(*places_of(hits, scene.screen)).numpy() == pytest.approx(
+        assert torch.hypot(*places_of(hits, scene.receiver)).numpy() == pytest.approx(
             landing, abs=1e-12
         )
         share = 0.96 * (1 - (1 - np.cos(outer)) ** 5)  # Schlick, the same at both faces
@@ -83,7 +85,7 @@ class TestFlatPlate:
         """A thin plate leaves the inverse square and the cosines: cos³, Lambertian cos⁴."""
         source = {"kind": "point", "position": [0, 0, -1.0], "rays": 1 << 20}
         scene = make_scene({"source": source | {"emission": emission}, **THIN_PLATE})
-        heights = torch.full(scene.lens.net_shape, 1e-6, dtype=torch.float64)
+        heights = torch.full(scene.optic.net_shape, 1e-6, dtype=torch.float64)
         traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
         expected = behind_thin_plate(scene, emission, power)
         assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
@@ -103,8 +105,8 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
             "lens.degree": [5, 5],
         }
     )
-    net = ControlNet.of(scene.lens)
-    control = interpolating(net, scene.lens.base.height_at)
+    net = ControlNet.of(scene.optic)
+    control = interpolating(net, scene.optic.base.height_at)
     # Behind the entrance face the object seems n times as far; the exit face adds (n − 1)/R.
     vergence = -INDEX / (INDEX * distance + thickness) + (INDEX - 1) / radius
     image = thickness + 1 / vergence
@@ -113,7 +115,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
         rays = bundle([[aperture, 0, 0]], direction, [1])
         (_, (start, _, depth)), hits = path.follow(rays, {"exit": control})
-        slope = (places_of(hits, scene.screen)[0] - start) / (60.0 - depth)
+        slope = (places_of(hits, scene.receiver)[0] - start) / (60.0 - depth)
         crossings.append((depth - start / slope).item())
     paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order
     assert paraxial == pytest.approx(image, rel=1e-4)
@@ -126,7 +128,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
-    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.lens.net_shape))
+    noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.optic.net_shape))
     heights = (3.5 + amplitude * noise).requires_grad_()
     traced = Plan(scene, dtype=dtype).trace({"exit": heights})
     emitted, where = parts(traced.account)
@@ -160,7 +162,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree
         flux = plan.trace({"exit": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 8
 
-    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)
     # A tilt, a focus and a bump, all of them away from the rim, where rays change their side.
     window = (1 - x[:, None] ** 2) * (1 - y[None, :] ** 2)
     directions = window * x[:, None], window**2, window * torch.sin(4 * y[None, :])
@@ -219,7 +221,7 @@ def test_redrawn_rays_are_others_of_the_same_light(make_scene):
 
 def in_glass(scene, positions, directions, dtype):
     """The path of rays that start behind the entrance face."""
-    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    path = Path.of(scene, ControlNet.of(scene.optic), dtype)
     rays = bundle(
         np.array(positions), np.array(directions), np.full(len(positions), 1 / len(positions))
     )
@@ -257,7 +259,7 @@ class TestHardCases:
             }
         )
         heights = torch.linspace(0.4, 0.6, (degree[0] + 1) * (degree[1] + 1))
-        heights = heights.view(scene.lens.net_shape).double()
+        heights = heights.view(scene.optic.net_shape).double()
         account = self.gradient_of(Plan(scene, dtype=dtype), heights)
         assert account.lost["missed_lens"] + account.lost["left_side"] < 0.9999
 
@@ -298,7 +300,7 @@ class TestHardCases:
         scene = make_scene(
             {"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1], "source": POINT}
         )
-        x, _ = ControlNet.of(scene.lens).positions
+        x, _ = ControlNet.of(scene.optic).positions
         steep = torch.as_tensor(np.repeat((0.5 + 3 * x)[:, None], 4, axis=1))
         account = self.gradient_of(Plan(scene, dtype=dtype), steep)
         assert account.lost["total_reflection"] > 0.1

@@ -18,10 +18,10 @@ FAR = {"screen.z": 2e5, "screen.pixels": [64, 64], "lens.height_range": [-0.02, 
 def images(scene):
     """The image in float32, float64, and in the float type that the scene needs."""
     rng = np.random.default_rng(3)
-    net = scene.lens.control_points
+    net = scene.optic.control_points
     # Aimed at the screen, as a designed lens is: slopes so small that light stays on it.
     waves = 1e-7 * rng.normal(size=net)
-    heights = torch.tensor(scene.lens.base.height + 0.019 + waves)
+    heights = torch.tensor(scene.optic.base.height + 0.019 + waves)
     return [
         Plan(scene, dtype=t).trace({"exit": heights}).flux
         for t in (torch.float32, torch.float64, None)
@@ -67,7 +67,7 @@ def test_a_screen_that_leans_far_away_is_traced_in_float64(make_scene):
     far = {"version": 2, "screen.z": 1e5, "screen.half_width": [1.0, 1.0]}
     upright, leaning = (make_scene(far | {"screen.tilt": [0.0, tilt]}) for tilt in (0.0, 20.0))
     more = shift_of(leaning) - shift_of(upright)
-    pixels = leaning.screen.pixels[0] / 2  # for each unit of length
+    pixels = leaning.receiver.pixels[0] / 2  # for each unit of length
     eps = torch.finfo(torch.float32).eps
     assert more > eps * pixels * 1e5 * math.sin(math.radians(20))
     assert precision_of(leaning) is torch.float64
@@ -87,7 +87,7 @@ def test_light_of_a_source_that_nearly_touches_the_lens_is_traced_in_float64(mak
     assert precision_of(common) is torch.float32
 
     def account(scene, dtype):
-        heights = {"exit": torch.full(scene.lens.control_points, scene.lens.base.height).double()}
+        heights = {"exit": torch.full(scene.optic.control_points, scene.optic.base.height).double()}
         corners = Corners(16, 16, 16)
         lost = BeamPlan(scene, corners, dtype=dtype).trace(heights).account.to_data()
         return np.array(list(lost.values()))

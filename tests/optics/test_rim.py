@@ -126,12 +126,12 @@ def spreading(make_scene, outline):
     nets = {"lens.control_points": [12, 12], "lens.height_range": None, "lens.outline": outline}
     entrance = {"shape": "freeform", "height_range": [-0.3, 0.3]}
     scene = make_scene({**nets, "lens.entrance": entrance, "screen.half_width": [3, 3]})
-    (n_u, n_v) = scene.lens.net_shape
+    (n_u, n_v) = scene.optic.net_shape
     u, v = np.linspace(-1, 1, n_u)[:, None], np.linspace(-1, 1, n_v)
     dome = -0.1 * (u**2 + v**2)  # a hollow, which spreads light
     return scene, {
         "entrance": torch.tensor(dome),
-        "exit": torch.tensor(scene.lens.base.height + 0 * dome),
+        "exit": torch.tensor(scene.optic.base.height + 0 * dome),
     }
 
 

@@ -13,9 +13,9 @@ ENTRANCE = {"shape": "freeform", "height_range": [-0.1, 0.1]}
 
 def steep(scene):
     """An exit face that is flat but for a slope of 1.2 in the quarter where x and y are large."""
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * (y > 0.1)
-    heights = {face: np.zeros(net.shape) for face, net in freeform_nets(scene.lens).items()}
+    heights = {face: np.zeros(net.shape) for face, net in freeform_nets(scene.optic).items()}
     return heights | {"exit": 0.5 + rise}
 
 
@@ -36,7 +36,7 @@ def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_
     assert found.share == pytest.approx(account.lost["total_reflection"], rel=0.05)
     x, y, z = found.places.T
     assert x.min() > 0.2 and y.min() > -0.1
-    exact, *_ = ControlNet.of(scene.lens).at(x, y, heights["exit"])
+    exact, *_ = ControlNet.of(scene.optic).at(x, y, heights["exit"])
     np.testing.assert_allclose(z, exact, atol=1e-9)
     x, y = found.middle
     assert x > 0.3 and y > (0.0 if source else 0.1)  # near light is brightest about the axis
@@ -48,7 +48,7 @@ def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_
 
 def test_the_middle_is_a_bright_place_where_light_is_reflected_at_two(make_scene):
     scene = make_scene({"lens.control_points": [24, 24]})
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     rise = 1.2 * np.clip(np.abs(x) - 0.6, 0, None)[:, None] + 0 * y
     found = total_reflection(scene, {"exit": 0.5 + rise})
     assert found.places[:, 0].min() < -0.5 and found.places[:, 0].max() > 0.5

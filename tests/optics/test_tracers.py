@@ -32,7 +32,7 @@ class Unchanged:
 
 
 def path_of(scene, samples=None):
-    return Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=samples)
+    return Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=samples)
 
 
 def changed(path, emitter=None, steps=None):
@@ -148,4 +148,4 @@ def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
     slope = np.sqrt(sine**2 - 0.25) / 0.5
     entered = x - 0.5 * slope
     outside = np.sin(np.arctan2(entered, 2.0))
-    assert np.sin(np.arctan(slope)) == pytest.approx(outside / scene.lens.index, rel=1e-9)
+    assert np.sin(np.arctan(slope)) == pytest.approx(outside / scene.optic.index, rel=1e-9)

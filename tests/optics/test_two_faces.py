@@ -40,7 +40,7 @@ def wavy(scene, rng, size=0.03):
     levels = {"entrance": 0.0, "exit": 0.6}
     return {
         face: torch.as_tensor(levels[face] + size * rng.uniform(-1, 1, net.shape))
-        for face, net in freeform_nets(scene.lens).items()
+        for face, net in freeform_nets(scene.optic).items()
     }
 
 
@@ -75,7 +75,7 @@ def test_a_plane_as_a_freeform_face_does_what_a_flat_one_does(make_scene, rng, s
         make_scene({**LENS, "version": 2, "source": source, "lens.entrance": each})
         for each in (entrance, {"shape": "flat"})
     )
-    plane = torch.zeros(scene.lens.net_shape, dtype=torch.float64)
+    plane = torch.zeros(scene.optic.net_shape, dtype=torch.float64)
     heights = {"entrance": plane, "exit": wavy(scene, rng)["exit"]}
     two = Plan(free, dtype=torch.float64, fused=False).trace(heights)
     one = Plan(flat, dtype=torch.float64, fused=False).trace({"exit": heights["exit"]})
@@ -88,7 +88,7 @@ def test_a_plane_as_a_freeform_face_does_what_a_flat_one_does(make_scene, rng, s
 def test_the_gradient_of_each_face_is_that_of_differences(make_scene, rng, source, face):
     scene = make_scene({**LENS, "version": 2, "source": source})
     heights = wavy(scene, rng, 0.01)
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     weights = None
 
     def loss(moved):
@@ -132,7 +132,7 @@ def test_two_hyperboloids_image_a_point_into_a_point(make_scene):
             "screen.z": thickness + behind,
         },
     )
-    nets = freeform_nets(scene.lens)
+    nets = freeform_nets(scene.optic)
     heights = {
         "entrance": round_face(nets["entrance"], lambda r: rise(r, before)),
         "exit": round_face(nets["exit"], lambda r: thickness - rise(r, behind)),
@@ -140,7 +140,7 @@ def test_two_hyperboloids_image_a_point_into_a_point(make_scene):
     path = Path.of(scene, nets["exit"], torch.float64)
     arrival = path.walk(heights)
     assert arrival.rays.alive.sum() > 900
-    at = torch.stack(places_of(arrival, scene.screen))[:, arrival.rays.alive]
+    at = torch.stack(places_of(arrival, scene.receiver))[:, arrival.rays.alive]
     assert at.abs().max() < 1e-10
 
 
@@ -155,7 +155,7 @@ def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
 
     source = {"kind": "collimated", "rays": [30, 30]}
     scene = fine(make_scene, {"source": source, "screen.z": 30.0})
-    nets = freeform_nets(scene.lens)
+    nets = freeform_nets(scene.optic)
     heights = {
         "entrance": round_face(nets["entrance"], rise),
         "exit": round_face(
@@ -168,7 +168,7 @@ def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
     d_x, d_y, _ = arrival.rays.direction
     assert max(d_x.abs().max(), d_y.abs().max()) < 1e-10
     came, _, _ = path.rays.position
-    x, _ = places_of(arrival, scene.screen)
+    x, _ = places_of(arrival, scene.receiver)
     np.testing.assert_allclose(x.reshape(30, 30), factor * came.expand(30, 30), rtol=0, atol=1e-10)
 
 
@@ -178,7 +178,7 @@ def test_what_does_not_lie_ahead_of_a_source_is_dark(make_scene, fused):
     scene = make_scene(
         {**LENS, "version": 2, "source": SOURCES["area"], "source.center": [0, 0, -1]}
     )
-    nets = freeform_nets(scene.lens)
+    nets = freeform_nets(scene.optic)
     heights = {face: torch.full(net.shape, 0.6, dtype=torch.float64) for face, net in nets.items()}
     heights["entrance"][:] = 0
     heights["entrance"][: len(heights["entrance"]) // 2] = -1.0

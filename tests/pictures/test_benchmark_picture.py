@@ -13,7 +13,7 @@ from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.leds import LedDesign
 from workbench.analysis.benchmark.names import BENCHMARKS
 from workbench.pictures import benchmark
-from workbench.pictures.experiments import page
+from workbench.pictures.benchmark import page
 
 COURSES = [
     Course("flame", "paper", times=(0.1, 1.0, 10.0), errors=(0.8, 0.5, 0.2)),

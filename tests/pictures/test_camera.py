@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.pictures.camera import FittedCamera, axes_of
-from workbench.pictures.sight import Sight
+from workbench.pictures.projection import Projection
 
 HEIGHT = 400  # of the plotter
 
@@ -44,7 +44,7 @@ def test_camera_stops_short_of_the_top(camera, plotter):
 def test_camera_moves_by_fractions_of_the_picture(camera, plotter):
     camera.turn(20, -30)
     middle, direction = np.array(plotter.camera.focal_point), plotter.camera.direction
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     before = sight.pixels(middle[None])
     camera.move(0.25, 0.1)
     moved = before - sight.pixels(middle[None])
@@ -55,7 +55,7 @@ def test_camera_moves_by_fractions_of_the_picture(camera, plotter):
 def test_camera_comes_nearer_to_the_middle(camera, plotter):
     middle = np.array(plotter.camera.focal_point)
     places = middle + np.array([[0, 0, 0], [0.2, 0.1, 0]])
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     before = sight.pixels(places)
     camera.zoom(1.25)
     after = sight.pixels(places)
@@ -68,7 +68,7 @@ def test_the_point_that_it_zooms_to_stays_where_it_is(camera, plotter, factor):
     camera.turn(25, -20)
     about = np.array([[0.3, -0.2, 0.4]])
     places = about + np.array([[0, 0, 0], [0.1, 0.05, 0]])
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     before = sight.pixels(places)
     away = np.array(plotter.camera.focal_point) - about[0]
     camera.zoom(factor, about[0])
@@ -106,13 +106,13 @@ def test_a_look_at_the_lens_holds_it_large_and_free_of_the_screen(
     scene = make_scene(changes)
     camera = FittedCamera(plotter, scene, perspective=perspective)
     camera.fit("lens")
-    sight = Sight(plotter)
-    left, low, right, high = outline(sight, scene.lens.half_width, (0.0, 0.5))
+    sight = Projection(plotter)
+    left, low, right, high = outline(sight, scene.optic.half_width, (0.0, 0.5))
     width, height = plotter.window_size
     assert min(left, low) > 0 and right < width and high < height
     assert max((right - left) / width, (high - low) / height) > 0.7
-    beyond = perspective and plotter.camera.position[2] < scene.screen.z  # behind the camera
-    assert beyond or outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right
+    beyond = perspective and plotter.camera.position[2] < scene.receiver.z  # behind the camera
+    assert beyond or outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right
 
 
 @pytest.mark.parametrize("changes", SCENES)
@@ -120,26 +120,28 @@ def test_a_look_at_the_screen_is_from_its_free_side(make_scene, plotter, changes
     scene = make_scene(changes)
     camera = FittedCamera(plotter, scene)
     camera.fit("screen")
-    left, low, right, high = outline(Sight(plotter), scene.screen.half_width, (scene.screen.z,))
+    left, low, right, high = outline(
+        Projection(plotter), scene.receiver.half_width, (scene.receiver.z,)
+    )
     assert high - low == pytest.approx(HEIGHT / 1.12)
     assert right - left == pytest.approx(high - low)
-    assert plotter.camera.position[2] > scene.screen.z and plotter.camera.up == (0, 1, 0)
+    assert plotter.camera.position[2] > scene.receiver.z and plotter.camera.up == (0, 1, 0)
 
 
 @pytest.mark.parametrize("changes", SCENES)
 def test_the_first_look_shows_the_lens_free_of_the_screen(make_scene, plotter, changes):
     scene = make_scene(changes)
     FittedCamera(plotter, scene).fit("")
-    sight = Sight(plotter)
-    *_, right, _ = outline(sight, scene.lens.half_width, (0.0, 0.5))
-    assert outline(sight, scene.screen.half_width, (scene.screen.z,))[0] > right - 1
+    sight = Projection(plotter)
+    *_, right, _ = outline(sight, scene.optic.half_width, (0.0, 0.5))
+    assert outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right - 1
 
 
 def test_a_look_at_the_lens_follows_how_high_it_is(make_scene, plotter):
     camera = FittedCamera(plotter, make_scene())
     camera.top = 2.5
     camera.fit("lens")
-    assert outline(Sight(plotter), (1.0, 1.0), (0.0, 2.5))[2] < plotter.window_size[0]
+    assert outline(Projection(plotter), (1.0, 1.0), (0.0, 2.5))[2] < plotter.window_size[0]
 
 
 def test_the_first_fit_draws_nothing(plotter, make_scene, monkeypatch):
@@ -171,7 +173,7 @@ def test_a_mirror_is_seen_whole_beside_its_screen(plotter, make_scene, high, per
     camera.top = high
     camera.fit("")
     back = scene.optic.flat_z(np.array(high))
-    left, low, right, top = outline(Sight(plotter), (1.0, 1.0), (0.0, high, back))
+    left, low, right, top = outline(Projection(plotter), (1.0, 1.0), (0.0, high, back))
     width, height = plotter.window_size
     assert left > 0 and low > 0 and right < width and top < height
 
@@ -195,7 +197,7 @@ def test_a_mirror_is_seen_whole_beside_its_screen(plotter, make_scene, high, per
 def test_the_first_look_holds_the_names_of_the_axes(plotter, make_scene, changes, perspective):
     scene = make_scene(changes)
     FittedCamera(plotter, scene, perspective=perspective).fit("")
-    places = Sight(plotter).pixels(axes_of(scene.optic))
+    places = Projection(plotter).pixels(axes_of(scene.optic))
     assert (places > 0).all() and (places < plotter.window_size).all()
 
 
@@ -207,7 +209,7 @@ def test_what_is_hidden_at_the_lower_edge_is_left_free(camera, plotter, make_sce
         "": [*axes_of(optic), *([x, y, 5.0] for x in (-1, 1) for y in (-1, 1))],
     }
     places = np.array(corners.get(view, [[x, y, 0.0] for x in (-1, 1) for y in (-1, 1)]))
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     camera.fit(view)
     assert sight.pixels(places)[:, 1].min() < 0.25 * HEIGHT
     camera.hidden = HEIGHT // 4

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 from matplotlib.ft2font import FT2Font
 
-from workbench.pictures.colour_scale import ColourScale
+from workbench.pictures.actors import ColourScale
 
 
 @pytest.fixture

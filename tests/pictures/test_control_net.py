@@ -12,7 +12,7 @@ def net(make_scene, plotter):
     """The net of 12 × 10 control points, seen as the default view has it; one of them marked."""
     scene = make_scene()
     LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    net = ControlNetPicture(plotter, scene.lens, "exit")
+    net = ControlNetPicture(plotter, scene.optic, "exit")
     net.update(np.full((12, 10), 0.5))
     net.mark((0, 0))
     plotter.render()
@@ -56,7 +56,7 @@ def test_nothing_is_picked_beside_the_lens(net, plotter):
 def test_points_of_the_entrance_face_lie_outside_the_glass(make_scene, plotter):
     scene = make_scene({"lens.entrance": {"shape": "freeform", "control_points": [6, 7]}})
     LensPicture(plotter, scene, np.ones((32, 32))).fit("entrance")
-    net = ControlNetPicture(plotter, scene.lens, "entrance")
+    net = ControlNetPicture(plotter, scene.optic, "entrance")
     net.update(np.zeros((6, 7)))
     net.show(True)
     assert shown(net._points) == 42 and (net._points._mesh.points[:, 2] < 0).all()
@@ -82,7 +82,7 @@ def fine(make_scene, plotter):
     """A net of 192 × 192 points, too many to be shown."""
     scene = make_scene({"lens.control_points": [192, 192]})
     LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    net = ControlNetPicture(plotter, scene.lens, "exit")
+    net = ControlNetPicture(plotter, scene.optic, "exit")
     net.update(np.full((192, 192), 0.5))
     net.show(True)
     plotter.render()
@@ -98,12 +98,12 @@ def test_a_coarse_net_is_shown_whole_with_its_lines(net, plotter):
     assert shown(net._points) == 0
     net.show(True)
     assert shown(net._points) == 120
-    assert net._threads.visibility and net._lines.n_lines == 22
+    assert net._net_lines.visibility and net._lines.n_lines == 22
     plotter.camera.zoom(0.2)
     net.update(np.full((12, 10), 0.5))
-    assert not net._threads.visibility and shown(net._points) == 120  # too close together
+    assert not net._net_lines.visibility and shown(net._points) == 120  # too close together
     net.show(False)
-    assert shown(net._points) == 0 and not net._threads.visibility
+    assert shown(net._points) == 0 and not net._net_lines.visibility
 
 
 def test_a_fine_net_is_shown_near_the_brush_alone(fine, plotter):
@@ -114,14 +114,14 @@ def test_a_fine_net_is_shown_near_the_brush_alone(fine, plotter):
     assert shown(fine._points) == 25 * 16
     assert fine._lines.n_lines == 25 + 16
     fine.brush(None)
-    assert shown(fine._points) == 0 and not fine._threads.visibility
+    assert shown(fine._points) == 0 and not fine._net_lines.visibility
 
 
 @pytest.mark.parametrize("view", ["", "side", "top", "axis"])
 def test_points_of_a_fine_net_are_picked_where_they_are_seen(make_scene, plotter, view, rng):
     scene = make_scene({"lens.control_points": [64, 50]})
     LensPicture(plotter, scene, np.ones((32, 32))).fit(view)
-    net = ControlNetPicture(plotter, scene.lens, "exit")
+    net = ControlNetPicture(plotter, scene.optic, "exit")
     # Tilted, so that none hides another when seen from the side or from above.
     tilt = np.linspace(-0.2, 0.2, 64)[:, None] + np.linspace(-0.1, 0.1, 50)
     net.update(0.5 + tilt)
@@ -154,7 +154,7 @@ def test_locked_points_are_squares_of_another_colour(net, plotter):
     net.show(True)
     plotter.camera.focal_point = net.places[8, 8]
     plotter.camera.zoom(5)
-    net._threads.SetVisibility(False)
+    net._net_lines.SetVisibility(False)
     plain = drawn(plotter)
     assert shown(net._locks) == 1
     assert shown(net._points) == 119

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.data import shown_data
+from workbench.pictures.figure_data import shown_data
 from workbench.pictures.images import IrradianceImage
 from workbench.pictures.loss import LossCourse, LossPicture
 from workbench.pictures.section import SectionCurves, cut_through

@@ -3,7 +3,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from workbench.pictures.derivative import DerivativeImage
+from workbench.pictures.images import DerivativeImage
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from workbench.optics.paths import ray_paths
-from workbench.pictures.camera import space
-from workbench.pictures.exploded import explode_paths, exploded
+from workbench.pictures.camera import scene_corners
+from workbench.pictures.compressed import compress_distances, compress_paths
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -400.0], "rays": 100}
 GRID = {
@@ -21,31 +21,31 @@ GRID = {
 def test_a_far_and_wide_screen_leaves_the_lens_a_good_part_of_the_picture(make_scene, source):
     changes = {"screen.z": 500.0, "screen.half_width": [200.0, 100.0]}
     scene = make_scene(changes if source is None else {**changes, "source": source})
-    corners = space(exploded(scene))
+    corners = scene_corners(compress_distances(scene))
     extent = corners.max(axis=0) - corners.min(axis=0)
-    assert (extent <= 2 * max(scene.lens.half_width) * np.array([1.5, 1.5, 4.5])).all()
-    drawn = exploded(scene).screen
+    assert (extent <= 2 * max(scene.optic.half_width) * np.array([1.5, 1.5, 4.5])).all()
+    drawn = compress_distances(scene).receiver
     assert drawn.half_width[0] == pytest.approx(2 * drawn.half_width[1])
-    assert exploded(scene).lens == scene.lens
+    assert compress_distances(scene).optic == scene.optic
 
 
 def test_near_and_small_parts_stay(make_scene):
     scene = make_scene({"screen.z": 2.5, "source": {**POINT, "position": [0.1, 0, -2.0]}})
-    assert exploded(scene) == scene
+    assert compress_distances(scene) == scene
     paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (3, 3)).points
-    np.testing.assert_array_equal(explode_paths(paths, scene), paths)
+    np.testing.assert_array_equal(compress_paths(paths, scene), paths)
 
 
 @pytest.mark.parametrize("source", [POINT, GRID])
 def test_rays_begin_at_the_source_and_end_in_the_image(make_scene, source):
     scene = make_scene({"screen.z": 300.0, "screen.half_width": [30.0, 30.0], "source": source})
-    drawn = exploded(scene)
+    drawn = compress_distances(scene)
     paths = ray_paths(scene, {"exit": np.full((12, 10), 0.5)}, (5, 5))
-    points = explode_paths(paths.points, scene)
+    points = compress_paths(paths.points, scene)
     np.testing.assert_array_equal(points[:, 1:3], paths.points[:, 1:3])
-    np.testing.assert_allclose(points[:, 3, 2], drawn.screen.z)
-    before = scene.screen.to_pixels(*paths.points[:, 3, :2].T)
-    np.testing.assert_allclose(drawn.screen.to_pixels(*points[:, 3, :2].T), before)
+    np.testing.assert_allclose(points[:, 3, 2], drawn.receiver.z)
+    before = scene.receiver.to_pixels(*paths.points[:, 3, :2].T)
+    np.testing.assert_allclose(drawn.receiver.to_pixels(*points[:, 3, :2].T), before)
     starts = ray_paths(drawn, {"exit": np.full((12, 10), 0.5)}, (5, 5)).points[:, 0]
     np.testing.assert_allclose(points[:, 0], starts)
 
@@ -54,4 +54,4 @@ def test_a_ray_that_stays_in_the_lens_ends_where_it_did(make_scene):
     scene = make_scene({"screen.z": 300.0})
     points = np.zeros((1, 4, 3))
     points[0, 3] = 0.1, 0.2, 0.4
-    np.testing.assert_array_equal(explode_paths(points, scene)[0, 3], [0.1, 0.2, 0.4])
+    np.testing.assert_array_equal(compress_paths(points, scene)[0, 3], [0.1, 0.2, 0.4])

@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 
-from workbench.pictures import shapes
-from workbench.pictures.face_look import face_colours, lit_normals, mean_curvature, scale_of, top_of
+from workbench.pictures import meshes
+from workbench.pictures.face_colours import (
+    colour_scale_of,
+    face_colours,
+    lit_normals,
+    mean_curvature,
+    scale_top,
+)
 
 X, Y = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-1, 1, 31), indexing="ij")
 
@@ -14,7 +20,7 @@ def surface(z):
 
 
 def rgb(z, by):
-    top = top_of([surface(z)], by)
+    top = scale_top([surface(z)], by)
     return face_colours(surface(z), by, "#8fc1e8", top).reshape(41, 31, 3).astype(int)
 
 
@@ -47,21 +53,21 @@ def test_a_plane_has_one_colour(by):
 
 def test_faces_share_a_scale_that_ends_at_what_the_largest_needs():
     low, high = surface(1 + 0.1 * X), surface(7 - 0.25 * X)
-    assert top_of([low, high], "height") == pytest.approx(1.0)
-    assert scale_of("height", 1.0, "mm") == ("viridis", 0.0, 1.0, "mm")
+    assert scale_top([low, high], "height") == pytest.approx(1.0)
+    assert colour_scale_of("height", 1.0, "mm") == ("viridis", 0.0, 1.0, "mm")
     bowl = surface(5 - np.sqrt(25 - X**2 - Y**2))
-    assert top_of([low, bowl], "curvature") == pytest.approx(0.2, rel=0.02)
-    assert scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1 / mm")
-    assert scale_of("material", 1.0, "mm") is None
+    assert scale_top([low, bowl], "curvature") == pytest.approx(0.2, rel=0.02)
+    assert colour_scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1 / mm")
+    assert colour_scale_of("material", 1.0, "mm") is None
 
 
 def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():
     smooth = 0.3 * X**2 - 0.1 * X * Y + 0.2 * Y
     fine = smooth + 1e-3 * np.sin(12 * X)
     plain, exaggerated = (lit_normals(surface(fine), high) for high in (False, True))
-    assert plain == pytest.approx(shapes.normals(surface(fine)))
-    change = np.abs(lit_normals(surface(smooth), True) - shapes.normals(surface(smooth)))
+    assert plain == pytest.approx(meshes.normals(surface(fine)))
+    change = np.abs(lit_normals(surface(smooth), True) - meshes.normals(surface(smooth)))
     assert change.max() < 1e-6
-    off = [np.abs(each - shapes.normals(surface(smooth))).max() for each in (plain, exaggerated)]
+    off = [np.abs(each - meshes.normals(surface(smooth))).max() for each in (plain, exaggerated)]
     assert off[1] > 20 * off[0]
     assert np.linalg.norm(exaggerated, axis=1) == pytest.approx(1.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.focus_curve import FocusCurve
+from workbench.pictures.error_curves import FocusCurve
 
 ERRORS = [(4.0, 0.5), (5.0, 0.02), (6.0, 0.8)]
 

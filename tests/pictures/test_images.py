@@ -3,6 +3,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from workbench.pictures.axes import paint, pixel_at, round_scale, stable_scale
 from workbench.pictures.images import (
     ErrorImage,
     IrradianceImage,
@@ -12,8 +13,6 @@ from workbench.pictures.images import (
     target_irradiance,
     to_colours,
 )
-from workbench.pictures.maps import pixel_at, round_scale, settled_scale
-from workbench.pictures.style import paint
 
 
 @pytest.fixture
@@ -28,7 +27,7 @@ def axes():
 
 def test_target_irradiance_carries_unit_flux(scene, rng):
     target = rng.random((4, 8))
-    flux = target_irradiance(scene, target).sum() * scene.screen.pixel_measure
+    flux = target_irradiance(scene, target).sum() * scene.receiver.pixel_measure
     assert flux == pytest.approx(1, abs=1e-12)
 
 
@@ -75,9 +74,9 @@ def test_round_scale(largest, scale):
 
 def test_a_scale_settles():
     values = np.array([0.0, -0.3, 0.4])
-    assert settled_scale(values, 1.0) == 1.0
-    assert settled_scale(2 * values, 0.5) == 1.0
-    assert settled_scale(values / 10, 1.0) == pytest.approx(0.05)
+    assert stable_scale(values, 1.0) == 1.0
+    assert stable_scale(2 * values, 0.5) == 1.0
+    assert stable_scale(values / 10, 1.0) == pytest.approx(0.05)
 
 
 def test_other_colours_keep_the_scale(axes, scene):

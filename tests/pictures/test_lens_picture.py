@@ -7,7 +7,7 @@ from resources import path
 from workbench.files.scene import read_scene
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
-from workbench.pictures.exploded import exploded
+from workbench.pictures.compressed import compress_distances
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
 from workbench.scene import DrawnTarget
@@ -16,11 +16,11 @@ from workbench.scene import DrawnTarget
 @pytest.fixture
 def state():
     def make(scene, offset=0.0, rays=(5, 5)):
-        heights = np.full(scene.lens.net_shape, 0.5 + offset)
+        heights = np.full(scene.optic.net_shape, 0.5 + offset)
         return (
-            sample_faces(scene.lens, {"exit": heights}, (17, 17)),
+            sample_faces(scene.optic, {"exit": heights}, (17, 17)),
             ray_paths(scene, {"exit": heights}, rays),
-            np.zeros(scene.screen.pixels[::-1]),
+            np.zeros(scene.receiver.pixels[::-1]),
         )
 
     return make
@@ -53,14 +53,14 @@ def test_screen_reads_as_its_image(make_scene, plotter, state, dark):
     pixels = drawn(plotter).astype(int).sum(axis=-1)
 
     def brightness(x, y):
-        return pixels[screen_pixel(plotter, (x, y, scene.screen.z))]
+        return pixels[screen_pixel(plotter, (x, y, scene.receiver.z))]
 
     assert brightness(-0.8, 0.8) > 300  # row 0, column 0: top left
     assert brightness(-0.8, -0.8) > 300
     assert brightness(0.8, -0.8) > 300
     assert brightness(0.8, 0.8) < 60
-    left = screen_pixel(plotter, (-0.8, 0, scene.screen.z))[1]
-    right = screen_pixel(plotter, (0.8, 0, scene.screen.z))[1]
+    left = screen_pixel(plotter, (-0.8, 0, scene.receiver.z))[1]
+    right = screen_pixel(plotter, (0.8, 0, scene.receiver.z))[1]
     assert left < right  # the default view reads it unmirrored
 
 
@@ -150,9 +150,9 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     picture.fit("axis")
     surface, paths, _ = state(scene, rays=(1, 1))
     picture.update(surface, paths, 0 * even, further=[target_irradiance(scene, even)])
-    shown = exploded(scene) if explode else scene
+    shown = compress_distances(scene) if explode else scene
     place = (0.5, 0.5, shown.further_images[0].screen.z)
-    assert shown.screen.z < place[2] <= 40.0  # seen from beyond, the far one is in front
+    assert shown.receiver.z < place[2] <= 40.0  # seen from beyond, the far one is in front
     row, column = screen_pixel(plotter, place)
     assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300
 
@@ -230,7 +230,7 @@ def test_a_disc_of_light_is_as_wide_as_the_lens_sees_it(make_scene, plotter, sta
     sun = {"kind": "collimated", "angular_diameter": 8.0, "direction": [0.0, 10.0]}
     scene = make_scene({"source": sun})
     picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    seen = picture._emitter.points - (0, 0, scene.lens.entrance_z)
+    seen = picture._emitter.points - (0, 0, scene.optic.entrance_z)
     ways = -seen / np.linalg.norm(seen, axis=1, keepdims=True)
     middle = np.array([np.sin(np.radians(10)), 0, np.cos(np.radians(10))])
     assert np.degrees(np.arccos((ways @ middle).min())) == pytest.approx(4, abs=1e-3)
@@ -364,7 +364,7 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     entrance[5:7, 4:6] = -0.4
     heights = {"entrance": entrance, "exit": exit_face}
     picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    faces = sample_faces(scene.lens, heights, (33, 33))
+    faces = sample_faces(scene.optic, heights, (33, 33))
     picture.update(faces, ray_paths(scene, heights, (3, 3)), np.zeros((32, 32)))
     meshes = [
         actor.mapper.dataset

@@ -58,7 +58,7 @@ def test_against_seconds(axes):
     np.testing.assert_array_equal(picture.artists[0].get_xdata(), times)
     assert axes.get_xlim() == (0, 5)
     assert axes.get_xlabel() == "time (s)"
-    assert [line.get_xdata()[0] for line in picture._marks] == [0.5]
+    assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
 
 
 @pytest.mark.parametrize("against", ["iterations", "seconds"])

@@ -13,7 +13,7 @@ from workbench.pictures.manufacture import draw_manufacture, write_manufacture
 @pytest.fixture
 def maps(make_scene):
     """A bowl that is deeper along x: thickest at the rim, bent most along x."""
-    lens = make_scene({"lens.half_width": [1.0, 0.8]}).lens
+    lens = make_scene({"lens.half_width": [1.0, 0.8]}).optic
     x, y = ControlNet.of(lens).positions
     return surface_maps(lens, {"exit": 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2}, (41, 33))
 
@@ -68,7 +68,7 @@ def test_areas_beyond_limits_are_hatched(maps):
 
 
 def test_a_plane_can_be_drawn(make_scene):
-    maps = surface_maps(make_scene().lens, {"exit": np.full((12, 10), 0.5)}, (9, 9))
+    maps = surface_maps(make_scene().optic, {"exit": np.full((12, 10), 0.5)}, (9, 9))
     png = io.BytesIO()
     write_manufacture(png, {"exit face": maps}, Limits(max_slope=1.0), "mm")
     noisy = maps._replace(slope=maps.slope + 1e-12)  # rounding is no slope
@@ -81,7 +81,7 @@ def test_a_plane_can_be_drawn(make_scene):
 
 @pytest.mark.parametrize("unit_height", [3.0, 0.1])
 def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_height):
-    lens = make_scene().lens
+    lens = make_scene().optic
     maps = surface_maps(lens, {"exit": np.full((12, 10), 0.5)}, (9, 9))
     thickness = unit_height * (1 + 4e-16 * rng.standard_normal(maps.thickness.shape))
     axes = drawn(maps._replace(thickness=thickness), Limits())["Thickness"]
@@ -93,7 +93,7 @@ def test_a_plate_has_one_thickness_in_spite_of_rounding(make_scene, rng, unit_he
 
 
 def test_a_small_wedge_is_no_rounding(make_scene):
-    lens = make_scene().lens
+    lens = make_scene().optic
     x, _ = ControlNet.of(lens).positions
     heights = {"exit": np.broadcast_to(0.5 + 1e-6 * x[:, None], (12, 10))}
     maps = surface_maps(lens, heights, (9, 9))

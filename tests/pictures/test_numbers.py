@@ -1,4 +1,4 @@
-"""Numbers at axes and colour bars, and the power of ten that they are multiples of."""
+"""TickLabels at axes and colour bars, and the power of ten that they are multiples of."""
 
 import numpy as np
 import pytest
@@ -6,9 +6,8 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator
 
-from workbench.pictures.data import shown_data
-from workbench.pictures.maps import Extent, colour_bar, map_image, show_constant
-from workbench.pictures.numbers import write_numbers
+from workbench.pictures.axes import Extent, colour_bar, map_image, set_tick_labels, show_constant
+from workbench.pictures.figure_data import shown_data
 
 
 @pytest.fixture
@@ -32,7 +31,7 @@ def axis_texts(low, high, places):
     axes = Figure().subplots()
     axes.set_xlim(low, high)
     axes.xaxis.set_major_locator(FixedLocator(places))
-    write_numbers(axes, "x")
+    set_tick_labels(axes, "x")
     axes.figure.draw_without_rendering()
     return [text.get_text() for text in axes.get_xticklabels()]
 

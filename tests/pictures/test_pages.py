@@ -4,7 +4,7 @@ from datetime import datetime
 import numpy as np
 from matplotlib.figure import Figure
 
-from workbench.pictures.pages import Pages
+from workbench.pictures.report import Pages
 
 
 def test_places_on_a_page_are_rounded_beyond_the_last_digits_of_the_solver(monkeypatch):

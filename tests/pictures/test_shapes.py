@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from workbench.geometry.outlines import Ellipse
-from workbench.pictures import shapes
+from workbench.pictures import meshes
 
 
 def plane(m_u, m_v, slope=0.0):
@@ -12,7 +12,7 @@ def plane(m_u, m_v, slope=0.0):
 
 def test_quads_cover_the_grid_once():
     points = plane(4, 3).reshape(-1, 3)
-    faces = shapes.quads(4, 3).reshape(-1, 5)
+    faces = meshes.quads(4, 3).reshape(-1, 5)
     assert (faces[:, 0] == 4).all() and len(faces) == 6
     a, b, c, d = (points[faces[:, k]] for k in (1, 2, 3, 4))
     area = np.cross(c - a, d - b)[:, 2] / 2
@@ -21,13 +21,13 @@ def test_quads_cover_the_grid_once():
 
 
 def test_normals_of_a_tilted_plane():
-    found = shapes.normals(plane(5, 6, slope=0.75))
+    found = meshes.normals(plane(5, 6, slope=0.75))
     np.testing.assert_allclose(found, np.tile([-0.6, 0.0, 0.8], (30, 1)), atol=1e-12)
 
 
 def test_walls_join_the_rim_and_the_entrance_face():
     surface = plane(5, 4, slope=0.1)
-    points = shapes.wall_points(surface, -1.0)
+    points = meshes.wall_points(surface, -1.0)
     assert points.shape == (4 * (5 + 4), 3)
     np.testing.assert_array_equal(points[:5], surface[:, 0])
     np.testing.assert_array_equal(points[5:10, :2], surface[:, 0, :2])
@@ -39,8 +39,8 @@ def test_walls_and_exit_face_close_the_lens():
     surface = plane(5, 4, slope=0.1)
     volume, through = 0.0, np.zeros(3)
     for points, cells in (
-        (surface.reshape(-1, 3), shapes.quads(5, 4)),
-        (shapes.wall_points(surface, -1.0), shapes.wall_faces(5, 4)),
+        (surface.reshape(-1, 3), meshes.quads(5, 4)),
+        (meshes.wall_points(surface, -1.0), meshes.wall_faces(5, 4)),
     ):
         for _, *corners in cells.reshape(-1, 5):
             a, b, c, d = points[corners]
@@ -52,7 +52,7 @@ def test_walls_and_exit_face_close_the_lens():
 
 
 def test_net_lines_hold_the_rim():
-    lines = shapes.net_lines(9, 9, fields=4)
+    lines = meshes.net_lines(9, 9, fields=4)
     assert lines.size == 10 * (9 + 1)
     first, last = lines[1:10], lines[-9:]
     np.testing.assert_array_equal(first, np.arange(9))
@@ -60,14 +60,14 @@ def test_net_lines_hold_the_rim():
 
 
 def test_outline_has_rim_foot_and_upright_edges():
-    lines = shapes.wall_lines(3, 2)
+    lines = meshes.wall_lines(3, 2)
     np.testing.assert_array_equal(lines[:10], [3, 0, 1, 2, 2, 3, 5, 2, 0, 3])
 
 
 def test_rays_from_far_away_begin_on_their_way():
     start = np.array([[0.0, 0.0, -100.0], [0.0, 0.0, -1.0]])
     entrance = np.array([[1.0, -2.0, 0.0], [1.0, -2.0, 0.0]])
-    found = shapes.starting_at(start, entrance, -2.0)
+    found = meshes.starting_at(start, entrance, -2.0)
     np.testing.assert_allclose(found, [[0.98, -1.96, -2.0], [0.0, 0.0, -1.0]])
 
 
@@ -84,15 +84,15 @@ def test_a_curved_wall_closes_the_lens_and_has_no_upright_edges():
     side = np.linspace(-1, 1, 9)
     x, y = Ellipse((1.0, 0.5)).from_square(side[:, None], side)
     surface = np.stack([x, y, 0.5 + 0.1 * x], axis=-1)
-    points = shapes.wall_points(surface, -1.0)
-    *walls, entrance = polygons(shapes.wall_faces(9, 9, straight=False))
+    points = meshes.wall_points(surface, -1.0)
+    *walls, entrance = polygons(meshes.wall_faces(9, 9, straight=False))
     assert len(walls) == 4 * 8
     assert len(entrance) == 4 * 8
     rim = points[entrance]
     np.testing.assert_allclose(np.hypot(rim[:, 0], rim[:, 1] / 0.5), 1)
-    ends = [len(line) for line in polygons(shapes.wall_lines(9, 9, straight=False))]
+    ends = [len(line) for line in polygons(meshes.wall_lines(9, 9, straight=False))]
     assert ends == [9] * 8
-    unit = shapes.normals(surface)
+    unit = meshes.normals(surface)
     np.testing.assert_allclose(unit, np.broadcast_to(unit[40], unit.shape), atol=1e-12)
 
 
@@ -103,11 +103,11 @@ def test_walls_between_two_faces_close_the_lens(straight):
     other = surface - [0, 0, 1.5]
     other[..., 2] -= 0.3 * surface[..., 0] ** 2
     volume, through = 0.0, np.zeros(3)
-    walls = shapes.wall_points(surface, other[..., 2])
+    walls = meshes.wall_points(surface, other[..., 2])
     for points, cells, sign in (
-        (surface.reshape(-1, 3), shapes.quads(5, 4), 1),
-        (other.reshape(-1, 3), shapes.quads(5, 4), -1),
-        (walls, shapes.wall_faces(5, 4, straight, flat=False), 1),
+        (surface.reshape(-1, 3), meshes.quads(5, 4), 1),
+        (other.reshape(-1, 3), meshes.quads(5, 4), -1),
+        (walls, meshes.wall_faces(5, 4, straight, flat=False), 1),
     ):
         for _, *corners in cells.reshape(-1, 5):
             a, b, c, d = points[corners]
@@ -119,7 +119,7 @@ def test_walls_between_two_faces_close_the_lens(straight):
     x = np.unique(surface[..., 0])
     expected = sizes * (1.5 + 0.3 * np.trapezoid(x**2, x) / np.ptp(x))
     np.testing.assert_allclose(volume, expected)
-    lines = polygons(shapes.wall_lines(5, 4, straight, flat=False))
+    lines = polygons(meshes.wall_lines(5, 4, straight, flat=False))
     feet = walls[np.concatenate([line for line in lines if len(line) > 2][1::2])]
     assert {tuple(place) for place in feet} < {tuple(p) for p in other.reshape(-1, 3)}
     assert sum(len(line) == 2 for line in lines) == 4 * straight

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.pictures.lens import LensPicture
-from workbench.pictures.sight import Sight
+from workbench.pictures.projection import Projection
 
 UP = np.array([[0.0, 0.0, 1.0]])
 IN_PLANE = np.eye(3)[:2]
@@ -23,7 +23,7 @@ def plotter(request, plotter):
 
 def test_points_are_where_vtk_draws_them(plotter, rng):
     points = rng.uniform(-1, 1, (20, 3))
-    seen = Sight(plotter).pixels(points)
+    seen = Projection(plotter).pixels(points)
     for point, pixel in zip(points, seen, strict=True):
         plotter.renderer.SetWorldPoint(*point, 1.0)
         plotter.renderer.WorldToDisplay()
@@ -32,7 +32,7 @@ def test_points_are_where_vtk_draws_them(plotter, rng):
 
 def test_the_line_of_sight_goes_through_its_point(plotter):
     point = np.array([[0.4, -0.3, 0.7]])
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     start, end = sight.line(*sight.pixels(point)[0])
     along = (end - start) / np.linalg.norm(end - start)
     away = point[0] - start
@@ -41,7 +41,7 @@ def test_the_line_of_sight_goes_through_its_point(plotter):
 
 @pytest.mark.parametrize("directions", [UP, IN_PLANE])
 def test_things_follow_the_pointer(plotter, directions):
-    sight, point = Sight(plotter), np.array([0.1, 0.2, 0.3])
+    sight, point = Projection(plotter), np.array([0.1, 0.2, 0.3])
     lengths = np.array([0.011, -0.007])[: len(directions)]
     here, there = sight.pixels(np.stack([point, point + lengths @ directions]))
     moved = sight.movement(point, directions, tuple(there - here))
@@ -51,7 +51,7 @@ def test_things_follow_the_pointer(plotter, directions):
 def test_along_the_axis_up_is_up(plotter):
     camera = plotter.camera
     camera.focal_point, camera.position, camera.up = (0, 0, 0), (0, 0, 9), (0, 1, 0)
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     origin = np.zeros(3)
     (upwards,) = sight.movement(origin, UP, (0.0, 10.0))
     (_, y) = sight.movement(origin, IN_PLANE, (0.0, 10.0))
@@ -61,7 +61,7 @@ def test_along_the_axis_up_is_up(plotter):
 def test_edge_on_a_plane_gives_the_direction_that_is_seen(plotter):
     camera = plotter.camera
     camera.focal_point, camera.position, camera.up = (0, 0, 0), (-9, 0, 0), (0, 1, 0)
-    x, y = Sight(plotter).movement(np.zeros(3), IN_PLANE, (3.0, 10.0))
+    x, y = Projection(plotter).movement(np.zeros(3), IN_PLANE, (3.0, 10.0))
     assert abs(x) < 1e-6 * y
 
 
@@ -71,12 +71,12 @@ def scene_sight(make_scene, plotter):
     scene = make_scene()
     LensPicture(plotter, scene, np.ones((32, 32))).fit()
     plotter.render()
-    return scene, Sight(plotter)
+    return scene, Projection(plotter)
 
 
 def test_a_look_finds_the_body_under_the_pointer(scene_sight):
     scene, sight = scene_sight
-    for place in ([0.2, 0.3, 0.5], [-0.4, 0.1, scene.screen.z]):  # the exit face, the screen
+    for place in ([0.2, 0.3, 0.5], [-0.4, 0.1, scene.receiver.z]):  # the exit face, the screen
         (pixel,) = sight.pixels(np.array([place]))
         np.testing.assert_allclose(sight.point(*pixel), place, atol=1e-3)
 

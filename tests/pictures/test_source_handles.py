@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.pictures.lens import LensPicture
-from workbench.pictures.sight import Sight
+from workbench.pictures.projection import Projection
 from workbench.pictures.source_handles import SourceHandles, moved
 
 POINT = {"kind": "point", "position": [0.1, 0.2, -3.0]}
@@ -32,7 +32,7 @@ def handles(make_scene, plotter):
 
 def test_a_point_is_its_own_handle(handles, plotter):
     made, source = handles(POINT)
-    ((x, y),) = Sight(plotter).pixels(np.array([source.position]))
+    ((x, y),) = Projection(plotter).pixels(np.array([source.position]))
     assert made.pick(x + 5, y - 5) == "middle"
     assert made.pick(x + 30, y) is None
     made.show(None)
@@ -42,18 +42,18 @@ def test_a_point_is_its_own_handle(handles, plotter):
 def test_a_grid_has_corners_and_a_middle(handles, plotter):
     made, _ = handles(GRID)
     corners = [[-0.7, -0.5, -3.0], [-0.7, 0.5, -3.0], [0.9, -0.5, -3.0], [0.9, 0.5, -3.0]]
-    seen = Sight(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.5, 0.25, -3.0]]))
+    seen = Projection(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.5, 0.25, -3.0]]))
     assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
 
 
 def test_a_source_that_is_small_in_the_picture_is_moved_and_has_handles_beside_it(handles, plotter):
     made, source = handles({**GRID, "half_width": [0.02, 0.01]})
-    sight = Sight(plotter)
+    sight = Projection(plotter)
     *corners, middle = sight.pixels(np.vstack([source.corners, source.place]))
     assert [made.pick(*corner) for corner in corners] == 4 * ["middle"]
     assert made.pick(*middle) == "middle"
     for _ in range(2):
-        *beside, _ = sight.pixels(made._dots._mesh.points)
+        *beside, _ = sight.pixels(made._markers._mesh.points)
         away = np.linalg.norm(np.array(beside) - sight.pixels(np.array([source.place])), axis=1)
         np.testing.assert_allclose(away, 42, atol=1)
         assert [made.pick(*place) for place in beside] == [0, 1, 2, 3]
@@ -65,10 +65,10 @@ def test_a_source_that_is_small_in_the_picture_is_moved_and_has_handles_beside_i
 def test_handles_that_are_closed_follow_no_camera(handles, plotter):
     made, _ = handles({**GRID, "half_width": [0.02, 0.01]})
     made.close()
-    before = made._dots._mesh.points.copy()
+    before = made._markers._mesh.points.copy()
     plotter.camera.parallel_scale *= 0.5
     plotter.ren_win.Render()
-    np.testing.assert_array_equal(made._dots._mesh.points, before)
+    np.testing.assert_array_equal(made._markers._mesh.points, before)
 
 
 def test_collimated_light_has_no_handles(handles):

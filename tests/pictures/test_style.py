@@ -5,8 +5,7 @@ import pytest
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from workbench.pictures.maps import SIGNED
-from workbench.pictures.style import paint
+from workbench.pictures.axes import SIGNED, paint
 
 DARK, LIGHT = "#323232", "#efefef"
 

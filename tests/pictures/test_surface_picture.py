@@ -21,7 +21,7 @@ def axes():
 
 def tilted(scene, a, b):
     """Control heights of the plane z = 0.5 + a x + b y."""
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     return 0.5 + a * x[:, None] + b * y
 
 
@@ -30,7 +30,7 @@ def test_height_is_that_over_the_base_with_row_0_at_the_top(scene, axes):
     image.update(tilted(scene, 0.1, 0.4))
     assert image.values.shape == (96, 192)
     x, y = 1 - 1 / 192, 0.5 - 1 / 192  # the last column of the first row
-    wanted = 0.5 + 0.1 * x + 0.4 * y - scene.lens.base.height_at(x, y)
+    wanted = 0.5 + 0.1 * x + 0.4 * y - scene.optic.base.height_at(x, y)
     assert image.values[0, -1] == pytest.approx(wanted, rel=1e-12)
     assert image.values[0, -1] > image.values[-1, -1] > image.values[-1, 0]
     low, high = image.artists[0].get_clim()
@@ -60,7 +60,7 @@ def test_the_scale_stays_for_faces_alike(scene, axes):
 
 
 def test_rounding_of_a_flat_face_does_not_make_the_scale(make_scene):
-    lens = make_scene().lens
+    lens = make_scene().optic
     image = SurfaceImage(Figure().subplots(), make_scene(), ASPECTS[0])
     image.update(lens.base.height + 1e-13 * np.ones(lens.control_points))
     assert image.artists[0].get_clim() == (-1.0, 1.0)
@@ -71,7 +71,7 @@ def test_rounding_of_a_flat_face_does_not_make_the_scale(make_scene):
 def test_small_numbers_beside_the_bar_have_a_common_power(make_scene):
     axes = Figure().subplots()
     image = SurfaceImage(axes, make_scene(), ASPECTS[0])
-    lens = make_scene().lens
+    lens = make_scene().optic
     image.update(lens.base.height + 1e-6 * np.ones(lens.control_points))
     axes.figure.draw_without_rendering()
     bar = axes.child_axes[0].yaxis
@@ -84,8 +84,8 @@ def test_small_numbers_beside_the_bar_have_a_common_power(make_scene):
 def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):
     scene = make_scene()
     image = SurfaceImage(Figure().subplots(), scene, ASPECTS[0])
-    noise = 1e-16 * rng.standard_normal(scene.lens.net_shape)
-    image.update(scene.lens.base.height + noise)
+    noise = 1e-16 * rng.standard_normal(scene.optic.net_shape)
+    image.update(scene.optic.base.height + noise)
     assert not image.values.any()
 
 

@@ -5,7 +5,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from workbench.design.session import VerifiedError
-from workbench.pictures.sweep import Curve, draw_sweep
+from workbench.pictures.error_curves import Curve, draw_sweep
 
 
 def found(percent, beside=0.1):

@@ -6,8 +6,8 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from PIL import Image
 
-from workbench.pictures.style import paint
-from workbench.pictures.tolerances import draw_errors, write_errors
+from workbench.pictures.axes import paint
+from workbench.pictures.error_curves import draw_errors, write_errors
 
 ERRORS = [0.3, 0.1, 0.2, 0.4]
 

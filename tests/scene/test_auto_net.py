@@ -10,7 +10,7 @@ from workbench.scene import AutoNet, Lens, Scene
 
 def test_auto_is_read_and_written_as_version_2(make_scene):
     scene = make_scene({"lens.control_points": "auto"})
-    assert scene.lens.control_points == AutoNet()
+    assert scene.optic.control_points == AutoNet()
     data = json.loads(scene.to_json())
     assert (data["version"], data["lens"]["control_points"]) == (2, "auto")
     assert Scene.from_data(data) == Scene.from_data(scene.to_data())
@@ -21,14 +21,14 @@ def test_a_scene_with_numbers_stays_version_1(make_scene, scene_data):
     lens = scene_data["lens"] | {"reflection": "schlick"}
     again = Scene.from_data(scene_data | {"version": 2, "lens": lens})
     assert again.to_data()["version"] == 1
-    assert again.lens.control_points == (12, 10)
+    assert again.optic.control_points == (12, 10)
 
 
 def test_files_do_not_hold_what_was_chosen(make_scene):
     chosen = make_scene({"lens.control_points": "auto"}).with_net((48, 40))
-    assert chosen.lens.net_shape == (48, 40)
+    assert chosen.optic.net_shape == (48, 40)
     assert chosen.to_data()["lens"]["control_points"] == "auto"
-    assert chosen.with_net(None).lens.known_shape is None
+    assert chosen.with_net(None).optic.known_shape is None
 
 
 def test_numbers_are_no_choice_that_could_be_changed(make_scene):
@@ -44,7 +44,7 @@ def test_settled_scenes_have_the_numbers_that_were_chosen(make_scene):
 
 
 def test_a_net_that_is_not_chosen_yet_has_no_numbers(make_scene):
-    lens = make_scene({"lens.control_points": "auto"}).lens
+    lens = make_scene({"lens.control_points": "auto"}).optic
     with pytest.raises(Refused, match=r"lens\.control_points: 'auto' needs a target"):
         _ = lens.net_shape
 
@@ -89,5 +89,5 @@ def test_the_schema_allows_numbers_and_auto():
 
 def test_the_lens_remarks_what_was_chosen(make_scene):
     scene = make_scene({"lens.control_points": "auto"})
-    assert "control_points" not in scene.lens.remarks()
-    assert scene.with_net((48, 40)).lens.remarks()["control_points"] == "48 × 40"
+    assert "control_points" not in scene.optic.remarks()
+    assert scene.with_net((48, 40)).optic.remarks()["control_points"] == "48 × 40"

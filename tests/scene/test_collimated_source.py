@@ -34,7 +34,7 @@ def test_impossible_light_is_refused(make_scene, fields, sentence):
 def test_the_sun_is_as_wide_on_the_screen_as_its_angle_says(make_scene):
     scene = make_scene({"source": SUN})
     width = math.radians(0.533) * (5 - 0.8)
-    assert scene.source.blur(scene.lens, scene.receiver) == pytest.approx((width, width))
+    assert scene.source.blur(scene.optic, scene.receiver) == pytest.approx((width, width))
 
 
 def test_light_is_its_own_mirror_image_where_it_is_not_tilted(make_scene):

@@ -14,11 +14,11 @@ FREEFORM = {"shape": "freeform"}
 
 def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene):
     scene = make_scene()
-    assert scene.lens.entrance == PlaneFace()
+    assert scene.optic.entrance == PlaneFace()
     assert scene.needed_version == 1
     assert "entrance" not in scene.to_data()["lens"]
-    assert list(freeform_nets(scene.lens)) == ["exit"]
-    assert scene.lens.entrance_range == (0.0, 0.0)
+    assert list(freeform_nets(scene.optic)) == ["exit"]
+    assert scene.optic.entrance_range == (0.0, 0.0)
 
 
 def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
@@ -26,12 +26,12 @@ def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
     scene = make_scene({"lens.entrance": {**given, "height_range": [-0.1, 0.2]}})
     assert scene.needed_version == 2
     assert Scene.from_json(scene.to_json()) == scene
-    net = freeform_nets(scene.lens)["entrance"]
+    net = freeform_nets(scene.optic)["entrance"]
     assert (net.shape, net.degree, net.half_width) == ((7, 9), (2, 4), (1.0, 1.0))
 
 
 def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
-    lens = make_scene({"lens.entrance": FREEFORM}).lens
+    lens = make_scene({"lens.entrance": FREEFORM}).optic
     assert lens.entrance == SplineFace()
     nets = freeform_nets(lens)
     assert nets["entrance"] == nets["exit"]
@@ -41,7 +41,7 @@ def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
 def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene):
     entrance = {**FREEFORM, "height_range": [-0.5, 0.1]}
     near = {"kind": "point", "position": [0, 0, -0.4]}
-    assert make_scene({"lens.entrance": entrance}).lens.front_z == -0.5
+    assert make_scene({"lens.entrance": entrance}).optic.front_z == -0.5
     make_scene({"lens.entrance": FREEFORM, "source": near})
     with pytest.raises(Refused, match=r"source.position\[2\]: -0.4 is not before"):
         make_scene({"lens.entrance": entrance, "source": near})
@@ -57,7 +57,7 @@ def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene)
     ],
 )
 def test_an_automatic_entrance_face_shares_the_glass_with_the_exit_face(make_scene, changes, room):
-    lens = make_scene({"lens.entrance": FREEFORM, **changes}).lens
+    lens = make_scene({"lens.entrance": FREEFORM, **changes}).optic
     assert lens.front_z == 0.0
     assert lens.entrance_range == pytest.approx((0.0, room))
     assert lens.floor == pytest.approx(room + 0.05)
@@ -85,7 +85,7 @@ def test_an_automatic_entrance_face_has_half_of_thick_glass_for_several_images(m
 
 @pytest.mark.parametrize("entrance", [FREEFORM, {**FREEFORM, "height_range": [-0.2, 0.3]}])
 def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entrance):
-    lens = make_scene({"lens.entrance": entrance}).lens
+    lens = make_scene({"lens.entrance": entrance}).optic
     limits = HeightLimits.of_faces(lens)
     assert limits["exit"].lower.min() - limits["entrance"].upper.max() >= 0.05 - 1e-15
     heights = undesigned(lens)
@@ -93,7 +93,7 @@ def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entra
 
 
 def test_an_undesigned_entrance_face_is_in_the_middle_of_its_own_range(make_scene):
-    lens = make_scene({"lens.entrance": {**FREEFORM, "height_range": [-0.2, 0.1]}}).lens
+    lens = make_scene({"lens.entrance": {**FREEFORM, "height_range": [-0.2, 0.1]}}).optic
     np.testing.assert_allclose(undesigned(lens)["entrance"], -0.05)
 
 
@@ -142,6 +142,6 @@ def test_impossible_entrance_faces_are_refused(make_scene, entrance, changes, re
 
 def test_lengths_of_an_entrance_face_are_converted(make_scene):
     entrance = {**FREEFORM, "height_range": [-0.2, 0.1]}
-    lens = make_scene({"lens.entrance": entrance}).in_unit("mm").lens
+    lens = make_scene({"lens.entrance": entrance}).in_unit("mm").optic
     assert lens.entrance.height_range == (-2.0, 1.0)
     assert lens.entrance_range == (-2.0, 1.0)

@@ -68,7 +68,7 @@ def test_every_length_is_converted_and_nothing_else():
 def test_decimal_numbers_stay_decimal(make_scene):
     scene = make_scene({"unit": "mm", "screen.z": 49.9, "lens.height_range": [-0.3, 0.7]})
     found = scene.in_unit("cm")
-    assert (found.screen.z, found.lens.height_range) == (4.99, (-0.03, 0.07))
+    assert (found.receiver.z, found.optic.height_range) == (4.99, (-0.03, 0.07))
     assert found.in_unit("mm") == scene
 
 
@@ -104,10 +104,10 @@ def test_the_converted_lens_sends_the_same_flux_to_each_pixel(
 ):
     lens = {"lens.base": base, "lens.half_width": [1.0, half_width], "source": source}
     scene = Scene.from_data(changed({"unit": units[0], **lens}))
-    heights = 0.5 + 0.02 * np.random.default_rng(seed).normal(size=scene.lens.net_shape)
+    heights = 0.5 + 0.02 * np.random.default_rng(seed).normal(size=scene.optic.net_shape)
     other = scene.in_unit(units[1])
     one = flux(scene, heights, seed)
-    two = flux(other, heights * (other.screen.z / scene.screen.z), seed)
+    two = flux(other, heights * (other.receiver.z / scene.receiver.z), seed)
     assert one.sum() > 0
     # Rounding may put a ray on the other side of an edge between two pixels.
     assert np.abs(one - two).sum() < 1e-3 * one.sum()

@@ -16,26 +16,26 @@ def read(data, version, **lens):
 class TestVersions:
     def test_a_file_of_version_1_means_schlick_and_is_written_as_it_was(self, scene_data):
         scene = read(scene_data, 1)
-        assert scene.lens.reflection == "schlick"
+        assert scene.optic.reflection == "schlick"
         written = scene.to_data()
         assert written["version"] == 1
         assert not {"reflection", "coating", "absorption"} & written["lens"].keys()
 
     def test_a_file_of_version_2_means_fresnel_if_it_does_not_say(self, scene_data):
         scene = read(scene_data, 2)
-        assert scene.lens.reflection == "fresnel"
+        assert scene.optic.reflection == "fresnel"
         assert scene.to_data()["version"] == 2
         assert scene.to_data()["lens"]["reflection"] == "fresnel"
 
     @pytest.mark.parametrize("reflection", ["fresnel", "schlick", "none"])
     def test_a_file_of_version_2_means_what_it_says(self, scene_data, reflection):
         scene = read(scene_data, 2, reflection=reflection)
-        assert scene.lens.reflection == reflection
+        assert scene.optic.reflection == reflection
         assert Scene.from_json(scene.to_json()) == scene
 
     def test_a_scene_that_needs_version_2_for_something_else_says_its_reflection(self, scene_data):
         scene = read(scene_data, 1, control_points="auto")
-        assert scene.lens.reflection == "schlick"
+        assert scene.optic.reflection == "schlick"
         written = scene.to_data()
         assert written["version"] == 2 and written["lens"]["reflection"] == "schlick"
         assert Scene.from_data(written) == scene
@@ -48,8 +48,8 @@ class TestVersions:
 
 def test_absorption_is_per_length(scene_data):
     scene = read(scene_data, 2, absorption=0.5).in_unit("mm")
-    assert scene.lens.absorption == pytest.approx(0.05)
-    assert scene.lens.half_width == (10, 10)
+    assert scene.optic.absorption == pytest.approx(0.05)
+    assert scene.optic.half_width == (10, 10)
 
 
 @pytest.mark.parametrize(

@@ -69,8 +69,8 @@ def test_receiver_that_no_light_can_meet_is_refused_in_a_sentence(make_scene, ch
 def test_a_wall_beside_the_light_faces_it(make_scene):
     screen = make_scene(
         {"screen.center": [3.0, 0.0], "screen.tilt": [0.0, 90.0], "screen.z": 6.0}
-    ).screen
-    assert screen.nearest_to(make_scene().lens) == pytest.approx(5.0)
+    ).receiver
+    assert screen.nearest_to(make_scene().optic) == pytest.approx(5.0)
     assert screen.sides[2] == pytest.approx([1, 0, 0], abs=1e-15)  # away from the light
 
 
@@ -95,6 +95,6 @@ def test_directions_to_places_lead_there():
 
 def test_a_unit_of_length_leaves_angles_as_they_are(make_scene):
     scene = make_scene({"screen.center": [0.5, 0.0], "screen.tilt": [10.0, 20.0]}).in_unit("mm")
-    assert (scene.screen.center, scene.screen.tilt) == ((5.0, 0.0), (10.0, 20.0))
+    assert (scene.receiver.center, scene.receiver.tilt) == ((5.0, 0.0), (10.0, 20.0))
     far = make_scene({"screen": None, "far_field": FAR})
-    assert far.in_unit("mm").far_field == far.far_field
+    assert far.in_unit("mm").receiver == far.receiver

@@ -34,8 +34,8 @@ def test_only_the_starred_fields_are_needed():
             "target": {"image": "x.png"},
         }
     )
-    assert scene.lens.degree == (3, 3)
-    assert scene.lens.base == FlatBase(height=1.0)
+    assert scene.optic.degree == (3, 3)
+    assert scene.optic.base == FlatBase(height=1.0)
     assert scene.filter == GaussianFilter()
     assert scene.run == AutoRun()
 
@@ -220,7 +220,7 @@ def test_image_rows_run_down_from_plus_y():
 def test_a_scene_cannot_be_changed(make_scene):
     scene = make_scene()
     with pytest.raises(ValueError, match="frozen"):
-        scene.lens.half_width = (2.0, 2.0)
+        scene.optic.half_width = (2.0, 2.0)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from tests.scenes import changed
 from workbench.analysis.validation import validate
 from workbench.design.task import begin, with_task
 from workbench.design.transport import transport_start
-from workbench.scene import Scene
+from workbench.scene import Lens, Scene
 from workbench.scene.viewing import as_viewed, pixel_side, side_in_words, viewed_from
 from workbench.targets import load_target
 
@@ -90,7 +90,8 @@ def test_without_a_side_column_0_lies_at_the_left_of_the_receivers_coordinates(p
     scene = scene_of(place, tmp_path)
     light = load_target(scene, tmp_path)
     np.testing.assert_allclose(light, np.kron(F, np.ones((8, 8))), atol=1e-12)
-    assert viewed_from(scene) == pixel_side(scene) == ("front" if scene.mirror else "back")
+    side = "back" if isinstance(scene.optic, Lens) else "front"
+    assert viewed_from(scene) == pixel_side(scene) == side
     np.testing.assert_allclose(seen(scene, light, viewed_from(scene)), light)
 
 

@@ -208,7 +208,7 @@ def drag(window: MainWindow, seen: str, seconds: float) -> DragRow:
     view, image = window.loaded.views.scene, window.loaded.views.docked["irradiance"]
     drawn = [count_drawings(each) for each in (view, image)]
     wait(_SETTLING)
-    n_u, n_v = window.document.session.scene.lens.net_shape
+    n_u, n_v = window.document.session.scene.optic.net_shape
     ((x, y),) = view.sight.pixels(np.array([view.nets.picture.places[n_u // 2, n_v // 2]]))
     plotter, scale = view._plotter, view.devicePixelRatioF()
     start = QPointF(x / scale, plotter.height() - 1 - y / scale)

@@ -88,14 +88,14 @@ class Desk:
     def _note(self, frame) -> None:
         if frame.snapshot.iteration:
             error = relative_error(frame.state, frame.session.target)
-            self.frames.append((time.perf_counter(), frame.session.scene.screen.z, error))
+            self.frames.append((time.perf_counter(), frame.session.scene.receiver.z, error))
 
     def move(self, z: float, key: str = "") -> float:
         """Move the screen; when that was."""
         began = time.perf_counter()
         scene = self.document.session.scene
-        screen = scene.screen.model_copy(update={"z": z})
-        self.document.edit(scene.model_copy(update={"screen": screen}), "move the screen", key)
+        screen = scene.receiver.model_copy(update={"z": z})
+        self.document.edit(scene.with_receiver(screen), "move the screen", key)
         return began
 
     def lens(self, z: float, most: float, patience: float) -> tuple[float, float] | None:
@@ -201,7 +201,7 @@ def main() -> None:
             window.resize(1600, 1000)
             window.show()
             window.build()
-            desk, z = Desk(window), session.scene.screen.z
+            desk, z = Desk(window), session.scene.receiver.z
             while window.loaded.views.scene.frame is None:
                 wait(0.2)
             desk.rest()

@@ -26,6 +26,7 @@ from workbench.scene import (
     ExactMethod,
     FarField,
     Filter,
+    Lens,
     Scene,
     Screen,
     Source,
@@ -233,14 +234,14 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
         other = scene.with_receiver(_nudged(receiver, wide, nudge)).model_copy(
             update={"source": _moved(scene, signs)}
         )
-        if scene.lens is not None:
-            lens, wide = scene.lens, max(scene.lens.half_width)
+        if isinstance(scene.optic, Lens):
+            lens, wide = scene.optic, max(scene.optic.half_width)
             index = lens.index * (1 + hair * rng.uniform(0, 1))
             # A way through the glass is the difference of places, which are rounded.
             part = torch.finfo(dtype).eps * (1 + wide / thick)
             fading = lens.absorption * (1 + part * (signs[0] + growth))
             glass = {"refractive_index": index, "absorption": fading}
-            other = other.model_copy(update={"lens": lens.model_copy(update=glass)})
+            other = other.with_optic(lens.model_copy(update=glass))
         moved = {
             face: each + size * torch.as_tensor(rng.uniform(-1, 1, each.shape))
             for face, each in heights.items()

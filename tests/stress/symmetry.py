@@ -57,8 +57,8 @@ def _searching(scene: Scene, dtype: torch.dtype, axis: int | None) -> Make:
 
     def make(there: Scene) -> Reference:
         there = there.model_copy(update={"source": source})
-        path = Path.of(there, ControlNet.of(there.lens), dtype)
-        rays = emitter_of(source, there.lens).rays(there.run.seed)
+        path = Path.of(there, ControlNet.of(there.optic), dtype)
+        rays = emitter_of(source, there.optic).rays(there.run.seed)
         if axis is not None:
             rays = rays._replace(
                 position=_flipped(rays.position, axis), direction=_flipped(rays.direction, axis)

@@ -60,9 +60,9 @@ class Here:
             if task.scene.run.seed == 2:
                 yield key, Failed("stopped at iteration 3: no light")
                 continue
-            n_x, n_y = task.scene.screen.pixels
+            n_x, n_y = task.scene.receiver.pixels
             account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
-            heights = np.full(task.scene.lens.net_shape, 0.5)
+            heights = np.full(task.scene.optic.net_shape, 0.5)
             result = Result(
                 LensState(
                     heights=FaceArrays({"exit": heights}),
@@ -84,7 +84,7 @@ class TestPoints:
     def test_the_last_field_changes_first(self, scene_file):
         vary = [Variation("run.seed", (0, 1)), Variation("screen.z", (5, 6))]
         found = points([scene_file], vary)
-        assert [(p.scene.run.seed, p.scene.screen.z) for p in found] == [
+        assert [(p.scene.run.seed, p.scene.receiver.z) for p in found] == [
             (0, 5),
             (0, 6),
             (1, 5),
@@ -95,7 +95,7 @@ class TestPoints:
     def test_an_impossible_point_is_kept_with_its_refusal(self, scene_file):
         bad, good = points([scene_file], [Variation("lens.control_points", (3, 12))])
         assert str(bad.scene).startswith("lens.control_points[0]: 3 is too few")
-        assert good.scene.lens.control_points == (12, 12)
+        assert good.scene.optic.control_points == (12, 12)
 
     def test_a_sweep_without_a_possible_point_is_refused(self, scene_file):
         with pytest.raises(Refused, match=r"^run\.sed: unknown field"):

@@ -61,12 +61,12 @@ class TestVaried:
     def test_fields_change_and_the_rest_stays(self, make_scene):
         scene = make_scene()
         found = varied(scene, {"lens.control_points": (20, 16), "run.seed": 4, "screen.z": 7})
-        assert found.lens.control_points == (20, 16)
-        assert (found.run.seed, found.screen.z) == (4, 7)
+        assert found.optic.control_points == (20, 16)
+        assert (found.run.seed, found.receiver.z) == (4, 7)
         assert found.source == scene.source
 
     def test_one_number_stands_for_each(self, make_scene):
-        assert varied(make_scene(), {"lens.control_points": 20}).lens.control_points == (20, 20)
+        assert varied(make_scene(), {"lens.control_points": 20}).optic.control_points == (20, 20)
 
     def test_one_of_several(self, make_scene):
         scene = make_scene({"source": {"kind": "point", "position": [0, 0, -5]}})
@@ -79,8 +79,8 @@ class TestVaried:
         del scene_data["filter"], scene_data["run"]
         scene = Scene.from_data(scene_data)
         found = varied(scene, {"lens.half_width": 2.0, "filter.size[0]": 7, "run.iterations": 9})
-        assert found.lens.min_thickness == pytest.approx(0.1)
-        assert found.lens.height_range is None  # which follows from the task
+        assert found.optic.min_thickness == pytest.approx(0.1)
+        assert found.optic.height_range is None  # which follows from the task
         assert found.filter.size == (7, 3)
         assert found.run.iterations == 9
 

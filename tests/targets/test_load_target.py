@@ -52,7 +52,7 @@ def test_a_picture_that_fits_is_taken_pixel_by_pixel(load):
 def test_orientation_row_0_stays_on_top_and_column_0_on_the_left(load):
     light = load(F, pixels=(8, 10), half_width=(4.0, 5.0))
     np.testing.assert_allclose(light, np.kron(F, np.ones((2, 2))), atol=1e-13)
-    screen = scene({"builtin": "tophat"}, (8, 10), (4.0, 5.0)).screen
+    screen = scene({"builtin": "tophat"}, (8, 10), (4.0, 5.0)).receiver
     column, row = screen.to_pixels(3.5, 4.5)  # right end of the letter's top bar
     assert light[int(row), int(column)] == 1
     column, row = screen.to_pixels(3.5, -4.5)  # nothing at the letter's lower right
@@ -108,7 +108,7 @@ def test_light_is_conserved(tmp_path_factory, shape, pixels, half_width, padding
     assert light.shape == pixels[::-1]
     assert light.min() >= 0
     assert light.max() <= 1 + 1e-12
-    assert light.sum() * task.screen.pixel_measure == pytest.approx(flux, rel=1e-9)
+    assert light.sum() * task.receiver.pixel_measure == pytest.approx(flux, rel=1e-9)
 
 
 def test_only_ratios_count(load):

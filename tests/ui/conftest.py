@@ -124,12 +124,12 @@ def snapshots(session):
 
     def make(iteration, iterations=10):
         scene = session.scene
-        n_x, n_y = scene.screen.pixels
+        n_x, n_y = scene.receiver.pixels
         return Snapshot(
             LensState(
                 loss=1.0 / (1 + iteration),
                 heights=FaceArrays(
-                    {"exit": np.full(scene.lens.net_shape, 0.5 - 0.001 * iteration)}
+                    {"exit": np.full(scene.optic.net_shape, 0.5 - 0.001 * iteration)}
                 ),
                 irradiance=np.full((n_y, n_x), 0.25),
                 account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),

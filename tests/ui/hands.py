@@ -65,8 +65,8 @@ def choose(forms, path, value):
 def move_screen(document, z, text="change of screen at z", key=""):
     """One step of the design, of this text and key."""
     scene = document.session.scene
-    screen = scene.screen.model_copy(update={"z": float(z)})
-    document.edit(scene.model_copy(update={"screen": screen}), text, key)
+    screen = scene.receiver.model_copy(update={"z": float(z)})
+    document.edit(scene.with_receiver(screen), text, key)
 
 
 def accept_as(pattern):

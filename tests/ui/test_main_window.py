@@ -115,10 +115,10 @@ def test_undo_and_redo_by_keyboard(window, qtbot):
     edit(window, 7)
     assert window.commands["undo"].text() == "&Undo screen at z 5 → 7 mm"
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert window.document.session.scene.screen.z == 5
+    assert window.document.session.scene.receiver.z == 5
     both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     qtbot.keyClick(window, Qt.Key.Key_Z, both)
-    assert window.document.session.scene.screen.z == 7
+    assert window.document.session.scene.receiver.z == 7
 
 
 def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
@@ -130,9 +130,9 @@ def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
     qtbot.keyClicks(field, "5")
     qtbot.keyClick(field, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert field.text() == "7"
-    assert window.document.session.scene.screen.z == 7
+    assert window.document.session.scene.receiver.z == 7
     qtbot.keyClick(field, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert window.document.session.scene.screen.z == 5
+    assert window.document.session.scene.receiver.z == 5
 
 
 def test_shortcuts_are_unique():
@@ -145,7 +145,7 @@ def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
     monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
     editor(window.forms, "screen.z").setText("8")
     window.commands["save"].trigger()
-    assert read_session(path).scene.screen.z == 8
+    assert read_session(path).scene.receiver.z == 8
 
 
 def test_a_name_without_the_ending_is_not_written(window, tmp_path, monkeypatch):
@@ -221,7 +221,7 @@ def test_opening_asks_before_changes_are_lost(window, answers):
     edit(window, 7)
     answers.append(CANCEL)
     window.commands["new_flame"].trigger()
-    assert window.document.session.scene.screen.z == 7
+    assert window.document.session.scene.receiver.z == 7
     answers.append(DISCARD)
     window.commands["new_flame"].trigger()
     assert window.document.name == "flame"

@@ -74,7 +74,7 @@ def test_a_key_opens_another_window_with_a_document_of_its_own(windows, qtbot):
     assert second.isVisible() and second.pos() != first.pos()
     move_screen(second.document, 7)
     assert second.isWindowModified() and not first.isWindowModified()
-    assert first.document.session.scene.screen.z != 7
+    assert first.document.session.scene.receiver.z != 7
 
 
 def test_closing_one_leaves_the_others(windows, two, qtbot):
@@ -165,7 +165,7 @@ def test_a_signal_leaves_the_work_of_every_window(windows, two, folder):
     windows.leave()
     assert not any(window.isVisible() for window in two)
     works = left_behind.find(folder)
-    assert {read_session(work.file).scene.screen.z for work in works} == {7, 8}
+    assert {read_session(work.file).scene.receiver.z for work in works} == {7, 8}
     for work in works:
         work.put_back()
     for window in two:
@@ -184,7 +184,7 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
     window = again.open()
     assert again.recover(window)
     found = open_windows(again)
-    assert {each.document.session.scene.screen.z for each in found} == {7, 8}
+    assert {each.document.session.scene.receiver.z for each in found} == {7, 8}
     assert all(each.document.dirty for each in found)
     assert left_behind.find(folder) == []  # kept anew by the windows that are open
     for each in found:
@@ -219,7 +219,7 @@ def test_a_given_file_is_opened_beside_recovered_work(recovered, session, tmp_pa
     write_session(session, path)
     beside = again.open_given(path, window, recovered=True)
     assert beside.document.path == path and open_windows(again) == [window, beside]
-    assert window.document.session.scene.screen.z == 7 and window.document.dirty
+    assert window.document.session.scene.receiver.z == 7 and window.document.dirty
 
 
 def test_a_given_file_whose_changes_were_recovered_is_not_opened_twice(recovered, tmp_path):
@@ -227,7 +227,7 @@ def test_a_given_file_whose_changes_were_recovered_is_not_opened_twice(recovered
     assert again.open_given(tmp_path / "mine.freeform", window, recovered=True) is None
     assert open_windows(again) == [window]
     assert "recovered" in window.messages.text
-    assert window.document.session.scene.screen.z == 7
+    assert window.document.session.scene.receiver.z == 7
 
 
 def test_a_given_file_is_opened_in_the_first_window(windows, session, tmp_path):

@@ -216,7 +216,7 @@ def test_what_a_lens_was_designed_for_is_said_in_the_language_of_the_window(
     session, history, speaking
 ):
     session, _ = with_run(session, history(5).result())
-    screen = session.scene.screen.model_copy(update={"z": 7.0})
+    screen = session.scene.receiver.model_copy(update={"z": 7.0})
     other = session.with_scene(session.scene.with_receiver(screen), session.target)
     found = origin(other, called)
     assert found == origin(other)

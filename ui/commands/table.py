@@ -57,7 +57,7 @@ RAYS = {f"rays_{rays}": rays for rays in (0, 5, 9, 15, 45)}
 _FIRST_RAYS = 9
 
 COLOURS = {f"colours_{name}": name for name in ("inferno", "viridis", "cividis", "gray")}
-"""Commands for the colours in which light is shown; see `workbench.pictures.maps.UNSIGNED`."""
+"""Commands for the colours in which light is shown; see `workbench.pictures.axes.UNSIGNED`."""
 
 THEMES = {f"theme_{name}": name for name in ("system", "light", "dark")}
 """Commands for how the windows look; see `ui.widgets.theme.choose`."""

@@ -11,8 +11,8 @@ from ui.views.image_view import ImageView
 from ui.words import later, tr
 from workbench.analysis.manufacture_limits import Limits
 from workbench.arrays import Array
+from workbench.pictures.axes import Extent
 from workbench.pictures.manufacture import MAPS, draw_map, map_unit
-from workbench.pictures.maps import Extent
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

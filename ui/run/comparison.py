@@ -27,8 +27,8 @@ from ui.shown.image_titles import image_titles
 from ui.widgets.plot_words import translate
 from ui.words import field_title, later, tr
 from workbench.design.session import KeptRun
+from workbench.pictures.axes import paint
 from workbench.pictures.comparison import Comparison
-from workbench.pictures.style import paint
 from workbench.report.differences import differences
 
 _SIZE = QSize(1180, 740)

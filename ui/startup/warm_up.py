@@ -9,7 +9,7 @@ from ui.threads.failure import sentence_of
 from ui.words import tr
 
 # All that the views and the runner stand on, without Qt, which is for the window's thread alone.
-_SLOW = ("workbench.pictures.lens", "workbench.pictures.style", "workbench.design.run")
+_SLOW = ("workbench.pictures.lens", "workbench.pictures.axes", "workbench.design.run")
 
 
 class WarmUp(QObject):

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.widgets.plot_words import translate
 from ui.words import tr
-from workbench.pictures.style import paint
-from workbench.pictures.sweep import Curve, draw_sweep
+from workbench.pictures.axes import paint
+from workbench.pictures.error_curves import Curve, draw_sweep
 
 if TYPE_CHECKING:
     from workbench.sweep.store import PointRow

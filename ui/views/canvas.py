@@ -39,7 +39,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.views.drawing_queue import drawing_queue
-from workbench.pictures.style import paint
+from workbench.pictures.axes import paint
 
 # Logical pixels for tick labels and names; powers of ten are wider than the ticks of an image.
 _LEFT_OF_IMAGE, _LEFT_OF_CURVE, _BOTTOM, _RIGHT, _TOP = 68, 84, 40, 18, 12

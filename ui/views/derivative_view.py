@@ -23,7 +23,7 @@ from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import freeform_nets
-from workbench.pictures.derivative import DerivativeImage
+from workbench.pictures.images import DerivativeImage
 from workbench.powers import written
 
 if TYPE_CHECKING:

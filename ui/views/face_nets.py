@@ -15,7 +15,7 @@ from workbench.geometry.faces import NO_LOCKS, ControlPoint
 if TYPE_CHECKING:
     from workbench.geometry.faces import ControlHeights, Locks
     from workbench.pictures.control_net import ControlNetPicture
-    from workbench.pictures.sight import Sight
+    from workbench.pictures.projection import Projection
     from workbench.scene import Element
 
 
@@ -33,7 +33,7 @@ class FaceNets(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._pictures: dict[str, ControlNetPicture] = {}
-        self._sight: Sight | None = None
+        self._sight: Projection | None = None
         self._face = ""
         self._marked: ControlPoint | None = None
         self._brush: tuple[tuple[int, int], float] | None = None
@@ -135,13 +135,13 @@ class FaceNets(QObject):
         # Late: these take seconds to load.
         from workbench.geometry.surface import freeform_nets
         from workbench.pictures.control_net import ControlNetPicture
-        from workbench.pictures.sight import Sight
+        from workbench.pictures.projection import Projection
 
         self._pictures = {
             face: ControlNetPicture(plotter, optic, face, dark=dark)
             for face in freeform_nets(optic)
         }
-        self._sight = Sight(plotter)
+        self._sight = Projection(plotter)
         if self._face not in self._pictures:
             self._face, self._brush = optic.designed_face, None
 

@@ -9,7 +9,7 @@ from ui.views.canvas import PlotCanvas
 from ui.views.view import View
 from ui.widgets.plot_words import translate
 from ui.words import tr
-from workbench.pictures.focus_curve import FocusCurve
+from workbench.pictures.error_curves import FocusCurve
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame

@@ -83,7 +83,7 @@ class ImageLink(QObject):
         self._set("logarithmic", logarithmic)
 
     def set_colours(self, colours: str) -> None:
-        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        """Show light in one of `workbench.pictures.axes.UNSIGNED`."""
         self._set("colours", colours)
 
     def show_image(self, number: int) -> None:

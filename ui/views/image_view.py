@@ -16,7 +16,7 @@ from ui.views.keys import ARROWS, COMMANDS, ZOOMS
 from ui.views.plot_view import PlotView
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.pictures.maps import Extent, pixel_at
+from workbench.pictures.axes import Extent, pixel_at
 from workbench.powers import written
 
 if TYPE_CHECKING:

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-    from workbench.pictures.dots import Dots
-    from workbench.pictures.face_look import FaceColours
+    from workbench.pictures.actors import PointMarkers
+    from workbench.pictures.face_colours import FaceColours
     from workbench.pictures.lens import LensPicture
-    from workbench.pictures.sight import Sight
+    from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
 
 _SPOT = 5.0  # pixels
@@ -51,7 +51,7 @@ class SceneLook:
     exaggerated : bool
         Light the relief of freeform faces as if it were higher.
     colours : str
-        Of light, one of `workbench.pictures.maps.UNSIGNED`.
+        Of light, one of `workbench.pictures.axes.UNSIGNED`.
     """
 
     rays: int = 15
@@ -79,7 +79,7 @@ class SceneContents:
         Lens, rays, screens and source; like the next two None before the first drawing.
     handles : SourceHandles or None
         What the source is dragged by.
-    sight : Sight or None
+    sight : Projection or None
         What is seen where.
     """
 
@@ -87,8 +87,8 @@ class SceneContents:
         self.nets = FaceNets(parent)
         self.picture: LensPicture | None = None
         self.handles: SourceHandles | None = None
-        self.sight: Sight | None = None
-        self._dots: Dots | None = None
+        self.sight: Projection | None = None
+        self._dots: PointMarkers | None = None
         self._marked: tuple[ControlHeights, Array] | None = None
 
     def begin(
@@ -96,9 +96,9 @@ class SceneContents:
     ) -> "LensPicture":
         """Put the scene of a design into a plotter, in place of what is there."""
         # Late: these take seconds to load.
-        from workbench.pictures.dots import Dots
+        from workbench.pictures.actors import PointMarkers
         from workbench.pictures.lens import LensPicture
-        from workbench.pictures.sight import Sight
+        from workbench.pictures.projection import Projection
         from workbench.pictures.source_handles import SourceHandles
 
         plotter.clear_actors()
@@ -115,9 +115,9 @@ class SceneContents:
         if self.handles is not None:
             self.handles.close()
         self.handles = SourceHandles(plotter, dark=dark)
-        self._dots = Dots(plotter, _SPOT)
+        self._dots = PointMarkers(plotter, _SPOT)
         self._dots.colour(_SPOTS[dark])
-        self.sight = Sight(plotter)
+        self.sight = Projection(plotter)
         return self.picture
 
     def mark(self, heights: "ControlHeights", places: Array) -> None:

@@ -40,8 +40,8 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-    from workbench.pictures.face_look import FaceColours
-    from workbench.pictures.sight import Sight
+    from workbench.pictures.face_colours import FaceColours
+    from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
     from workbench.scene import Element, Scene, Source
 
@@ -92,7 +92,7 @@ class SceneView(View):
         self._box.addLayout(self._over, 1)
 
     def show_colours(self, name: str) -> None:
-        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        """Show light in one of `workbench.pictures.axes.UNSIGNED`."""
         self._look = replace(self._look, colours=name)
         self._ask()
 
@@ -127,7 +127,7 @@ class SceneView(View):
         return self._contents.handles
 
     @property
-    def sight(self) -> "Sight | None":
+    def sight(self) -> "Projection | None":
         """What is seen where; None before the first drawing."""
         return self._contents.sight
 
@@ -196,7 +196,7 @@ class SceneView(View):
             self._plotter.update()
 
     def colour_faces(self, by: "FaceColours") -> None:
-        """Colour freeform faces by what `workbench.pictures.face_look` knows."""
+        """Colour freeform faces by what `workbench.pictures.face_colours` knows."""
         self._look = replace(self._look, faces=by)
         self._ask()
 
@@ -342,10 +342,10 @@ class SceneView(View):
 
     def _space(self, scene: "Scene") -> Array:
         """What the picture of a scene has to hold."""
-        from workbench.pictures.camera import space
-        from workbench.pictures.exploded import exploded
+        from workbench.pictures.camera import scene_corners
+        from workbench.pictures.compressed import compress_distances
 
-        return space(exploded(scene) if self._look.exploded else scene)
+        return scene_corners(compress_distances(scene) if self._look.exploded else scene)
 
     def _recolour(self) -> None:
         self._contents.recolour(dark=self.is_dark())

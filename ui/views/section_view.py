@@ -16,7 +16,7 @@ from ui.views.keys import ARROWS
 from ui.views.plot_view import PlotView
 from ui.widgets.menu_button import MenuButton, choose, chosen_of
 from ui.words import later, tr
-from workbench.pictures.maps import Extent
+from workbench.pictures.axes import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through
 
 if TYPE_CHECKING:

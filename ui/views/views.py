@@ -83,7 +83,7 @@ class Views(QObject):
         return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
 
     def show_colours(self, name: str) -> None:
-        """Show light in one of `workbench.pictures.maps.UNSIGNED`."""
+        """Show light in one of `workbench.pictures.axes.UNSIGNED`."""
         self.link.set_colours(name)
         self.scene.show_colours(name)
 

@@ -82,7 +82,7 @@ def _report(nominal: Perturbed, others: list[Perturbed], as_json: bool) -> None:
 
 
 def _write(plot: Path, nominal: Perturbed, others: list[Perturbed]) -> None:
-    from workbench.pictures.tolerances import write_errors  # late: draws, takes long to import
+    from workbench.pictures.error_curves import write_errors  # late: draws, takes long to import
 
     with replacing(plot) as file:
         write_errors(file, nominal.relative_l2, [each.relative_l2 for each in others])

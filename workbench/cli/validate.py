@@ -83,7 +83,7 @@ def validate(
         if series:
             _print_series(series)
     if plot is not None:
-        from workbench.pictures.focus import write_focus  # late: draws, takes long to import
+        from workbench.pictures.error_curves import write_focus  # late: draws, takes long to import
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)

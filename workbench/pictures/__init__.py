@@ -1,6 +1,6 @@
-"""Draws scenes, images and curves onto plotters and axes that the caller owns.
+"""Draw scenes, images and curves onto plotters and axes of the caller.
 
-pyvista and matplotlib are imported by the modules in here alone, so whoever needs no picture does
+Only the modules of this package import pyvista and matplotlib: a program that draws nothing does
 not wait for them.
 """
 
@@ -73,21 +73,7 @@ PICTURES: dict[str, Callable[[Session, BinaryIO], None]] = {
 def lens_image(
     session: Session, lights: Sequence[Array], explode: bool = False
 ) -> npt.NDArray[np.uint8]:
-    """Draw a designed lens with its rays.
-
-    Parameters
-    ----------
-    session : Session
-        A session with a result.
-    lights : sequence of ndarray, shape (n_y, n_x)
-        Flux per area on the screen, and at the receivers of further images.
-    explode : bool
-        Whether long distances are drawn short.
-
-    Returns
-    -------
-    ndarray of uint8, shape (height, width, 3)
-    """
+    """Draw a designed lens with its rays."""
     keep_shaders_in_memory()
     import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkLogger

@@ -1,4 +1,4 @@
-"""The light of two runs side by side on one scale, what differs between them, and their losses."""
+"""Comparison of two runs: irradiance on one scale, its difference, and the losses."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
 from workbench.measured.light_unit import LightUnit, light_unit
+from workbench.pictures.axes import SIGNED, Extent, colour_bar, pixel_at, stable_scale
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
-from workbench.pictures.maps import SIGNED, Extent, colour_bar, pixel_at, settled_scale
 from workbench.powers import written
 from workbench.said import Said
 from workbench.scene import Scene, Unit
@@ -21,26 +21,12 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _FONT = 8
-_LONGEST = 34  # letters of a title
+_TITLE_LETTERS = 34
 
 
 @dataclass(frozen=True, eq=False)
 class RunImage:
-    """The one image of a run.
-
-    Attributes
-    ----------
-    name : str
-        Of the run.
-    scene : Scene
-        Its task.
-    target, irradiance : ndarray, shape (n_y, n_x)
-        Target, and light in that unit.
-    unit : LightUnit
-        In what the light is told.
-    top : float
-        End of a scale for it.
-    """
+    """One image of a run: target and irradiance (n_y, n_x) in a display unit."""
 
     name: str
     scene: Scene
@@ -51,7 +37,7 @@ class RunImage:
 
     @classmethod
     def of(cls, run: KeptRun, unit: Unit) -> Self:
-        """The light of a run of one image, with lengths in a unit."""
+        """Return the image of a run with one image, lengths in a unit."""
         session = Session(run.scene, run.target, run.result).in_unit(unit)
         assert session.result is not None
         scene, target, light = session.scene, session.target, session.result.state.irradiance
@@ -60,40 +46,21 @@ class RunImage:
         return cls(run.name, scene, target, light_in.density * light, light_in, top)
 
     def at(self, x: float, y: float) -> float | None:
-        """The light at a place; None beside the receiver."""
+        """Value at a point of the receiver; None outside."""
         pixel = pixel_at(self.scene.receiver.bounds, self.irradiance.shape, x, y)
         return None if pixel is None else float(self.irradiance[pixel])
 
     def in_words(self, x: float, y: float) -> str:
-        """The light at a place with its unit; empty beside the receiver."""
+        """Value and unit at a point of the receiver; empty outside."""
         light = self.at(x, y)
         return "" if light is None else written(light, self.unit.short)
 
 
 class Comparison:
-    """Draws two runs on a figure that the caller owns.
+    """Draws two runs on a figure of the caller, in the length unit of the first.
 
-    Light is drawn on one scale where both have one unit. The difference,
-    second minus first, needs images of the same part of the same receiver; the second is averaged
-    over the pixels of the first.
-
-    Parameters
-    ----------
-    figure : Figure
-        What was on it gives way.
-    runs : tuple[KeptRun, KeptRun]
-        The runs; lengths are in the unit of the first.
-    number : int
-        Which of their images is shown, as `KeptRun.of_image` counts.
-
-    Attributes
-    ----------
-    lights : tuple[RunImage, RunImage]
-        Their light.
-    difference : ndarray, shape (n_y, n_x), optional
-        Second minus first; None where the receivers cover different places.
-    titles : tuple of str
-        What the runs are called in the picture: their names, cut to what there is room for.
+    Images of the same unit share one scale. The difference is second minus first, shape of the
+    first, and None where the receivers cover different areas.
     """
 
     def __init__(self, figure: Figure, runs: tuple[KeptRun, KeptRun], number: int = 0) -> None:
@@ -125,7 +92,7 @@ class Comparison:
         )
 
     def in_words(self, axes: "Axes | None", x: float, y: float) -> str:
-        """What is at a place of one of the images; empty beside all of them."""
+        """Text for a point of one of the images; empty outside."""
         one, other = self.lights
         light = one if axes is not None and axes is self._third else self._places.get(axes)
         if light is None or light.at(x, y) is None:
@@ -151,13 +118,13 @@ class Comparison:
             return
         image = receiver_map(axes, "difference", one.scene, SIGNED)
         image.set_data(self.difference)
-        scale = settled_scale(self.difference, 0.0)
+        scale = stable_scale(self.difference, 0.0)
         image.set_clim(-scale, scale)
         colour_bar(axes, image, one.unit.words, extend="both")
 
 
 def difference(one: RunImage, other: RunImage) -> Array | None:
-    """Second minus first, shape as the first; None where their receivers cover different places."""
+    """Return second minus first, shape of the first; None if the receivers differ."""
     receiver, second = one.scene.receiver, other.scene.receiver
     same_place = np.allclose(receiver.bounds, second.bounds, rtol=1e-9)
     if not same_place or one.unit.words != other.unit.words:
@@ -166,7 +133,7 @@ def difference(one: RunImage, other: RunImage) -> Array | None:
 
 
 def _short(name: str) -> str:
-    return name if len(name) <= _LONGEST else f"{name[: _LONGEST - 1]}…"
+    return name if len(name) <= _TITLE_LETTERS else f"{name[: _TITLE_LETTERS - 1]}…"
 
 
 def _title(axes: "Axes", text: str) -> None:

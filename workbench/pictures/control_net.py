@@ -1,8 +1,8 @@
-"""Control points of a face in three dimensions: shown, picked, marked, brushed, locked.
+"""Control points of a face in the 3D view: show, pick, mark, brush, lock.
 
-1. All of a fine net would hide the lens. Of such a net only what is near the brush is shown, and
-   beside no brush the locked points alone. Points seen close together are drawn small.
-2. A locked point is a square and the others are balls, so that nobody has to tell colours apart.
+1. A fine net would hide the lens. Of a fine net only the neighbourhood of the brush is shown, and
+   without a brush only the locked points. The size of points follows their distance on screen.
+2. Locked points are squares, others are spheres: colour alone does not distinguish them.
 """
 
 import math
@@ -16,50 +16,38 @@ from workbench.design.brush import bump
 from workbench.geometry.lines import nearest_to_line
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.pictures import shapes
-from workbench.pictures.dots import Dots
-from workbench.pictures.sight import Sight
+from workbench.pictures import meshes
+from workbench.pictures.actors import PointMarkers
+from workbench.pictures.projection import Projection
 from workbench.scene import Element
 
 Block = tuple[slice, slice]
 
 _POINT = {True: "#c9d2de", False: "#2c3440"}  # by dark
-_MARK = {True: "#ff7ad9", False: "#c2188f"}  # neither of light nor of glass
+_MARK = {True: "#ff7ad9", False: "#c2188f"}  # neither the colour of light nor of glass
 _BRUSH = {True: "#ffffff", False: "#000000"}
 _LOCKED = {True: "#f0a202", False: "#9a4a00"}
 _MARKED = 13.0  # size of the marked point in pixels
-_SIZES = 4.0, 8.0, 8.0  # of points, of those in the brush and of locked ones, at most
+_LARGEST = 4.0, 8.0, 8.0  # pixels: points, points in the brush, locked points
 _SMALLEST = 2.0, 3.0, 3.0
-_PARTS = 0.25, 0.6, 0.6  # of what is between neighbours
-_LINES = 6.0  # pixels between neighbours, from which on lines are drawn
-_LIFT = 0.004  # of the lens's half-width, outside the face that would swallow half of each point
+_PARTS = 0.25, 0.6, 0.6  # of the distance of neighbours
+_LINES = 6.0  # least distance of neighbours in pixels with lines between them
+_LIFT = 0.004  # of the half-width: lifts points off the face, which would hide half of each
 _PICK_PART = 0.75  # of the diagonal between neighbours; farther away nothing is picked
-_MOST_LOCKS = 40_000  # that are drawn; of more, every second or third
-_WHOLE = 1200  # control points of a net that is shown whole
-_NEAR = 12  # control points on each side of the brush, of a finer one
+_MOST_LOCKS = 40_000  # drawn; of more, every second or third
+_WHOLE = 1200  # most control points of a net that is shown as a whole
+_NEAR = 12  # control points shown on each side of the brush in a finer net
 
 
 class ControlNetPicture:
-    """Draws control points of a face on a plotter that the caller owns; none at first.
-
-    Parameters
-    ----------
-    plotter : pyvista.BasePlotter
-        Where the lens is drawn.
-    optic : Element
-        Says where the control points are along x and y.
-    face : str
-        The name of the face.
-    dark : bool
-        Whether the ground is dark.
-    """
+    """Draws control points of a face on a plotter of the caller; none at first."""
 
     def __init__(self, plotter: Any, optic: Element, face: str, *, dark: bool = False) -> None:
         self._net = freeform_nets(optic)[face]
         x, y = self._net.positions
         self._places = np.zeros((len(x), len(y), 3))
         self._places[..., 0], self._places[..., 1] = x[:, None], y
-        self._shaping = self._net.shaping(outline_of(optic))  # the others are not shown
+        self._shaping = self._net.shaping(outline_of(optic))  # others are not shown
         self._pick_distance = _PICK_PART * math.hypot(np.diff(x).max(), np.diff(y).max())
         self._lift = np.array([0.0, 0.0, _LIFT * max(optic.half_width) * optic.outwards(face)])
         self._shown = False
@@ -68,7 +56,7 @@ class ControlNetPicture:
         self._locked: Mask | None = None
         self._drawn = np.zeros((0, 0), dtype=np.bool_)  # points of the block with lines
         self._lines = pv.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
-        self._threads = plotter.add_mesh(
+        self._net_lines = plotter.add_mesh(
             self._lines,
             line_width=1.0,
             opacity=0.5,
@@ -78,64 +66,55 @@ class ControlNetPicture:
             reset_camera=False,
             render=False,
         )
-        self._mark = Dots(plotter, _MARKED)
-        self._points, self._brushed = Dots(plotter, _SIZES[0]), Dots(plotter, _SIZES[1])
-        self._locks = Dots(plotter, _SIZES[2], round=False)
-        self._sight = Sight(plotter)
+        self._mark = PointMarkers(plotter, _MARKED)
+        self._points, self._brushed = (
+            PointMarkers(plotter, _LARGEST[0]),
+            PointMarkers(plotter, _LARGEST[1]),
+        )
+        self._locks = PointMarkers(plotter, _LARGEST[2], round=False)
+        self._projection = Projection(plotter)
         self.update(self._places[..., 2])
         self.recolour(dark)
 
     @property
     def places(self) -> Array:
-        """Where the control points are, shape (n_u, n_v, 3), scene units."""
+        """Positions of the control points, (n_u, n_v, 3), scene units."""
         return self._places
 
     def update(self, heights: Array) -> None:
-        """Move the points to their heights z, shape (n_u, n_v), scene units."""
+        """Set the control heights z, (n_u, n_v), scene units."""
         self._places[..., 2] = heights
         self._resize()
         self._place()
 
     def show(self, shown: bool) -> None:
-        """Show the net and the locks, to be picked from; or no more than the marked point."""
+        """Show net and locks for picking, or only the marked point."""
         if shown != self._shown:
             self._shown = shown
             self._place()
 
     def mark(self, index: tuple[int, int] | None) -> None:
-        """Show one of the points and its neighbours, to be picked from; or none."""
+        """Show one point with its neighbours for picking; None hides it."""
         if index != self._marked:
             self._marked = index
             self._place()
 
     def brush(self, index: tuple[int, int] | None, radius: float = 0.0) -> None:
-        """Show what a brush of some radius, scene units, around a control point takes along."""
+        """Show the points within a radius (scene units) of a control point."""
         brush = None if index is None else (index, radius)
         if brush != self._brush:
             self._brush = brush
             self._place()
 
     def lock(self, locked: Mask | None) -> None:
-        """Show which points are locked, shape (n_u, n_v)."""
+        """Set the locked points, (n_u, n_v)."""
         if locked is not self._locked:
             self._locked = locked
             self._place()
 
     def pick(self, x: float, y: float) -> tuple[int, int] | None:
-        """The control point under a place in the window, whether it is shown or not.
-
-        Parameters
-        ----------
-        x, y : float
-            Pixels from the lower left corner.
-
-        Returns
-        -------
-        tuple[int, int] or None
-            Index of the point along x and y that is nearest to the line of sight; None where no
-            point is near it.
-        """
-        start, end = self._sight.line(x, y)
+        """Return the index of the control point nearest to a window pixel; None if none is near."""
+        start, end = self._projection.line(x, y)
         block = self._along(start, end)
         if block is None:
             return None
@@ -144,15 +123,14 @@ class ControlNetPicture:
         return index if distance <= self._pick_distance and self._shaping[index] else None
 
     def recolour(self, dark: bool) -> None:
-        """Change between the dark and the light ground."""
-        self._threads.prop.color = _POINT[dark]
+        """Change between dark and light background."""
+        self._net_lines.prop.color = _POINT[dark]
         self._points.colour(_POINT[dark])
         self._mark.colour(_MARK[dark])
         self._brushed.colour(_BRUSH[dark])
         self._locks.colour(_LOCKED[dark])
 
     def _along(self, start: Array, end: Array) -> Block | None:
-        """The part of the net that a line can come near; a fine net has many points elsewhere."""
         margin, z = self._pick_distance, self._places[..., 2]
         rise = end[2] - start[2]
         if rise != 0:  # between the lowest and the highest point
@@ -170,19 +148,18 @@ class ControlNetPicture:
         return block[0], block[1]
 
     def _resize(self) -> None:
-        """Keep points apart, as they are seen in the middle of the net."""
         i, j = (count // 2 for count in self._net.shape)
-        here, *there = self._sight.pixels(self._places[[i, i - 1, i], [j, j, j - 1]])
-        self._apart = max(float(np.linalg.norm(seen - here)) for seen in there)
+        here, *there = self._projection.pixels(self._places[[i, i - 1, i], [j, j, j - 1]])
+        self._spacing = max(float(np.linalg.norm(seen - here)) for seen in there)
         kinds = (self._points, self._brushed, self._locks)
-        for dots, part, low, high in zip(kinds, _PARTS, _SMALLEST, _SIZES, strict=True):
-            dots.resize(min(max(part * self._apart, low), high))
+        for dots, part, low, high in zip(kinds, _PARTS, _SMALLEST, _LARGEST, strict=True):
+            dots.resize(min(max(part * self._spacing, low), high))
 
     def _place(self) -> None:
         places, lift = self._places, self._lift
         block, none = self._block(), np.zeros((0, 3))
         near = none if block is None else places[block].reshape(-1, 3) + lift
-        self._string(block, near)
+        self._draw_lines(block, near)
         locked = self._locked if self._shown else None
         if block is not None:
             hidden = ~self._shaping if locked is None else ~self._shaping | locked
@@ -198,27 +175,25 @@ class ControlNetPicture:
         self._locks.place(held[:: 1 + len(held) // _MOST_LOCKS] + 2 * lift)
 
     def _block(self) -> Block | None:
-        """The part of the net that is shown point by point."""
         if self._shown and self._places[..., 0].size <= _WHOLE:
             return slice(None), slice(None)
         if self._shown:
-            return None if self._brush is None else _around(self._brush[0], (_NEAR, _NEAR))
-        return None if self._marked is None else _around(self._marked, self._net.degree)
+            return None if self._brush is None else _neighbourhood(self._brush[0], (_NEAR, _NEAR))
+        return None if self._marked is None else _neighbourhood(self._marked, self._net.degree)
 
-    def _string(self, block: Block | None, points: Array) -> None:
-        """Lines between neighbours of a block."""
+    def _draw_lines(self, block: Block | None, points: Array) -> None:
         shaping = self._shaping[:0] if block is None else self._shaping[block]
-        shown = self._shown and min(shaping.shape) > 1 and self._apart >= _LINES
-        self._threads.SetVisibility(shown)
+        shown = self._shown and min(shaping.shape) > 1 and self._spacing >= _LINES
+        self._net_lines.SetVisibility(shown)
         if not shown:
             return
         self._lines.points = points
         if not np.array_equal(shaping, self._drawn):
             self._drawn = shaping
-            self._lines.lines = shapes.grid_lines(shaping)
+            self._lines.lines = meshes.grid_lines(shaping)
             self._lines.verts = np.zeros(0, dtype=np.int64)
 
 
-def _around(index: tuple[int, int], margin: tuple[int, int]) -> Block:
+def _neighbourhood(index: tuple[int, int], margin: tuple[int, int]) -> Block:
     i, j = (slice(max(k - r, 0), k + r + 1) for k, r in zip(index, margin, strict=True))
     return i, j

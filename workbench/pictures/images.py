@@ -1,12 +1,10 @@
-"""Irradiance, or intensity in the far field, and signed error as images with axes.
+"""Irradiance or radiant intensity, and its signed error, as images with axes.
 
-The error compares irradiance and target at the same total flux, in flux per area or solid angle:
-error = irradiance − target. It is positive where too much light falls. Pictures show it with the
-flux that arrives, `signed_error` is at a flux of 1.
+Error = irradiance − target at equal flux, positive where there is too much flux. Pictures show it
+at the flux that arrives; `signed_error` is at a flux of 1.
 
-Light and target are drawn on one scale, which ends above the brightest place of a target that has
-as much light as arrives: where an image is right, both have the same colours, however much light
-is lost on the way.
+Irradiance and target share one scale that follows the brightest target pixel at the arriving flux:
+where the image is right, both have the same colour, whatever the efficiency.
 """
 
 import math
@@ -19,16 +17,16 @@ from matplotlib.colors import Colormap, LogNorm, Normalize
 
 from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
-from workbench.pictures.maps import (
+from workbench.pictures.axes import (
     SIGNED,
     UNSIGNED,
     Extent,
+    UpdatedPicture,
     colour_bar,
     map_image,
     round_scale,
-    settled_scale,
+    stable_scale,
 )
-from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -36,22 +34,23 @@ if TYPE_CHECKING:
 
 LIGHT = UNSIGNED[0]
 _HEADROOM = 1.15  # of the irradiance scale above the brightest target pixel
-_DECADES = 1e3  # that a logarithmic scale spans
+_DECADES = 1e3  # range of a logarithmic scale
 _ROUNDING = 1e-9
-_STEPS = 4  # of a scale while the light that arrives halves: it shall not change all the time
+_STEPS = 4  # of the scale per factor 2 of flux: the scale must not change at every update
+_UNAFFECTED = "#a8a8a8"  # unlike the colours of gain and loss and the white between them
 
 
 def target_irradiance(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> Array:
-    """The target as irradiance with a total flux on the screen.
+    """Return the target (n_y, n_x) as irradiance with a given total flux.
 
     Parameters
     ----------
     scene : Scene
         Gives the size of a pixel.
     target : ndarray, shape (n_y, n_x)
-        Target image, non-negative; an image without any light stays black.
+        Non-negative; an image of zeros stays zero.
     flux : float
-        All light of it.
+        Total flux.
 
     Returns
     -------
@@ -61,93 +60,44 @@ def target_irradiance(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0)
     peak = float(target.max())
     if not peak > 0:
         return np.zeros(target.shape)
-    ratios = target / peak  # first, so that neither tiny nor huge images lose their sum
+    ratios = target / peak  # first: sums of tiny or huge values would under- or overflow
     return np.asarray(ratios * (flux / scene.receiver.total(ratios)), dtype=np.float64)
 
 
 def signed_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
-    """Irradiance minus target, both at a total flux of 1 on the screen.
-
-    Parameters
-    ----------
-    scene : Scene
-        Gives the size of a pixel.
-    target, irradiance : ndarray, shape (n_y, n_x)
-        Target and obtained image.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Flux per area, positive where too much light falls.
-    """
+    """Return irradiance minus target (n_y, n_x), both at a total flux of 1; flux per area."""
     return target_irradiance(scene, irradiance) - target_irradiance(scene, target)
 
 
 def shown_error(scene: Scene, target: npt.NDArray[Any], irradiance: Array) -> Array:
-    """Irradiance minus target with the flux that arrives, in the scene's `LightUnit`.
+    """Return irradiance minus target at the arriving flux, in the scene's `LightUnit`.
 
-    So it is the difference of the two pictures beside it, however much light is lost on the way. At
-    a flux of 1 the error of a torch, of whose light 11 % arrive, would be nine times what
-    both differ by. Where no light arrives, target and error have a flux of 1.
+    That is the difference of the two images shown beside it. At a flux of 1 the error of a lens
+    with an efficiency of 11 % would be nine times as large. Without any flux both have a flux of 1.
     """
     flux = scene.receiver.total(irradiance) or 1.0
     return signed_error(scene, target, irradiance) * (light_unit(scene).density * flux)
 
 
 def full_scale(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> float:
-    """Upper end of the irradiance scale: it follows the target, so colours keep their meaning.
+    """Return the upper end of the irradiance scale, which follows the target.
 
-    Parameters
-    ----------
-    scene : Scene
-        Gives the size of a pixel.
-    target : ndarray, shape (n_y, n_x)
-        Target image.
-    flux : float
-        Light that arrives. The scale follows it in steps of 19 %; no light is drawn as all of it.
+    It follows the flux in steps of 19 %, so that colours do not change at every update.
     """
     step = math.ceil(_STEPS * math.log2(flux) - _ROUNDING) if flux > 0 else 0
     return _HEADROOM * float(target_irradiance(scene, target).max()) * math.pow(2.0, step / _STEPS)
 
 
 def to_colours(irradiance: Array, top: float, colours: str = LIGHT) -> npt.NDArray[np.uint8]:
-    """Colours of an irradiance image on the scale from 0 to ``top``.
-
-    Parameters
-    ----------
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area.
-    top : float
-        Upper end of the scale.
-    colours : str
-        One of `UNSIGNED`.
-
-    Returns
-    -------
-    ndarray of uint8, shape (n_y, n_x, 3)
-    """
+    """Return colours (n_y, n_x, 3) of an irradiance (n_y, n_x) on a scale from 0 to ``top``."""
     levels = np.clip(irradiance * (255 / top), 0, 255).astype(np.uint8)
     return _table(colours)[levels]
 
 
 class IrradianceImage(UpdatedPicture):
-    """Irradiance on axes that the caller owns.
+    """Irradiance on axes of the caller.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    scene : Scene
-        Gives the screen.
-    target : ndarray, shape (n_y, n_x)
-        Target image; gives the scale.
-    name : str
-        What the image is called; by default, what is on the receiver.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n_y, n_x)
-        What is shown, in the scene's `LightUnit`.
+    ``values`` (n_y, n_x) is the shown image in the scene's `LightUnit`.
     """
 
     values: Array
@@ -169,7 +119,7 @@ class IrradianceImage(UpdatedPicture):
         self.artists = [self._image]
 
     def update(self, irradiance: Array) -> bool:
-        """Show another image, shape (n_y, n_x)."""
+        """Show an image (n_y, n_x); return whether the scale changed."""
         factor = self._unit.density
         self.values = irradiance * factor
         self._image.set_data(self.values)
@@ -182,27 +132,23 @@ class IrradianceImage(UpdatedPicture):
         return True
 
     def set_colours(self, name: str) -> None:
-        """Take other colours, one of `UNSIGNED`; the whole figure changes."""
-        dark = colormaps[name](0.0)  # also for no light at all, which has no logarithm
+        """Set the colour map, one of `UNSIGNED`; the whole figure changes."""
+        dark = colormaps[name](0.0)  # also for zero, which has no logarithm
         self._image.set_cmap(colormaps[name].with_extremes(bad=dark))
 
     def set_logarithmic(self, logarithmic: bool) -> None:
-        """Colour by the logarithm, over three decades, or evenly; the whole figure changes."""
+        """Set a logarithmic scale over three decades, or a linear one."""
         self._logarithmic = logarithmic
         even, decades = Normalize(0, self._top), LogNorm(self._top / _DECADES, self._top)
         self._image.set_norm(decades if logarithmic else even)
 
 
 class ErrorImage(UpdatedPicture):
-    """Signed error on axes that the caller owns.
+    """Signed error on axes of the caller.
 
-    The scale is symmetric about zero. It is one of 1, 2, 5, 10, ... and changes only when the
-    errors leave it or fill less than a third of it.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n_y, n_x)
-        What is shown, in the scene's `LightUnit`.
+    The scale is symmetric about zero and one of 1, 2, 5, 10, ... It changes only when the errors
+    exceed it or fill less than a third of it. ``values`` (n_y, n_x) is the shown image in the
+    scene's `LightUnit`.
     """
 
     values: Array
@@ -218,10 +164,10 @@ class ErrorImage(UpdatedPicture):
         self.artists = [self._image]
 
     def update(self, irradiance: Array) -> bool:
-        """Show the error of another irradiance image, shape (n_y, n_x)."""
+        """Show the error of an irradiance (n_y, n_x); return whether the scale changed."""
         self.values = shown_error(self._scene, self._target, irradiance)
         self._image.set_data(self.values)
-        scale = settled_scale(self.values, self._scale)
+        scale = stable_scale(self.values, self._scale)
         if scale == self._scale:
             return False
         self._scale = scale
@@ -230,9 +176,38 @@ class ErrorImage(UpdatedPicture):
 
 
 def receiver_map(axes: "Axes", name: str, scene: Scene, colours: str | Colormap) -> Any:
-    """An image of zeros on the receiver's axes; see `map_image`."""
+    """Return an image of zeros on the receiver's axes; see `map_image`."""
     return map_image(axes, name, Extent.of_receiver(scene), scene.receiver.pixels, colours)
 
 
 def _table(name: str) -> npt.NDArray[np.uint8]:
     return np.asarray(colormaps[name](np.arange(256), bytes=True)[:, :3])
+
+
+class DerivativeImage(UpdatedPicture):
+    """Map of a derivative on axes of the caller.
+
+    The scale is symmetric about zero. Pixels that the control point does not reach are grey.
+    """
+
+    def __init__(self, axes: "Axes", scene: Scene) -> None:
+        colours = colormaps[SIGNED].with_extremes(bad=_UNAFFECTED)
+        self._image = receiver_map(axes, "derivative", scene, colours)
+        self._scale = 1.0
+        self._image.set_clim(-self._scale, self._scale)
+        density = scene.receiver.density_words(scene.unit)
+        colour_bar(axes, self._image, f"{density} per {scene.unit}", extend="neither")
+        self.update(None)
+        self.artists = [self._image]
+
+    def update(self, derivative: Array | None) -> bool:
+        """Show a derivative (n_y, n_x), flux per area and length; None shows zeros."""
+        if derivative is None:
+            derivative = np.zeros(self._image.get_array().shape)
+        self._image.set_data(np.ma.masked_equal(derivative, 0))
+        scale = float(np.abs(derivative).max()) or 1.0
+        if scale == self._scale:
+            return False
+        self._scale = scale
+        self._image.set_clim(-scale, scale)
+        return True

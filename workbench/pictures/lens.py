@@ -1,17 +1,15 @@
-"""The lens, its rays and the lit screen in three dimensions.
+"""Lens, rays and receivers in the 3D view.
 
 Right-handed axes: z, the optical axis, runs to the right of the default view, y up. The camera
-stands beyond the exit face, so the screen is seen from behind and reads as its image does: x to
-the right, row 0 at the top.
+stands beyond the exit face: the screen is seen from behind and reads as its image does, x to the
+right, row 0 at the top.
 
-1. The camera projects in parallel, unless perspective is chosen: a screen fifty lens
-   widths away is as easy to see as the lens.
-2. `LensPicture.update` moves points and repaints the texture of actors that stay. Adding them
-   again would cost ten times as much.
-3. Glass is drawn before rays and without depth peeling, which software OpenGL pays dearly for.
-4. A source so far away that lens and screen would shrink to nothing beside it is left out of the
-   view, and its rays begin nearer, on their way from it.
-5. Nothing here renders: when to draw is the caller's affair.
+1. `LensPicture.update` moves points and repaints textures of existing actors. Adding the actors
+   again costs ten times as much.
+2. Glass is drawn before rays and without depth peeling, which is slow in software OpenGL.
+3. A source so far away that lens and screen would shrink to nothing is left out of the view, and
+   its rays start nearer, on their line.
+4. Nothing here renders: the caller decides when.
 """
 
 import math
@@ -27,22 +25,27 @@ from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.pictures import shapes
-from workbench.pictures.camera import FittedCamera, axes_of, in_view, start_z
-from workbench.pictures.colour_scale import ColourScale
-from workbench.pictures.exploded import explode_paths, exploded
-from workbench.pictures.face_look import FaceColours, face_colours, lit_normals, scale_of, top_of
+from workbench.pictures import meshes
+from workbench.pictures.actors import ColourScale, LitReceiver
+from workbench.pictures.camera import FittedCamera, axes_of, drawn_start_z, source_in_view
+from workbench.pictures.compressed import compress_distances, compress_paths
+from workbench.pictures.face_colours import (
+    FaceColours,
+    colour_scale_of,
+    face_colours,
+    lit_normals,
+    scale_top,
+)
 from workbench.pictures.images import LIGHT
-from workbench.pictures.lit_receiver import LitReceiver
 from workbench.scene import Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
 
 _NET_FIELDS = 8
-_SOURCE_POINTS = (25, 25)  # of a grid, at most
-_BASE_SAMPLES = 33  # per axis, of the base that stands in until the first update
-# By what the optic is called.
+_SOURCE_POINTS = (25, 25)  # most points of a grid that are drawn
+_BASE_SAMPLES = 33  # per axis, of the base shown until the first update
+# By `Element.called`.
 _BODIES = {
     "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
     "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
@@ -53,34 +56,36 @@ _FACES = {
     "mirror": {"opacity": 1.0, "ambient": 0.4, "specular": 1.0},
 }
 _INK = {True: "#b4bcc8", False: "#475060"}  # by dark
-_GROUND = {True: ("#12151a", "#2a303a"), False: ("#dfe4eb", "#fcfdfe")}  # bottom and top
-_LANDS = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
+_GROUND = {
+    True: ("#12151a", "#2a303a"),
+    False: ("#dfe4eb", "#fcfdfe"),
+}  # bottom and top of the background
+_ARRIVING = {True: (255, 206, 110), False: (196, 122, 0)}  # light that reaches the screen
 _LOST = {True: (255, 90, 90), False: (200, 30, 30)}
 _WEIGHT = {True: "viridis", False: "viridis_r"}  # maps from no light to all of it
-_FADING = 0.35  # of a ray's ink where it begins and where it ends
+_FADING = 0.35  # opacity of the ends of a ray, relative to its middle
 _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 
 
 class LensPicture:
-    """Draws one scene on a plotter that the caller owns.
+    """Draws a scene on a plotter of the caller; until `update`, faces have their base shape.
 
     Parameters
     ----------
     plotter : pyvista.BasePlotter
-        Any empty plotter, off screen or in a window. Its background is set; its camera by `fit`.
+        Empty plotter, off screen or in a window.
     scene : Scene
-        What is drawn; until the first `update` freeform faces are where they begin.
+        The scene.
     target : ndarray, shape (n_y, n_x)
-        Target image; the brightness of the screen is relative to it. Those of further images are
-        in the scene.
+        Target image; the brightness of the screen is relative to it.
     dark : bool
-        Light lines on a dark ground instead of the reverse.
+        Dark background.
     explode : bool
-        Draw long distances short, and a large screen small, beside the lens.
+        Compress distances.
     perspective : bool
-        See in perspective instead of in parallel.
+        Perspective instead of parallel projection.
     by_weight : bool
-        Colour rays by the part of their light that arrives instead of by where they end.
+        Colour rays by their transmittance instead of by where they end.
     """
 
     def __init__(
@@ -96,7 +101,7 @@ class LensPicture:
     ) -> None:
         self._plotter = plotter
         self._traced, self._explode = scene, explode
-        self._scene = exploded(scene) if explode else scene  # as it is drawn
+        self._scene = compress_distances(scene) if explode else scene  # as it is drawn
         self._colours = LIGHT
         self._face_colours: FaceColours = "material"
         self._exaggerated, self._title = False, ""
@@ -111,7 +116,7 @@ class LensPicture:
         self._add_axes()
         self._rays = pv.PolyData(np.zeros((4, 3)), lines=[4, 0, 1, 2, 3])
         self._rays.point_data["colour"] = np.zeros((4, 4), dtype=np.uint8)
-        self._landing = np.zeros(1, dtype=bool)
+        self._arriving = np.zeros(1, dtype=bool)
         self._weight = np.zeros(1)
         self._light = self._add(
             self._rays, scalars="colour", rgba=True, line_width=1.0, lighting=False
@@ -133,18 +138,18 @@ class LensPicture:
         surfaces : mapping of str to ndarray, shape (m_u, m_v, 3)
             Points of each freeform face on a grid including its rim; see `sample_faces`.
         paths : RayPaths
-            Rays from below the entrance face to the screen plane.
+            Rays from source to receiver.
         irradiance : ndarray, shape (n_y, n_x)
-            Flux per area on the screen, row 0 at +y.
+            Flux per area on the receiver, row 0 at +y.
         source : Source, optional
-            Where these rays come from in a stage of the run that has a source of its own.
+            Source of the rays, if a stage of the run has its own.
         further : sequence of ndarray, shape (n_y, n_x)
             Flux per area at the receiver of each further image.
         """
         lit = self._traced.model_copy(update={"source": source or self._traced.source})
         points = paths.points
         if self._explode:
-            points, lit = explode_paths(points, lit), exploded(lit)
+            points, lit = compress_paths(points, lit), compress_distances(lit)
         self._place_lens(surfaces)
         self._place_source(lit)
         self._place_rays(paths._replace(points=points), lit)
@@ -154,44 +159,41 @@ class LensPicture:
 
     @property
     def camera(self) -> FittedCamera:
-        """From where it is seen."""
+        """The camera."""
         return self._camera
 
     def fit(self, view: str = "") -> None:
-        """Turn the camera to one of `VIEWS`, by default the three-quarter view, and fit all in."""
+        """Turn the camera to one of `VIEWS`, by default the three-quarter view."""
         self._camera.fit(view)
 
     def fit_again(self) -> None:
-        """Fit everything into the same view, after the window has changed its size."""
+        """Fit the same view again, after the window changed its size."""
         self._camera.fit(self._camera.view)
 
     def project(self, perspective: bool) -> None:
-        """See in perspective, or in parallel; the middle of the picture stays as large as it is."""
+        """Set perspective or parallel projection."""
         self._camera.project(perspective)
 
     def colour_rays(self, by_weight: bool) -> None:
-        """Colour rays by the part of their light that arrives, or by where they end."""
+        """Colour rays by transmittance, or by where they end."""
         self._by_weight = by_weight
         self._colour_rays()
 
     @property
     def fitted(self) -> bool:
-        """Whether the camera is where `fit` left it."""
+        """Whether the camera is where `fit` put it."""
         return self._camera.untouched
 
     def set_colours(self, name: str) -> None:
-        """Take other colours of light, seen with the next update; see `to_colours`."""
+        """Set the colour map of receivers, used from the next update on."""
         self._colours = name
 
     def set_faces(self, by: FaceColours, exaggerated: bool, title: str = "") -> None:
-        """Colour and light freeform faces otherwise, seen with the next update; see `face_look`.
-
-        The title stands above the scale of their colours.
-        """
+        """Set colours and shading of faces, used from the next update on; see `face_look`."""
         self._face_colours, self._exaggerated, self._title = by, exaggerated, title
 
     def recolour(self, dark: bool) -> None:
-        """Change between the dark and the light ground."""
+        """Change between dark and light background."""
         self._dark = dark
         bottom, top = _GROUND[dark]
         self._plotter.set_background(bottom, top=top)
@@ -199,14 +201,13 @@ class LensPicture:
             actor.prop.color = _INK[dark]
         self._scale.recolour(_INK[dark])
         for actor in (self._source, self._glow):
-            actor.prop.color = _LANDS[dark]
+            actor.prop.color = _ARRIVING[dark]
         self._colour_rays()
 
-    def _add(self, mesh: pv.PolyData, *, body: bool = False, **look: Any) -> Any:
-        """Draw a mesh; a body is what a look along a line of sight finds."""
+    def _add(self, mesh: pv.PolyData, *, body: bool = False, **style: Any) -> Any:
         return self._plotter.add_mesh(
             mesh,
-            **look,
+            **style,
             pickable=body,
             copy_mesh=False,
             show_scalar_bar=False,
@@ -227,8 +228,8 @@ class LensPicture:
         )
         self._add(self._walls, body=True, **_BODIES[optic.called])
         for face, net in self._faces.values():
-            look: dict[str, Any] = {"diffuse": 0.9, "specular_power": 30, **_FACES[optic.called]}
-            actor = self._add(face, body=True, scalars="colour", rgb=True, **look)
+            style: dict[str, Any] = {"diffuse": 0.9, "specular_power": 30, **_FACES[optic.called]}
+            actor = self._add(face, body=True, scalars="colour", rgb=True, **style)
             actor.prop.color = _MATERIALS[optic.called]
             actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
             self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
@@ -239,26 +240,26 @@ class LensPicture:
         surface = surfaces[optic.designed_face]
         self._camera.top = float(surface[..., 2].max())
         others = [surfaces[face][..., 2] for face in self._faces if face != optic.designed_face]
-        walls = shapes.wall_points(surface, others[0] if others else optic.flat_z(surface[..., 2]))
+        walls = meshes.wall_points(surface, others[0] if others else optic.flat_z(surface[..., 2]))
         for mesh in (self._walls, self._edges):
             mesh.points = walls
         m_u, m_v = surface.shape[:2]
         by, material = self._face_colours, _MATERIALS[optic.called]
-        top = top_of(surfaces.values(), by)
-        self._scale.show(scale_of(by, top, self._scene.unit), self._title)
+        top = scale_top(surfaces.values(), by)
+        self._scale.show(colour_scale_of(by, top, self._scene.unit), self._title)
         for face, (mesh, net) in self._faces.items():
             mesh.points = net.points = surfaces[face].reshape(-1, 3)
             if (m_u, m_v) != self._samples:
-                mesh.faces = shapes.quads(m_u, m_v)
-                net.lines = shapes.net_lines(m_u, m_v, _NET_FIELDS)
+                mesh.faces = meshes.quads(m_u, m_v)
+                net.lines = meshes.net_lines(m_u, m_v, _NET_FIELDS)
                 net.verts = np.zeros(0, dtype=np.int64)
             mesh.point_data["colour"] = face_colours(surfaces[face], by, material, top)
             mesh.point_data.active_normals = lit_normals(surfaces[face], self._exaggerated)
         if (m_u, m_v) != self._samples:
             self._samples = (m_u, m_v)
             straight = outline_of(optic).whole
-            self._walls.faces = shapes.wall_faces(m_u, m_v, straight, flat=not others)
-            self._edges.lines = shapes.wall_lines(m_u, m_v, straight, flat=not others)
+            self._walls.faces = meshes.wall_faces(m_u, m_v, straight, flat=not others)
+            self._edges.lines = meshes.wall_lines(m_u, m_v, straight, flat=not others)
             self._edges.verts = np.zeros(0, dtype=np.int64)
 
     def _add_receivers(self, target: npt.NDArray[Any]) -> None:
@@ -276,25 +277,25 @@ class LensPicture:
             self._places, style="points", render_points_as_spheres=True, lighting=False
         )
         self._emitter = pv.PolyData(np.zeros((1, 3)))
-        # Its rim is drawn too: a disc as narrow as the sun's would be less than a pixel wide.
+        # Its rim is drawn too: the disc of the sun would be narrower than a pixel.
         self._glow = self._add(self._emitter, line_width=4.0, lighting=False)
         self._place_source(self._scene)
 
     def _place_face(self, lit: Scene) -> None:
-        face = lit.source.face(lit.optic, start_z(lit))
+        face = lit.source.face(lit.optic, drawn_start_z(lit))
         self._glow.SetVisibility(face.size > 0)
         if not face.size:  # VTK takes no empty arrays
             return
-        rim = shapes.rim_places(*face.shape[:2])
+        rim = meshes.rim_places(*face.shape[:2])
         self._emitter.points = face.reshape(-1, 3)
-        self._emitter.faces = shapes.quads(*face.shape[:2])
-        self._emitter.lines = shapes.polylines([rim])
+        self._emitter.faces = meshes.quads(*face.shape[:2])
+        self._emitter.lines = meshes.polylines([rim])
         self._emitter.verts = np.zeros(0, dtype=np.int64)
 
     def _place_source(self, lit: Scene) -> None:
         source = lit.source
         self._place_face(lit)
-        shown = in_view(lit)
+        shown = source_in_view(lit)
         self._source.SetVisibility(shown)
         if not shown:
             return
@@ -310,7 +311,7 @@ class LensPicture:
         if not count:  # VTK takes no empty arrays
             return
         points = paths.points.copy()
-        points[:, 0] = shapes.starting_at(points[:, 0], points[:, 1], start_z(lit))
+        points[:, 0] = meshes.starting_at(points[:, 0], points[:, 1], drawn_start_z(lit))
         places = points.shape[1]  # of each ray: where it begins, meets each face, and ends
         if points.size != self._rays.points.size or count != self._rays.n_cells:
             ends = np.arange(places * count).reshape(count, places)
@@ -318,7 +319,7 @@ class LensPicture:
                 pv.PolyData(points.reshape(-1, 3), lines=np.insert(ends, 0, places, axis=1).ravel())
             )
         self._rays.points = points.reshape(-1, 3)
-        self._landing, self._weight = paths.on_screen, paths.weight
+        self._arriving, self._weight = paths.on_screen, paths.weight
         self._colour_rays()
 
     def _colour_rays(self) -> None:
@@ -326,11 +327,13 @@ class LensPicture:
         if self._by_weight:
             colours[:, :3] = 255 * colormaps[_WEIGHT[self._dark]](self._weight)[:, :3]
         else:
-            colours[:, :3] = np.where(self._landing[:, None], _LANDS[self._dark], _LOST[self._dark])
-        # Lost rays have little or no weight and still have to be seen; many rays, less ink each.
+            colours[:, :3] = np.where(
+                self._arriving[:, None], _ARRIVING[self._dark], _LOST[self._dark]
+            )
+        # Lost rays have little or no weight and must still be visible; many rays get less opacity.
         ink = 255 * min(1.0, 7 / math.sqrt(max(len(self._weight), 1)))
-        colours[:, 3] = ink * np.where(self._landing, 0.25 + 0.75 * self._weight, 0.5)
-        # Image and source are seen behind rays.
+        colours[:, 3] = ink * np.where(self._arriving, 0.25 + 0.75 * self._weight, 0.5)
+        # Fading ends leave image and source visible.
         along = np.repeat(colours[:, None], self._rays.n_points // len(colours), axis=1)
         along[:, [0, -1], 3] = _FADING * along[:, [0, -1], 3]
         self._rays.point_data["colour"] = along.reshape(-1, 4)
@@ -351,6 +354,6 @@ class LensPicture:
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
         end = float(self._scene.receiver.outline(optic)[..., 2].max())
-        optical = pv.Line((0, 0, start_z(self._scene)), (0, 0, end))
-        optical.clear_data()  # distances along it, which would colour it
+        optical = pv.Line((0, 0, drawn_start_z(self._scene)), (0, 0, end))
+        optical.clear_data()  # pyvista adds distances along the line, which would colour it
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))

@@ -1,4 +1,4 @@
-"""The course of the loss: of a run, and of others to compare it with."""
+"""Loss of a run, with other runs for comparison."""
 
 import math
 from collections.abc import Sequence
@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from workbench.arrays import Array
-from workbench.pictures.updated import UpdatedPicture
+from workbench.pictures.axes import UpdatedPicture
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 Against = Literal["iterations", "seconds"]
 
 _FONT = 8
-_EXTREMES = 1e-200, 1e200  # ends of an axis: ticks far beside them are still numbers
+_EXTREMES = 1e-200, 1e200  # of an axis: ticks far beyond the ends are still finite
 _SHORT_RANGE = 50
-_NAME = 13  # widths of letters that a name and its stroke take
+_NAME = 13  # width of a legend entry, in letters
 _MARK = "#8a8f98"  # seen on light and dark
 _THIS_RUN = "#2f86d1"
 _CHECKED = "#d9822b"
-# Okabe and Ito's colours that show on light and dark, with strokes that differ as well; first
-# those unlike that of checks.
+# Okabe and Ito's colours that are visible on light and dark, with different strokes; those least
+# like the colour of checks first.
 _OTHERS = (
     ("#009e73", "--"),
     ("#cc79a7", "-."),
@@ -38,17 +38,7 @@ _OTHERS = (
 
 
 class LossCourse(NamedTuple):
-    """How the loss of a run went.
-
-    Attributes
-    ----------
-    name : str
-        What the run is called.
-    losses : ndarray, shape (k,)
-        Loss after each iteration.
-    times : ndarray, shape (k,)
-        Run time at the end of each iteration, seconds.
-    """
+    """Losses (k,) of a run and run times (k,) in seconds at the end of each iteration."""
 
     name: str
     losses: Array
@@ -56,17 +46,7 @@ class LossCourse(NamedTuple):
 
 
 class Verified(NamedTuple):
-    """What an independent check says of a lens of the run.
-
-    Attributes
-    ----------
-    iteration : int
-        Iterations before it.
-    seconds : float
-        Run time before it.
-    loss : float
-        Paper's loss of the checked image.
-    """
+    """Verified loss of a lens, with the iterations and seconds of the run before it."""
 
     iteration: int
     seconds: float
@@ -74,18 +54,10 @@ class Verified(NamedTuple):
 
 
 class LossPicture(UpdatedPicture):
-    """Loss against iterations or seconds, on axes that the caller owns.
+    """Loss against iterations or seconds, on axes of the caller.
 
     The limits are 1, 2 or 5 times a power of ten and change only when a curve leaves them.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    against : str
-        "iterations" or "seconds".
-    logarithmic : tuple[bool, bool]
-        Whether x and y have a logarithmic scale.
+    ``logarithmic`` says whether x and y have a logarithmic scale.
     """
 
     def __init__(
@@ -111,7 +83,7 @@ class LossPicture(UpdatedPicture):
         self._others: list[Line2D] = []
         self._runs: tuple[LossCourse, ...] = ()
         self._has_points = False
-        # Of the legend: its columns, where it begins and what it names.
+        # Columns, top and lines of the legend.
         self._legend: tuple[int, float, list[Line2D]] = (0, 0.0, [])
         look = {"color": _THIS_RUN, "linewidth": 1.5, "zorder": 3}
         (self._line,) = axes.plot([], [], **look, label="this run")  # type: ignore[arg-type]
@@ -122,10 +94,10 @@ class LossPicture(UpdatedPicture):
         self._value = axes.text(
             0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
         )
-        self._marks: list[Artist] = []
-        self._marked: tuple[float, ...] = ()
+        self._stage_lines: list[Artist] = []
+        self._stages_at: tuple[float, ...] = ()
         self._limits = (0.0, 0.0, 0.0, 0.0)
-        self._set_limits((self._begins(np.zeros(0)), 10.0, 1e-1, 1.0))
+        self._set_limits((self._first_x(np.zeros(0)), 10.0, 1e-1, 1.0))
         self.artists = [self._line, self._points, self._value]
 
     def compare(self, runs: Sequence[LossCourse]) -> None:
@@ -137,7 +109,7 @@ class LossPicture(UpdatedPicture):
         for number, run in enumerate(runs):
             colour, stroke = _OTHERS[number % len(_OTHERS)]
             (line,) = self._axes.plot(
-                self._places(run.losses, run.times),
+                self._x_values(run.losses, run.times),
                 run.losses,
                 color=colour,
                 linestyle=stroke,
@@ -145,7 +117,7 @@ class LossPicture(UpdatedPicture):
                 label=run.name,
             )
             self._others.append(line)
-        self._name_all()
+        self._update_legend()
 
     def update(
         self,
@@ -155,34 +127,36 @@ class LossPicture(UpdatedPicture):
         times: Array | None = None,
         verified: Sequence[Verified] = (),
     ) -> bool:
-        """Show another course of the loss.
+        """Show losses; return whether the whole figure has to be redrawn.
 
         Parameters
         ----------
         losses : ndarray, shape (k,)
-            Loss after each iteration; on a logarithmic axis only positive ones are seen.
+            Loss after each iteration; a logarithmic axis shows positive ones only.
         iterations : int
-            Iterations that their axis should hold at least.
+            Least length of the axis of iterations.
         stage_starts : tuple of int
-            Numbers of losses before each stage but the first; marked by upright lines.
+            Index of the first loss of each stage but the first; marked by vertical lines.
         times : ndarray, shape (k,), optional
-            Run time at the end of each iteration, needed for an axis of seconds.
+            Run time at the end of each iteration, for an axis of seconds.
         verified : sequence of Verified
             Checks of lenses of the run.
         """
         by_time = self._against == "seconds"
-        x = self._places(losses, np.zeros(0) if times is None else times)
+        x = self._x_values(losses, np.zeros(0) if times is None else times)
         self._line.set_data(x, losses)
         self._points.set_data(
             [v.seconds if by_time else v.iteration for v in verified], [v.loss for v in verified]
         )
         self._has_points = bool(verified)
-        named = self._name_all()
+        named = self._update_legend()
         self._value.set_text(written(losses[-1], digits=3) if losses.size else "")
         starts = (float(x[start - 1]) for start in stage_starts if 0 < start <= x.size)
-        marked = self._mark(tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts))
-        places = np.concatenate([x, *(self._places(r.losses, r.times) for r in self._runs)])
-        right = float(places.max(initial=0.0))
+        marked = self._mark_stages(
+            tuple(starts) if by_time else tuple(n + 0.5 for n in stage_starts)
+        )
+        x_values = np.concatenate([x, *(self._x_values(r.losses, r.times) for r in self._runs)])
+        right = float(x_values.max(initial=0.0))
         right = _round(right, down=False) if by_time and right else max(right, iterations, 1.0)
         checked = np.array([v.loss for v in verified], dtype=np.float64)
         everything = np.concatenate([losses, checked, *(run.losses for run in self._runs)])
@@ -190,10 +164,9 @@ class LossPicture(UpdatedPicture):
         low, high = self._limits[2:]
         if seen.size:
             low, high = _round(float(seen.min()), down=True), _round(float(seen.max()), down=False)
-        return self._set_limits((self._begins(places), right, low, high)) or marked or named
+        return self._set_limits((self._first_x(x_values), right, low, high)) or marked or named
 
-    def _name_all(self) -> bool:
-        """A legend, unless this run is alone or there is no room; whether that changed."""
+    def _update_legend(self) -> bool:
         points = [self._points] if self._has_points else []
         named = [self._line, *points, *self._others]
         box = self._axes.bbox
@@ -223,29 +196,28 @@ class LossPicture(UpdatedPicture):
             )
         return True
 
-    def _places(self, losses: Array, times: Array) -> Array:
+    def _x_values(self, losses: Array, times: Array) -> Array:
         if self._against == "seconds":
             return times
         return np.arange(1.0, losses.size + 1)
 
-    def _begins(self, places: Array) -> float:
-        """Where x begins: a logarithm has no 0."""
+    def _first_x(self, x_values: Array) -> float:
         if not self._logarithmic[0]:
             return 0.0
-        positive = places[places > 0]
+        positive = x_values[x_values > 0]
         if self._against == "iterations" or not positive.size:
             return 1.0
         return _round(float(positive.min()), down=True)
 
-    def _mark(self, places: tuple[float, ...]) -> bool:
-        if places == self._marked:
+    def _mark_stages(self, x_values: tuple[float, ...]) -> bool:
+        if x_values == self._stages_at:
             return False
-        for line in self._marks:
+        for line in self._stage_lines:
             line.remove()
-        self._marks = [
-            self._axes.axvline(x, color=_MARK, linewidth=1.0, linestyle=":") for x in places
+        self._stage_lines = [
+            self._axes.axvline(x, color=_MARK, linewidth=1.0, linestyle=":") for x in x_values
         ]
-        self._marked = places
+        self._stages_at = x_values
         return True
 
     def _set_limits(self, limits: tuple[float, float, float, float]) -> bool:
@@ -254,7 +226,7 @@ class LossPicture(UpdatedPicture):
         self._limits = limits
         left, right, low, high = limits
         log_x, log_y = self._logarithmic
-        right = max(right, 2 * left)  # of a logarithmic axis that holds a single place
+        right = max(right, 2 * left)  # a logarithmic axis with a single point
         self._axes.set_xlim(left, right)
         self._axes.set_ylim(low if log_y else 0.0, high)
         _set_ticks(self._axes.xaxis, log_x, left, right)
@@ -263,28 +235,19 @@ class LossPicture(UpdatedPicture):
 
 
 def draw_courses(axes: "Axes", runs: Sequence[LossCourse]) -> None:
-    """Draw the losses of runs, none of which stands out, against iterations.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    runs : sequence of LossCourse
-        As many as there are colours, at most.
-    """
+    """Draw the losses of several runs against iterations."""
     axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
     axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
     axes.set_yscale("log")
     axes.tick_params(which="both", labelsize=_FONT)
     axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
     for run, (colour, stroke) in zip(runs, ((_THIS_RUN, "-"), *_OTHERS), strict=False):
-        places = np.arange(1, run.losses.size + 1)
-        axes.plot(places, run.losses, color=colour, linestyle=stroke, label=run.name)
+        x_values = np.arange(1, run.losses.size + 1)
+        axes.plot(x_values, run.losses, color=colour, linestyle=stroke, label=run.name)
     axes.legend(fontsize=_FONT, frameon=False, labelcolor="linecolor")
 
 
 def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None:
-    """Few enough labels for a low dock, and still two on a short range."""
     if logarithmic:
         short = high / low <= _SHORT_RANGE
         axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if short else (1.0,)))
@@ -293,12 +256,10 @@ def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None
 
 
 def _tick(loss: float, _: int) -> str:
-    """As short as it can be said."""
     return written(loss, digits=2)
 
 
 def _round(value: float, *, down: bool) -> float:
-    """The nearest 1, 2 or 5 times a power of ten strictly below or above ``value``."""
     value = min(max(value, _EXTREMES[0]), _EXTREMES[1])
     decade = 10.0 ** math.floor(math.log10(value))
     steps = [step * decade for step in (0.5, 1, 2, 5, 10)]

@@ -1,4 +1,4 @@
-"""Maps of what a shop asks of a lens, with what is beyond its limits hatched."""
+"""Maps of thickness, slope and curvature, with areas beyond the limits hatched."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, BinaryIO, NamedTuple
@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.colors import PowerNorm
 
 from workbench.arrays import Array
-from workbench.pictures.maps import (
+from workbench.pictures.axes import (
     UNSIGNED,
     Extent,
     colour_bar,
@@ -34,8 +34,6 @@ MAPS = ("Thickness", "Slope", "Concave curvature", "Convex curvature")
 
 
 class _Map(NamedTuple):
-    """Values of a map, their unit, the limits, and these in words."""
-
     values: Array
     unit: str
     low: float | None
@@ -44,31 +42,12 @@ class _Map(NamedTuple):
 
 
 def map_unit(name: str, unit: str) -> str:
-    """Unit of a map's values, by that of lengths."""
+    """Unit of a map's values for a unit of length."""
     return {"Thickness": unit, "Slope": "°"}.get(name, f"1 / {unit}")
 
 
 def draw_map(axes: "Axes", name: str, maps: "SurfaceMaps", limits: "Limits", unit: str) -> Array:
-    """Draw one map of a lens.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    name : str
-        One of `MAPS`.
-    maps : SurfaceMaps
-        The face point by point.
-    limits : Limits
-        Places beyond them are hatched.
-    unit : str
-        The scene's unit of length.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        What is shown.
-    """
+    """Draw one of `MAPS` of a face and return its values (n_y, n_x)."""
     values, of, below, above, _ = _map(name, maps, limits, unit)
     half_width = float(maps.x.max()), float(maps.y.max())
     extent = Extent.around(half_width, unit)
@@ -94,15 +73,7 @@ def draw_map(axes: "Axes", name: str, maps: "SurfaceMaps", limits: "Limits", uni
 def draw_manufacture(
     figure: "FigureBase", maps: "SurfaceMaps", limits: "Limits", unit: str
 ) -> None:
-    """Draw thickness, slope and both curvatures at a face of a lens.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.FigureBase
-        Empty figure, or an empty part of one.
-    maps, limits, unit
-        As for `draw_map`.
-    """
+    """Draw thickness, slope and both curvatures of a face on an empty figure."""
     for axes, name in zip(figure.subplots(2, 2, gridspec_kw=_APART).ravel(), MAPS, strict=True):
         draw_map(axes, name, maps, limits, unit)
         axes.set_title(f"{name}{_map(name, maps, limits, unit).in_words}", fontsize=_FONT)
@@ -111,13 +82,7 @@ def draw_manufacture(
 def write_manufacture(
     file: BinaryIO, faces: Mapping[str, "SurfaceMaps"], limits: "Limits", unit: str
 ) -> None:
-    """Draw `draw_manufacture` of each freeform face, by what it is called, as a PNG file.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written.
-    """
+    """Write `draw_manufacture` of each named face as PNG; raise OSError if that fails."""
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 

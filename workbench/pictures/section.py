@@ -1,4 +1,4 @@
-"""Irradiance, or intensity, and target along a line across the receiver."""
+"""Irradiance or radiant intensity, and target, along a line across the receiver."""
 
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -8,9 +8,8 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.measured.light_unit import light_unit
+from workbench.pictures.axes import Extent, UpdatedPicture, set_round_ticks
 from workbench.pictures.images import full_scale, target_irradiance
-from workbench.pictures.maps import Extent, even_ticks
-from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -20,22 +19,22 @@ Place = tuple[float, float]
 
 _FONT = 8
 _HEADROOM = 1.4  # above the scale of the images, for bright spots and the legend
-_LIGHT, _TARGET = "#2f86d1", "#d9822b"  # distinguished also by those who see no red or no green
+_LIGHT, _TARGET = "#2f86d1", "#d9822b"  # distinguishable without red or green
 
 
 class Cut(NamedTuple):
-    """Places along a straight line across the screen.
+    """Points along a straight line across the receiver.
 
     Attributes
     ----------
     name : str
-        What is counted along it, and where it lies.
+        Label of the coordinate along the line.
     ends : tuple[float, float]
-        Where the line begins and ends, counted so; in the units of the receiver's coordinates.
+        First and last coordinate, in units of the receiver.
     along : ndarray, shape (m,)
-        The places, counted so.
+        Coordinates of the points.
     rows, columns : ndarray, shape (m,)
-        The same places in an image, in pixels from the middle of the first one.
+        The same points in pixels from the middle of the first pixel.
     """
 
     name: str
@@ -46,7 +45,7 @@ class Cut(NamedTuple):
 
 
 def cut_through(scene: Scene, along: str, place: Place) -> Cut:
-    """The pixels beside each other along "x" or "y" through a place on the receiver."""
+    """Return the row or column of pixels, along "x" or "y", through a point."""
     receiver, extent = scene.receiver, Extent.of_receiver(scene)
     axis = "xy".index(along)
     low, high = receiver.bounds[2 * axis : 2 * axis + 2]
@@ -60,7 +59,7 @@ def cut_through(scene: Scene, along: str, place: Place) -> Cut:
 
 
 def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
-    """The line from one place on the receiver to another, with a place for each pixel it passes."""
+    """Return the line between two points, about one point per pixel."""
     (x_0, y_0), (x_1, y_1) = start, end
     length = math.hypot(x_1 - x_0, y_1 - y_0)
     (first_x, first_y), (last_x, last_y) = (scene.receiver.to_pixels(*p) for p in (start, end))
@@ -76,19 +75,7 @@ def cut_between(scene: Scene, start: Place, end: Place) -> Cut:
 
 
 def values_along(image: Array, cut: Cut) -> Array:
-    """Values of an image along a cut, linear between the middles of pixels.
-
-    Parameters
-    ----------
-    image : ndarray, shape (n_y, n_x)
-        Any image of the screen.
-    cut : Cut
-        The m places.
-
-    Returns
-    -------
-    ndarray, shape (m,)
-    """
+    """Return values (m,) of an image (n_y, n_x) along a cut, by bilinear interpolation."""
     rows, columns = (
         np.clip(at, 0, n - 1) for at, n in zip((cut.rows, cut.columns), image.shape, strict=True)
     )
@@ -104,18 +91,9 @@ def values_along(image: Array, cut: Cut) -> Array:
 
 
 class SectionCurves(UpdatedPicture):
-    """Light and target along a line across the receiver, on axes that the caller owns.
+    """Irradiance and target along a line across the receiver, on axes of the caller.
 
-    The target has the flux of the light there, so that the curves compare in shape.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    scene : Scene
-        Gives the screen.
-    target : ndarray, shape (n_y, n_x)
-        Target image.
+    The target has the flux of the irradiance, so that the curves compare in shape.
     """
 
     def __init__(self, axes: "Axes", scene: Scene, target: npt.NDArray[Any]) -> None:
@@ -126,7 +104,7 @@ class SectionCurves(UpdatedPicture):
         self._unit = light_unit(scene)
         axes.set_ylabel(self._unit.words, fontsize=_FONT, labelpad=2)
         axes.tick_params(labelsize=_FONT)
-        even_ticks(axes)
+        set_round_ticks(axes)
         axes.grid(visible=True, linewidth=0.6, alpha=0.35)
         (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
@@ -142,7 +120,7 @@ class SectionCurves(UpdatedPicture):
         self.artists = [wanted, light]
 
     def update(self, irradiance: Array, cut: Cut) -> bool:
-        """Show another image, shape (n_y, n_x), along a line."""
+        """Show an image (n_y, n_x) along a cut; return whether the axes changed."""
         flux, factor = self._scene.receiver.total(irradiance), self._unit.density
         self._light_line.set_data(cut.along, factor * values_along(irradiance, cut))
         self._target_line.set_data(cut.along, factor * flux * values_along(self._target, cut))

@@ -1,7 +1,7 @@
-"""Handles of a point source or a grid of them, by which it is moved and widened.
+"""Handles for moving and resizing a point source or a grid of point sources.
 
-Handles of a source that is small in the picture stand beside it, so that the source itself is left
-to be moved. They follow the camera: each rendering places them anew.
+The handles of a source that is small on screen stand beside it, so that the source itself can still
+be dragged. They follow the camera: each rendering places them anew.
 """
 
 import weakref
@@ -10,8 +10,8 @@ from typing import Any, Literal
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.pictures.dots import Dots
-from workbench.pictures.sight import Sight
+from workbench.pictures.actors import PointMarkers
+from workbench.pictures.projection import Projection
 from workbench.scene import Source
 
 Handle = Literal["middle"] | int
@@ -20,24 +20,16 @@ Handle = Literal["middle"] | int
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
 _PICK_DISTANCE = 14.0  # pixels; farther away nothing is picked
-_BESIDE = 3 * _PICK_DISTANCE  # pixels from the middle to a handle of a corner, at least
-_INSIDE = (9, 9)  # places of a grid, along x and y, that are as good as its middle
+_CORNER_DISTANCE = 3 * _PICK_DISTANCE  # least pixels from the middle to a corner handle
+_INSIDE = (9, 9)  # points of a grid, along x and y, that drag the whole grid
 
 
 class SourceHandles:
-    """Draws handles on a plotter that the caller owns; none at first.
-
-    Parameters
-    ----------
-    plotter : pyvista.BasePlotter
-        Where the scene is drawn.
-    dark : bool
-        Whether the ground is dark.
-    """
+    """Draws handles of a source on a plotter of the caller; none at first."""
 
     def __init__(self, plotter: Any, *, dark: bool = False) -> None:
-        self._dots = Dots(plotter, _SIZE, round=False)
-        self._sight = Sight(plotter)
+        self._markers = PointMarkers(plotter, _SIZE, round=False)
+        self._projection = Projection(plotter)
         self._source: Source | None = None
         self._renderer, handles = plotter.renderer, weakref.ref(self)
 
@@ -49,24 +41,24 @@ class SourceHandles:
         self.recolour(dark)
 
     def show(self, source: Source | None) -> None:
-        """Show the handles of a source; collimated light has none."""
+        """Show the handles of a source; a collimated source has none."""
         self._source = source
         self._place()
 
     def close(self) -> None:
-        """Follow the camera no more."""
+        """Stop following the camera."""
         self._renderer.RemoveObserver(self._observer)
 
     def recolour(self, dark: bool) -> None:
-        """Change between the dark and the light ground."""
-        self._dots.colour(_COLOUR[dark])
+        """Change between dark and light background."""
+        self._markers.colour(_COLOUR[dark])
 
     def pick(self, x: float, y: float) -> Handle | None:
-        """What is under a place in the window, pixels from the lower left; None for nothing."""
+        """Return the handle at a pixel from the lower left; None if there is none."""
         source = self._source
         if source is None:
             return None
-        corner = self._nearest(self._beside(source), x, y)
+        corner = self._nearest(self._corner_handles(source), x, y)
         if corner is not None:
             return corner
         return None if self._nearest(source.seen(_INSIDE), x, y) is None else "middle"
@@ -74,42 +66,33 @@ class SourceHandles:
     def _place(self) -> None:
         source = self._source
         if source is None or source.place is None:
-            self._dots.place(np.zeros((0, 3)))
+            self._markers.place(np.zeros((0, 3)))
         else:
-            self._dots.place(np.vstack([self._beside(source), source.place]))
+            self._markers.place(np.vstack([self._corner_handles(source), source.place]))
 
-    def _beside(self, source: Source) -> Array:
-        """Places of the handles of the corners, shape (n, 3): no nearer than `_BESIDE`."""
+    def _corner_handles(self, source: Source) -> Array:
         corners = source.corners
         if source.place is None or not len(corners):
             return corners
         place = np.array(source.place)
-        *seen, middle = self._sight.pixels(np.vstack([corners, place]))
+        *seen, middle = self._projection.pixels(np.vstack([corners, place]))
         away = np.linalg.norm(np.array(seen) - middle, axis=1)
-        # A corner that is seen on the middle itself leads nowhere.
-        times = np.where(away > 0, np.maximum(1, _BESIDE / np.maximum(away, 1e-9)), 1)
+        # A corner seen at the middle itself has no direction on screen.
+        times = np.where(away > 0, np.maximum(1, _CORNER_DISTANCE / np.maximum(away, 1e-9)), 1)
         return np.asarray(place + times[:, None] * (corners - place))
 
     def _nearest(self, points: Array, x: float, y: float) -> int | None:
         if not len(points):
             return None
-        away = np.hypot(*(self._sight.pixels(points) - (x, y)).T)
+        away = np.hypot(*(self._projection.pixels(points) - (x, y)).T)
         return int(away.argmin()) if away.min() <= _PICK_DISTANCE else None
 
 
 def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:
-    """The source after one of its handles was dragged.
+    """Return the source after one of its handles was dragged by a vector (3,).
 
-    Parameters
-    ----------
-    source : Source
-        The source before.
-    handle : Handle
-        What was dragged: a corner widens or narrows a grid on both sides of its middle.
-    by : ndarray, shape (3,)
-        How far, scene units.
-    digits : int
-        Decimals that the new lengths have.
+    A corner widens or narrows a grid on both sides of its middle. ``digits`` is the number of
+    decimals of the new lengths.
     """
     if source.place is None:
         return source

@@ -1,4 +1,4 @@
-"""The shape of a face as a map: height over the base, slope, curvatures."""
+"""Maps of a face: height over the base, slope, curvatures."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,16 +10,16 @@ from workbench.arrays import Array
 from workbench.geometry.curvature import LocalShape, local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import even_counts, freeform_nets
-from workbench.pictures.maps import (
+from workbench.pictures.axes import (
     SIGNED,
     UNSIGNED,
     Extent,
+    UpdatedPicture,
     colour_bar,
     constant_value,
     map_image,
-    settled_scale,
+    stable_scale,
 )
-from workbench.pictures.updated import UpdatedPicture
 from workbench.scene import Scene
 
 if TYPE_CHECKING:
@@ -30,22 +30,10 @@ _PLACES = 192  # along the longer side
 
 @dataclass(frozen=True)
 class Aspect:
-    """One thing to know about the face.
+    """A quantity to show of a face.
 
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    tip : str
-        What its values mean.
-    unit : str
-        With {} for the unit of lengths.
-    length : int
-        Exponent of that unit.
-    of : Callable
-        Takes it from the shape, of which the height is that over the base.
-    signed : bool
-        Whether it has values on both sides of zero.
+    ``unit`` has {} for the unit of lengths, ``length`` is that unit's exponent, ``of`` computes the
+    values, and ``signed`` says whether they have both signs.
     """
 
     name: str
@@ -108,25 +96,9 @@ ASPECTS = (
 
 
 class SurfaceImage(UpdatedPicture):
-    """One aspect of a face on axes that the caller owns.
+    """One aspect of a face on axes of the caller; ``values`` (n_y, n_x) are shown.
 
-    The scale begins at zero, or is symmetric about it.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    scene : Scene
-        Gives the lens.
-    aspect : Aspect
-        One of `ASPECTS`.
-    face : str
-        The name of the face; by default the one that the task shapes.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n_y, n_x)
-        What is shown, row 0 at +y.
+    The scale begins at zero or is symmetric about it. By default it shows the designed face.
     """
 
     def __init__(self, axes: "Axes", scene: Scene, aspect: Aspect, face: str = "") -> None:
@@ -152,7 +124,7 @@ class SurfaceImage(UpdatedPicture):
         self.artists = [self._image]
 
     def update(self, heights: Array) -> bool:
-        """Show the face with these control heights, shape (n_u, n_v)."""
+        """Show the face with control heights (n_u, n_v); return whether the scale changed."""
         shape = local_shape(self._net, heights, self._u, self._v)
         found = self._aspect.of(shape._replace(height=shape.height - self._base)) + self._beside
         self.values = np.asarray(found[:, ::-1].T)
@@ -160,7 +132,7 @@ class SurfaceImage(UpdatedPicture):
         if value is not None:
             self.values = np.where(np.isnan(self.values), np.nan, value)
         self._image.set_data(self.values)
-        scale = settled_scale(self.values, self._scale)
+        scale = stable_scale(self.values, self._scale)
         if scale == self._scale:
             return False
         self._scale = scale

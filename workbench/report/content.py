@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from workbench.pictures.pages import Draw
+    from workbench.pictures.report import Draw
 
 
 class Fact(NamedTuple):
@@ -25,7 +25,7 @@ class PagePicture(NamedTuple):
     draw : Draw
         Draws it.
     height : float
-        Inches, for a width of `workbench.pictures.pages.WIDTH`.
+        Inches, for a width of `workbench.pictures.report.WIDTH`.
     """
 
     name: str

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from html import escape
 from typing import BinaryIO
 
-from workbench.pictures.pages import to_png
+from workbench.pictures.report import to_png
 from workbench.report.content import PagePicture, Report, Section
 
 _STYLE = """

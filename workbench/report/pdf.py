@@ -2,7 +2,7 @@
 
 from typing import BinaryIO
 
-from workbench.pictures.pages import Pages
+from workbench.pictures.report import Pages
 from workbench.report.content import Report
 
 

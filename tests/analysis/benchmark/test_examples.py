@@ -17,7 +17,7 @@ def test_reads_what_ships():
     example = BenchmarkTask.of("flame")
     (shipped,) = (each for each in resources.EXAMPLES if each.name == "flame")
     assert example.group == shipped.group
-    assert example.scene.screen.pixels == (256, 256)
+    assert example.scene.receiver.pixels == (256, 256)
     np.testing.assert_array_equal(example.target, load_target(example.scene, shipped.file.parent))
 
 
@@ -29,9 +29,9 @@ def test_the_photograph_is_drawn_at_any_size_as_it_ships():
     )
     np.testing.assert_allclose(same.target, shipped.target, atol=0.5 / 255 + 1e-9)
     assert same.scene == shipped.scene
-    assert finer.target.shape == (512, 512) and finer.scene.screen.pixels == (512, 512)
-    assert same.scene.lens.net_shape == (480, 480)
-    assert finer.scene.lens.net_shape == (960, 960)
+    assert finer.target.shape == (512, 512) and finer.scene.receiver.pixels == (512, 512)
+    assert same.scene.optic.net_shape == (480, 480)
+    assert finer.scene.optic.net_shape == (960, 960)
 
 
 def test_the_cloud_has_detail_of_every_size():
@@ -51,7 +51,7 @@ def test_a_saved_example_is_the_same_task(make_example, tmp_path):
     np.testing.assert_allclose(
         opened.target / opened.target.sum(), example.target / example.target.sum()
     )
-    assert opened.scene.lens == example.scene.lens and opened.scene.run == example.scene.run
+    assert opened.scene.optic == example.scene.optic and opened.scene.run == example.scene.run
 
 
 def test_changes_are_merged_and_other_kinds_replace():
@@ -63,7 +63,7 @@ def test_changes_are_merged_and_other_kinds_replace():
         unit="mm",
     )
     scene = example.scene
-    assert scene.lens.control_points == (8, 9) and scene.lens.index == 1.5
+    assert scene.optic.control_points == (8, 9) and scene.optic.index == 1.5
     assert isinstance(scene.source, PointSource) and scene.source.rays == 10
     assert isinstance(scene.run, PaperRun) and scene.run.iterations == 3
     assert scene.unit == "mm"
@@ -78,7 +78,7 @@ def test_impossible_changes_are_refused():
 def test_the_wavy_lens_is_allowed_and_bends_light(name):
     scene = BenchmarkTask.of(name, lens={"control_points": [16, 16]}).scene
     heights = wavy(scene)
-    free = HeightRange.of(scene.lens, ControlNet.of(scene.lens))
+    free = HeightRange.of(scene.optic, ControlNet.of(scene.optic))
     assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()
     slopes = np.diff(heights, axis=0)
     assert np.ptp(slopes) > 0

@@ -81,7 +81,9 @@ def test_derivatives_move_light_and_make_none():
         found.append(derivative(example))
     a, b, c = found
     for each in found:
-        assert each.sum == pytest.approx(each.map.sum() * each.scene.screen.pixel_measure, abs=1e-9)
+        assert each.sum == pytest.approx(
+            each.map.sum() * each.scene.receiver.pixel_measure, abs=1e-9
+        )
         assert each.moved > 0.1 and each.pixels == np.count_nonzero(each.map)
     assert abs(a.balance) < 1e-12
     assert 1e-9 < abs(c.balance) < 1e-3  # light crosses the border of the screen

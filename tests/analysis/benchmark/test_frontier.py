@@ -134,7 +134,7 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, progress, monk
     effort, _ = scripted({"fine": [(1.0, 0.0)]})
 
     def dark(example, iterations):
-        yield MethodLens(0.1, np.full(example.scene.lens.net_shape, 0.5))
+        yield MethodLens(0.1, np.full(example.scene.optic.net_shape, 0.5))
         raise RunFailed("no light")
 
     methods = {"first": dark, **frontier.METHODS}

@@ -34,7 +34,7 @@ def spots_of(scene, heights, cells):
 
 def test_light_far_inside_of_a_plate_is_even(make_scene):
     scene = make_scene({"source": SUN, "screen.half_width": [0.5, 0.5]})
-    irradiance = spots_of(scene, np.full((12, 10), 0.5), (200, 200)) / scene.screen.pixel_measure
+    irradiance = spots_of(scene, np.full((12, 10), 0.5), (200, 200)) / scene.receiver.pixel_measure
     exact = (1 - 0.04) ** 2 / 4
     assert irradiance == pytest.approx(exact, rel=2e-3)
     assert irradiance.mean() == pytest.approx(exact, rel=1e-4)

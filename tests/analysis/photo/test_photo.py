@@ -39,7 +39,7 @@ def shift(index):
 
 
 def white(scene):
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     return np.ones((n_y, n_x))
 
 

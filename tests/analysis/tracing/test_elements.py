@@ -50,7 +50,7 @@ class TestFlatFace:
 class TestSplineFace:
     def test_rays_from_any_height_meet_the_same_place(self, make_scene, rng):
         scene = make_scene()
-        face = SplineFace(scene.lens, 0.5 + 0.05 * rng.random((12, 10)), "left_side")
+        face = SplineFace(scene.optic, 0.5 + 0.05 * rng.random((12, 10)), "left_side")
         direction = inclined(12)
         start = np.column_stack([rng.uniform(-0.5, 0.5, (50, 2)), np.zeros(50)])
         later = start + 0.3 * direction / direction[0, 2]
@@ -63,7 +63,7 @@ class TestSplineFace:
 
     def test_light_through_the_side_is_missed(self, make_scene):
         scene = make_scene()
-        face = SplineFace(scene.lens, np.full((12, 10), 0.5), "left_side")
+        face = SplineFace(scene.optic, np.full((12, 10), 0.5), "left_side")
         rays = TracedRays(at([0, 0, 0], [0.99, 0, 0]), inclined(30), np.array([1.0, 2.0]))
         met = face.meet(rays)
         assert met.flux == pytest.approx([1, 0])
@@ -147,8 +147,8 @@ class TestDielectricBoundary:
 
 def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
     scene = make_scene({"screen.pixels": [2, 2]})
-    screens = [scene.screen.moved_to(z) for z in (5.0, 8.0)]
-    detector = PlaneDetector(screens, scene.lens, Pose())
+    screens = [scene.receiver.moved_to(z) for z in (5.0, 8.0)]
+    detector = PlaneDetector(screens, scene.optic, Pose())
     flux, beside = np.zeros((detector.images, detector.pixels)), np.zeros(2)
     # The first is upper left on both; the second leaves the farther screen.
     rays = TracedRays(
@@ -163,7 +163,7 @@ def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
 
 def test_a_thick_lens_keeps_the_digits_of_its_shape(make_scene):
     """Slopes of 1e-7 are found behind glass 250,000 thick, where heights have 3e-11 for a step."""
-    lens = make_scene({"lens.base.height": 0.5}).lens
+    lens = make_scene({"lens.base.height": 0.5}).optic
     net = ControlNet.of(lens)
     heights = np.repeat(250_000 + 1e-7 * net.positions[0][:, None], lens.net_shape[1], axis=1)
     at = np.linspace(-0.6, 0.6, 7)

@@ -54,7 +54,7 @@ def test_the_first_lens_sends_light_near_its_target(make_scene, corner, source, 
     )
     heights = transport_start(scene, corner)
     seen = validate(scene, corner, {"exit": heights}, 200_000)
-    before = validate(scene, corner, undesigned(scene.lens), 200_000)
+    before = validate(scene, corner, undesigned(scene.optic), 200_000)
     assert seen.relative_l2 < 0.35 < before.relative_l2
     assert seen.account.lost["off_screen"] < 0.01 and seen.account.lost["total_reflection"] < 0.001
 
@@ -104,12 +104,12 @@ def test_a_lens_twice_as_large_is_the_same_lens(make_scene, corner):
     small = make_scene({})
     large = make_scene(
         {
-            "lens.half_width": [2 * r for r in small.lens.half_width],
-            "lens.base.height": 2 * small.lens.base.height,
-            "lens.height_range": [2 * z for z in small.lens.height_range],
-            "lens.min_thickness": 2 * small.lens.min_thickness,
-            "screen.z": 2 * small.screen.z,
-            "screen.half_width": [2 * r for r in small.screen.half_width],
+            "lens.half_width": [2 * r for r in small.optic.half_width],
+            "lens.base.height": 2 * small.optic.base.height,
+            "lens.height_range": [2 * z for z in small.optic.height_range],
+            "lens.min_thickness": 2 * small.optic.min_thickness,
+            "screen.z": 2 * small.receiver.z,
+            "screen.half_width": [2 * r for r in small.receiver.half_width],
         }
     )
     twice = transport_start(large, corner)

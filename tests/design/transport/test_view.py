@@ -38,8 +38,8 @@ def test_the_light_of_a_leaning_screen_lies_where_lines_of_sight_meet_it(leaning
     image[8:12, 40:44] = 1.0  # up, where it is far, and to the right
     seen = view.wanted(image, n)
     place = np.array([(42 / n - 0.5) * 2.8, (0.5 - 10 / n) * 2.8])
-    (at,) = leaning.receiver.drawn(leaning.lens, *place[:, None])
-    x, y = at[:2] / (at[2] - leaning.lens.leaving_z)
+    (at,) = leaning.receiver.drawn(leaning.optic, *place[:, None])
+    x, y = at[:2] / (at[2] - leaning.optic.leaving_z)
     middle = [(np.arange(n) @ seen.sum(axis)) / seen.sum() for axis in (1, 0)]
     cells = [
         ((c - m) / r + 1) * n / 2 - 0.5

@@ -25,9 +25,9 @@ def make_design(make_scene, rng):
         changes = {"lens.half_width": [1.0, 0.7]} | (changes or {})
         scene = make_scene(changes)
         if heights is None:
-            heights = 0.5 + 0.05 * rng.normal(size=scene.lens.net_shape)
+            heights = 0.5 + 0.05 * rng.normal(size=scene.optic.net_shape)
         faces = {"exit": heights} if entrance is None else {"exit": heights, "entrance": entrance}
-        for name, net in freeform_nets(scene.lens).items():
+        for name, net in freeform_nets(scene.optic).items():
             faces.setdefault(name, 0.05 * rng.normal(size=net.shape))
         return designed(scene, faces, rng, chord_error)
 
@@ -77,7 +77,7 @@ def volume():
                 face.net.knots, face.net.degree, face.net.half_width, strict=True
             )
         ]
-        above = face.heights - face.scene.lens.entrance_z
+        above = face.heights - face.scene.optic.entrance_z
         return float(weights[0] @ above @ weights[1])
 
     def integral(design):

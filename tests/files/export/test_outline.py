@@ -27,7 +27,7 @@ def volume(design):
     radius = ((nodes + 1) / 2)[:, None]
     r_x, r_y = design.net.half_width
     x, y = r_x * radius * np.cos(angle), r_y * radius * np.sin(angle)
-    thickness = design.net.at(x, y, design.heights)[0] - design.scene.lens.entrance_z
+    thickness = design.net.at(x, y, design.heights)[0] - design.scene.optic.entrance_z
     return float((weights / 2) @ (radius * thickness).mean(axis=1)) * 2 * np.pi * r_x * r_y
 
 

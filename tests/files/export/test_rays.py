@@ -30,7 +30,7 @@ def meet(design, places):
     """Rays along the axis, and where they meet the exit face."""
     start = np.column_stack([places, np.zeros(len(places))])
     rays = TracedRays(start, np.array([[0.0, 0.0, 1.0]]), np.ones(len(places)))
-    return rays, SplineFace(design.scene.lens, design.heights, "left_side").meet(rays)
+    return rays, SplineFace(design.scene.optic, design.heights, "left_side").meet(rays)
 
 
 def test_collimated_light_by_another_tracer(gentle, write):

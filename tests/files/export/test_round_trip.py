@@ -41,13 +41,13 @@ def design(make_scene, tmp_path):
 
 def fitted(scene, spline, shape):
     """A lens of another net through a spline, and its control heights."""
-    lens = scene.lens.model_copy(update={"control_points": shape})
+    lens = scene.optic.model_copy(update={"control_points": shape})
     net = ControlNet.of(lens)
     (x, y), (p, q) = net.positions, net.degree
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
     heights = make_interp_spline(x, spline(x, y), p, t=knots[0], axis=0).c
     heights = make_interp_spline(y, heights.T, q, t=knots[1], axis=0).c.T
-    return scene.model_copy(update={"lens": lens}), heights
+    return scene.with_optic(lens), heights
 
 
 def check(design, target, spline, shape):

@@ -30,7 +30,7 @@ def test_rays_are_turned_moved_and_measured_in_the_unit_of_the_scene(scene):
 
 
 def test_points_stand_on_the_emitter_and_have_the_light_of_its_rays(scene):
-    model = ray_model(scene.source, scene.lens, 16)
+    model = ray_model(scene.source, scene.optic, 16)
 
     assert len(model.places) == 16
     assert np.allclose(model.places[:, 2], -3, atol=0.1)
@@ -64,12 +64,12 @@ def test_size_of_a_model_is_that_of_the_uniform_emitter_of_its_rays(
         path.write_bytes(table.tobytes())
     scene = make_scene({"source": source | {"rotation": [0.0, 0.0, 0.0]}})
 
-    found = of_known_size(scene.source, scene.lens)
+    found = of_known_size(scene.source, scene.optic)
 
     assert found.outline == outline
     assert found.center == pytest.approx((0.1, 0.0, -3.0), abs=0.05)
     assert found.half_width[0] == pytest.approx(half_width, rel=0.02)
-    assert of_known_size(found, scene.lens) is found
+    assert of_known_size(found, scene.optic) is found
 
 
 def test_rays_of_one_place_have_no_size(make_scene, tmp_path):
@@ -80,7 +80,7 @@ def test_rays_of_one_place_have_no_size(make_scene, tmp_path):
     source = {"kind": "ray_file", "file": str(tmp_path / "point.csv"), "file_unit": "cm"}
     scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
 
-    found = of_known_size(scene.source, scene.lens)
+    found = of_known_size(scene.source, scene.optic)
 
     assert max(found.half_width) < 1e-3
     assert found.place == pytest.approx((0, 0, -3), abs=1e-3)
@@ -96,7 +96,7 @@ def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_pat
     source = {"kind": "ray_file", "file": str(tmp_path / "torch.csv"), "file_unit": "cm"}
     scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
 
-    found = of_known_size(scene.source, scene.lens)
+    found = of_known_size(scene.source, scene.optic)
 
     away = -found.center[2]
     assert away > 100
@@ -106,9 +106,9 @@ def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_pat
 def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
     rays = placed_rays(scene.source)
     x, y, come = rays.onto(0.0)
-    r_x, r_y = scene.lens.half_width
+    r_x, r_y = scene.optic.half_width
     come &= (np.abs(x) <= r_x) & (np.abs(y) <= r_y)
-    model = ray_model(scene.source, scene.lens, 16)
+    model = ray_model(scene.source, scene.optic, 16)
     assert 0 < model.off < 0.05
     assert f"16 points stand for the rays of the file: {100 * model.off:.1f} %" in model.note
     # All light on one side of the lens in place of an even one is half of it elsewhere.
@@ -122,7 +122,7 @@ def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
 
 
 def test_intensity_of_points_is_that_of_an_even_emitter(scene):
-    model = ray_model(scene.source, scene.lens, 4)
+    model = ray_model(scene.source, scene.optic, 4)
     steps = np.linspace(-0.2, 0.2, 9)
     x, y = (part.ravel() for part in np.meshgrid(steps, steps))
     length = np.sqrt(x**2 + y**2 + 1)
@@ -139,7 +139,7 @@ def test_rays_that_all_go_elsewhere_are_refused(make_scene, tmp_path):
     scene = make_scene({"source": source})
 
     with pytest.raises(Refused, match=r"^source\.file: .* gives the lens no light: no ray of it"):
-        ray_model(scene.source, scene.lens, 16)
+        ray_model(scene.source, scene.optic, 16)
 
 
 def test_a_file_without_a_unit_needs_one_in_the_scene(make_scene, tmp_path):

@@ -13,6 +13,7 @@ from workbench.analysis.cells.image import imaging
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.path import Path
+from workbench.scene import Screen
 from workbench.watch import finished, unwatched
 
 RECEIVERS = {
@@ -34,13 +35,13 @@ each_receiver = pytest.mark.parametrize("receiver", RECEIVERS.values(), ids=RECE
 
 def lens_for(scene):
     """A lens of soft waves that sends light to the side where its receiver is."""
-    x, _ = ControlNet.of(scene.lens).positions
-    aside = 0.0 if scene.screen is None else 0.2 * scene.screen.center[0]
+    x, _ = ControlNet.of(scene.optic).positions
+    aside = 0.2 * scene.receiver.center[0] if isinstance(scene.receiver, Screen) else 0.0
     return smooth(scene) + aside * (1 + torch.as_tensor(x)[:, None])
 
 
 def walked(scene, heights):
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     return path.walk({"exit": torch.as_tensor(heights)})
 
 
@@ -49,7 +50,7 @@ def test_a_plate_casts_its_shadow_on_a_tilted_plane_at_an_angle(make_scene):
     scene = make_scene({"screen.tilt": [0.0, 40.0], "screen.half_width": [2.0, 1.5]})
     arrival = walked(scene, np.full((12, 10), 0.5))
     x = (np.arange(64) + 0.5) / 32 - 1
-    column, row = scene.screen.to_pixels(x / math.cos(math.radians(40)), x)
+    column, row = scene.receiver.to_pixels(x / math.cos(math.radians(40)), x)
     assert (arrival.column - torch.as_tensor(column)[:, None]).abs().max() < 1e-10
     assert (arrival.row - torch.as_tensor(row)[None, :]).abs().max() < 1e-10
 
@@ -65,7 +66,7 @@ def test_a_screen_beside_the_axis_sees_the_same_light_elsewhere(make_scene):
 def test_a_prism_sends_all_light_in_one_direction(make_scene, slope, across):
     far_field = {"half_angle": [20.0, 20.0], "pixels": [40, 40]}
     scene = make_scene({"screen": None, "far_field": far_field, "lens.height_range": [-0.4, 0.4]})
-    x, y = ControlNet.of(scene.lens).positions
+    x, y = ControlNet.of(scene.optic).positions
     arrival = walked(scene, 0.5 + slope * x[:, None] + across * y)
     # Snell's law at one face: the light turns towards the thick side by refracted less incident.
     steep = math.hypot(slope, across)
@@ -73,7 +74,7 @@ def test_a_prism_sends_all_light_in_one_direction(make_scene, slope, across):
     turn = math.asin(1.5 * math.sin(incident)) - incident
     out = math.sin(turn) * slope / steep, math.sin(turn) * across / steep, math.cos(turn)
     h, v = math.degrees(math.atan2(out[0], out[2])), math.degrees(math.asin(out[1]))
-    column, row = scene.far_field.to_pixels(h, v)
+    column, row = scene.receiver.to_pixels(h, v)
     assert (arrival.column - column).abs().max() < 1e-9
     assert (arrival.row - row).abs().max() < 1e-9
 
@@ -97,7 +98,7 @@ def test_a_collimating_oval_sends_the_light_of_a_point_straight_on(make_scene):
     profile = make_interp_spline(
         distance * np.tan(outer) + way * np.sin(inner), way * np.cos(inner), k=7
     )
-    heights = interpolating(ControlNet.of(scene.lens), lambda x, y: profile(np.hypot(x, y)))
+    heights = interpolating(ControlNet.of(scene.optic), lambda x, y: profile(np.hypot(x, y)))
     arrival = walked(scene, heights)
     lands = arrival.rays.flux > 0
     assert lands.double().mean() > 0.7
@@ -109,7 +110,7 @@ def test_a_collimating_oval_sends_the_light_of_a_point_straight_on(make_scene):
 @each_receiver
 def test_gradients_are_those_of_central_differences(make_scene, receiver, rng):
     scene = make_scene(receiver)
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
 
     def landing(heights):
         column, row, rays, *_ = path.walk({"exit": heights})

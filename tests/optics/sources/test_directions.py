@@ -22,19 +22,19 @@ PLATE = {"lens.base": {"shape": "flat", "height": 0.4}, "lens.height_range": [-0
 
 
 def plate(scene):
-    return {"exit": torch.full(scene.lens.net_shape, 0.4, dtype=torch.float64)}
+    return {"exit": torch.full(scene.optic.net_shape, 0.4, dtype=torch.float64)}
 
 
 def places(scene):
     """Middles of the pixels: x of the columns, y of the rows."""
-    (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
+    (r_x, r_y), (n_x, n_y) = scene.receiver.half_width, scene.receiver.pixels
     x, y = (2 * (np.arange(n) + 0.5) / n - 1 for n in (n_x, n_y))
     return x * r_x, -y * r_y
 
 
 def test_a_disc_of_directions_is_even_in_solid_angle(make_scene):
     scene = make_scene({"source": SUN})
-    origins = emitter_of(scene.source, scene.lens, Corners(8, 8, 256)).origins
+    origins = emitter_of(scene.source, scene.optic, Corners(8, 8, 256)).origins
     versine, share = 1 - origins.places[:, 2], origins.flux / origins.flux.sum()
     rim = 1 - math.cos(math.radians(3))
     assert 0.85 * rim < versine.max() < rim
@@ -45,7 +45,7 @@ def test_a_disc_of_directions_is_even_in_solid_angle(make_scene):
 def test_light_is_tilted_about_x_downwards_and_about_y_to_the_right(make_scene):
     for direction, way in ([10.0, 0.0], (0, -1)), ([0.0, 10.0], (1, 0)):
         scene = make_scene({"source": {"kind": "collimated", "direction": direction}})
-        (place,) = emitter_of(scene.source, scene.lens).origins.places
+        (place,) = emitter_of(scene.source, scene.optic).origins.places
         sine = math.sin(math.radians(10))
         np.testing.assert_allclose(place, [*np.multiply(way, sine), math.sqrt(1 - sine**2)])
 
@@ -68,7 +68,7 @@ def test_all_light_is_accounted_for(make_scene, source):
 def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     scene = make_scene({"source": source | {"rays": [40, 40]}, "screen.pixels": [9, 8]})
     weight = torch.as_tensor(rng.normal(size=(8, 9)))
-    direction = torch.as_tensor(rng.normal(size=scene.lens.net_shape))
+    direction = torch.as_tensor(rng.normal(size=scene.optic.net_shape))
     beams = BeamPlan(scene, Corners(24, 24, 8), dtype=torch.float64)
     for plan in (beams, Plan(scene, dtype=torch.float64)):
         heights = smooth(scene).requires_grad_()
@@ -103,7 +103,7 @@ def test_the_sun_blurs_the_rim_of_a_plate_by_its_disc(make_scene):
 def test_a_gaussian_beam_goes_through_a_plate_as_it_is(make_scene):
     scene = make_scene(PLATE | {"source": BEAM})
     light = BeamPlan(scene, Corners(300, 300), dtype=torch.float64).trace(plate(scene))
-    (r_x, r_y), (n_x, n_y) = scene.screen.half_width, scene.screen.pixels
+    (r_x, r_y), (n_x, n_y) = scene.receiver.half_width, scene.receiver.pixels
     along_x, along_y = (
         np.diff(erf(math.sqrt(2) * np.linspace(-r, r, n + 1) / 0.4)) / 2
         for r, n in ((r_x, n_x), (r_y, n_y))
@@ -120,7 +120,7 @@ def test_few_rays_of_a_slim_beam_are_all_lit(make_scene, direction):
     slim = {"kind": "gaussian", "radius": 0.02}
     source = {"kind": "collimated", "rays": [8, 8], "profile": slim, "angular_diameter": 1.0}
     scene = make_scene({"source": source | {"direction": direction}})
-    rays = emitter_of(scene.source, scene.lens).rays(0)
+    rays = emitter_of(scene.source, scene.optic).rays(0)
     x, y, _ = rays.position
     assert (rays.flux > 0).all()
     assert rays.flux.sum().item() == pytest.approx(1, abs=1e-9)
@@ -131,7 +131,7 @@ def test_rays_that_all_pass_the_outline_by_miss_the_lens(make_scene):
     corner = {"kind": "collimated", "rays": [1, 1], "angular_diameter": 1.0}
     for seed in range(12):
         scene = make_scene({"source": corner, "lens.outline": "ellipse", "run": {"seed": seed}})
-        rays = emitter_of(scene.source, scene.lens).rays(seed)
+        rays = emitter_of(scene.source, scene.optic).rays(seed)
         assert rays.flux.isfinite().all()
 
 

@@ -29,19 +29,19 @@ def through_the_face(origins, lens):
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
 def test_light_of_points_meets_the_face_or_misses_it(make_scene, source, emission):
     scene = make_scene({"source": source | {"emission": emission}})
-    origins = emitter_of(scene.source, scene.lens).origins
-    missed = entering(scene.source, scene.lens, TransmittanceLaw.of(scene.lens)[0]).missed
-    assert through_the_face(origins, scene.lens) == pytest.approx(1 - missed, abs=1e-12)
+    origins = emitter_of(scene.source, scene.optic).origins
+    missed = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0]).missed
+    assert through_the_face(origins, scene.optic) == pytest.approx(1 - missed, abs=1e-12)
 
 
 def test_parallel_light_is_even(make_scene):
     scene = make_scene()
-    origins = emitter_of(scene.source, scene.lens).origins
-    assert through_the_face(origins, scene.lens) == pytest.approx(1, abs=1e-12)
+    origins = emitter_of(scene.source, scene.optic).origins
+    assert through_the_face(origins, scene.optic) == pytest.approx(1, abs=1e-12)
 
 
 def test_a_tilted_gaussian_beam_has_its_flux_on_the_plane(make_scene):
-    lens = make_scene().lens
+    lens = make_scene().optic
     a, waist = 0.4, 0.15
     tilted = np.array([[math.sin(a), 0.0, math.cos(a)]])
     beam = Origins(tilted, True, np.array([2 / (math.pi * waist**2)]), waist=waist)
@@ -56,12 +56,12 @@ def test_a_tilted_gaussian_beam_has_its_flux_on_the_plane(make_scene):
 
 def test_rays_through_corners_carry_the_light_of_their_cells(make_scene):
     scene = make_scene()
-    z = scene.lens.entrance_z
+    z = scene.optic.entrance_z
     points = np.array([[0.2, 0.0, z - 3], [-0.2, 0.1, z - 3]])
     origins = Origins(points, False, np.array([0.5, 0.25]), lambertian=True)
-    rays = through_cells(origins, scene.lens, Corners(64, 48, 2))
+    rays = through_cells(origins, scene.optic, Corners(64, 48, 2))
     assert rays.flux.shape == (65, 100)  # two grids with a row more at each end
-    assert rays.flux.sum().item() == pytest.approx(through_the_face(origins, scene.lens), rel=1e-3)
+    assert rays.flux.sum().item() == pytest.approx(through_the_face(origins, scene.optic), rel=1e-3)
     place, way = (torch.stack(list(part)) for part in (rays.position, rays.direction))
     assert torch.allclose(way.norm(dim=0), torch.ones(65, 100, dtype=torch.float64))
     for number, point in enumerate(points):

@@ -23,22 +23,22 @@ def crooked(make_scene, tmp_path):
 
 
 def radii(scene):
-    n_x, n_y = scene.screen.pixels
-    r_x, r_y = scene.screen.half_width
+    n_x, n_y = scene.receiver.pixels
+    r_x, r_y = scene.receiver.half_width
     x = (2 * (np.arange(n_x) + 0.5) / n_x - 1) * r_x
     y = (2 * (np.arange(n_y) + 0.5) / n_y - 1) * r_y
     return np.hypot(x, y[:, None])
 
 
 def flat(scene):
-    net = ControlNet.of(scene.lens)
-    return {"exit": torch.full(net.shape, scene.lens.base.height, dtype=torch.float64)}
+    net = ControlNet.of(scene.optic)
+    return {"exit": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
 
 
 def test_light_behind_a_plate_is_that_of_the_closed_form(plate):
     light = BeamPlan(plate, (160, 160), dtype=torch.float64).trace(flat(plate))
 
-    found = light.flux.numpy() / plate.screen.pixel_measure
+    found = light.flux.numpy() / plate.receiver.pixel_measure
     wanted = behind_plate(radii(plate))
     assert np.linalg.norm(found - wanted) / np.linalg.norm(wanted) < 1e-3
 
@@ -64,7 +64,7 @@ def test_rays_that_are_drawn_carry_the_light_of_corners(crooked):
 def test_the_lamp_is_turned_about_x_then_y_then_z(crooked):
     from scipy.spatial.transform import Rotation
 
-    pattern = emitter_of(crooked.source, crooked.lens).origins.pattern
+    pattern = emitter_of(crooked.source, crooked.optic).origins.pattern
     directions = np.random.default_rng(1).normal(size=(100, 3))
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
 
@@ -75,7 +75,7 @@ def test_the_lamp_is_turned_about_x_then_y_then_z(crooked):
 
 
 def test_gradients_are_those_of_central_differences(crooked):
-    net = ControlNet.of(crooked.lens)
+    net = ControlNet.of(crooked.optic)
     plan = BeamPlan(crooked, (40, 40), dtype=torch.float64)
     generator = torch.Generator().manual_seed(1)
     x, y = (torch.as_tensor(c) for c in net.positions)

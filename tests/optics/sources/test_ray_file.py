@@ -22,7 +22,7 @@ def scene(make_scene, tmp_path):
 
 
 def waves(scene):
-    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.lens).positions)
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)
     return 0.5 + 0.05 * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
 
 
@@ -46,8 +46,8 @@ def test_a_design_says_how_far_its_points_are_from_the_rays(scene):
 
 
 def test_light_of_the_middle_of_the_rays_alone_is_that_of_one_point(scene):
-    sharp = emitter_of(scene.source.sharp, scene.lens, Corners(8, 8, 16)).origins.places
-    all_of_it = emitter_of(scene.source, scene.lens, Corners(8, 8, 16)).origins.places
+    sharp = emitter_of(scene.source.sharp, scene.optic, Corners(8, 8, 16)).origins.places
+    all_of_it = emitter_of(scene.source, scene.optic, Corners(8, 8, 16)).origins.places
 
     assert sharp.shape == (1, 3) and all_of_it.shape == (16, 3)
     assert sharp[0] == pytest.approx(all_of_it.mean(axis=0), abs=0.01)

@@ -104,7 +104,7 @@ def test_a_check_shows_nothing_if_the_lens_changed_meanwhile(window, gate, qtbot
     assert figures(window) == "checking…"
     gate.release(2 * STEPS)
     qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
-    assert [scene.screen.z for scene in gate.begun] == [5.0, 7.0]
+    assert [scene.receiver.z for scene in gate.begun] == [5.0, 7.0]
     assert window.log.toPlainText().count("Check with") == 1
 
 

@@ -59,12 +59,12 @@ def move_screen(document, z, key="screen.z"):
 
 def test_an_edit_can_be_undone_and_redone(document):
     move_screen(document, 7)
-    assert document.session.scene.screen.z == 7
+    assert document.session.scene.receiver.z == 7
     assert document.undo_stack.undoText() == "change of screen"
     document.undo_stack.undo()
-    assert document.session.scene.screen.z == 5
+    assert document.session.scene.receiver.z == 5
     document.undo_stack.redo()
-    assert document.session.scene.screen.z == 7
+    assert document.session.scene.receiver.z == 7
 
 
 def test_consecutive_edits_of_one_field_are_one_step(document):
@@ -72,7 +72,7 @@ def test_consecutive_edits_of_one_field_are_one_step(document):
         move_screen(document, z)
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
-    assert document.session.scene.screen.z == 5
+    assert document.session.scene.receiver.z == 5
 
 
 def test_edits_of_different_fields_are_steps_of_their_own(document):
@@ -94,7 +94,7 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
     move_screen(document, 7)
     assert document.dirty
     document.undo_stack.undo()
-    assert document.session.scene.screen.z == 6
+    assert document.session.scene.receiver.z == 6
     assert not document.dirty
 
 
@@ -190,7 +190,7 @@ def test_a_file_that_is_refused_leaves_the_open_design_untouched(document, tmp_p
     assert document.path == path
     assert document.dirty
     document.undo_stack.undo()
-    assert document.session.scene.screen.z == 5
+    assert document.session.scene.receiver.z == 5
 
 
 def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tmp_path):

@@ -50,7 +50,7 @@ def test_save_asks_when_the_file_changed_on_disk(window, session, path, answers,
     os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
     answers.append(choice)
     assert window.files.save() is saved
-    assert read_session(path).scene.screen.z == z
+    assert read_session(path).scene.receiver.z == z
     assert window.document.dirty is not saved
 
 
@@ -61,8 +61,8 @@ def test_save_as_leaves_the_changed_file_as_it_is(
     monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "new.freeform")
     answers.append(ChangedFileChoice.SAVE_AS)
     assert window.files.save()
-    assert read_session(path).scene.screen.z == 9
-    assert read_session(tmp_path / "new.freeform").scene.screen.z == 7
+    assert read_session(path).scene.receiver.z == 9
+    assert read_session(tmp_path / "new.freeform").scene.receiver.z == 7
 
 
 def test_save_as_to_the_same_name_asks_too(window, session, path, answers, monkeypatch):
@@ -70,18 +70,18 @@ def test_save_as_to_the_same_name_asks_too(window, session, path, answers, monke
     monkeypatch.setattr(window.files, "ask_for_name", lambda: path.parent / "." / path.name)
     answers.append(ChangedFileChoice.CANCEL)
     assert not window.files.save_as()
-    assert read_session(path).scene.screen.z == 9
+    assert read_session(path).scene.receiver.z == 9
 
 
 def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, path, answers):
     write_elsewhere(session, path, 9)
     answers.append(ChangedFileChoice.RELOAD)
     assert not window.files.save()
-    assert window.document.session.scene.screen.z == 9 and not window.document.dirty
+    assert window.document.session.scene.receiver.z == 9 and not window.document.dirty
     window.document.undo_stack.undo()
-    assert window.document.session.scene.screen.z == 7
+    assert window.document.session.scene.receiver.z == 7
     assert window.files.save()  # what the file holds has been seen
-    assert read_session(path).scene.screen.z == 7
+    assert read_session(path).scene.receiver.z == 7
 
 
 def test_save_asks_before_a_deleted_file_is_written_again(window, path, answers):
@@ -91,7 +91,7 @@ def test_save_asks_before_a_deleted_file_is_written_again(window, path, answers)
     assert not path.exists()
     answers.append(ChangedFileChoice.OVERWRITE)
     assert window.files.save()
-    assert read_session(path).scene.screen.z == 7
+    assert read_session(path).scene.receiver.z == 7
 
 
 def test_a_file_replaced_by_renaming_another_is_a_changed_one(window, session, path):
@@ -120,7 +120,7 @@ def test_own_saves_and_equal_content_need_no_question(window, path):
     path.with_name("copy").rename(path)  # the same content, another file
     move_screen(window.document, 9)
     assert window.files.save()
-    assert read_session(path).scene.screen.z == 9
+    assert read_session(path).scene.receiver.z == 9
 
 
 def test_a_file_opened_and_changed_since_is_asked_about(window, session, path, answers):
@@ -145,7 +145,7 @@ def test_closing_asks_too_when_the_file_changed_on_disk(
     monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Save)
     answers.append(ChangedFileChoice.CANCEL)
     assert not window.close()
-    assert window.isVisible() and read_session(path).scene.screen.z == 9
+    assert window.isVisible() and read_session(path).scene.receiver.z == 9
 
 
 def press(word, seen):

@@ -53,13 +53,13 @@ def test_a_clipboard_without_a_picture_says_so(window):
 def test_the_screen_takes_the_aspect_of_the_picture(window):
     QGuiApplication.clipboard().setImage(wide_picture())
     window.commands["paste_picture"].trigger()
-    before = window.document.session.scene.screen
+    before = window.document.session.scene.receiver
     window.commands["picture_aspect"].trigger()
-    screen = window.document.session.scene.screen
+    screen = window.document.session.scene.receiver
     assert screen.half_width == pytest.approx((before.half_width[0], before.half_width[0] / 3))
     assert screen.pixels == (before.pixels[0], round(before.pixels[0] / 3))
     window.commands["undo"].trigger()
-    assert window.document.session.scene.screen == before
+    assert window.document.session.scene.receiver == before
 
 
 def test_a_shape_has_no_aspect_to_take(window):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMainWindow
 from ui.commands.actions import Commands
 from ui.commands.colour_choice import keep_colours
 from ui.commands.table import COLOURS
-from workbench.pictures.maps import UNSIGNED
+from workbench.pictures.axes import UNSIGNED
 
 
 @pytest.fixture

@@ -54,10 +54,10 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     assert not recovery.keep_now() and not kept(recovery)
     move_screen(document, 7)
     assert recovery.keep_now()
-    assert read_session(recovery._file).scene.screen.z == 7
+    assert read_session(recovery._file).scene.receiver.z == 7
     move_screen(document, 8)
     recovery.keep_now()
-    assert read_session(recovery._file).scene.screen.z == 8
+    assert read_session(recovery._file).scene.receiver.z == 8
     document.save(tmp_path / "mine.freeform")
     recovery.keep_now()
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
@@ -102,7 +102,7 @@ def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
     recovery.close(leave=True)
     recovery.close()
     (work,) = left_behind.find(recovery.folder)
-    assert read_session(work.file).scene.screen.z == 7
+    assert read_session(work.file).scene.receiver.z == 7
     assert work.about.ended
     work.put_back()
 
@@ -147,7 +147,7 @@ def test_recovered_work_has_its_name_and_file_and_is_unsaved(document, keeping, 
     other = Document(document.session, "other", document)
     other.recover(read_session(work.file), about.name, about.path, about.fingerprint)
     assert (other.name, other.path, other.dirty) == ("mine", path, True)
-    assert other.session.scene.screen.z == 7
+    assert other.session.scene.receiver.z == 7
     assert other.on_disk(path) is OnDisk.KNOWN
     other.save(path)
     assert not other.dirty
@@ -318,7 +318,7 @@ def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
         os.utime(recovery._file, (z, z))
         crash(recovery)
     works = left_behind.find(recovery.folder)
-    assert [read_session(work.file).scene.screen.z for work in works] == [10, 9, 8, 7]
+    assert [read_session(work.file).scene.receiver.z for work in works] == [10, 9, 8, 7]
     choices = iter(
         [
             RecoveryChoice.DISCARD,
@@ -332,7 +332,7 @@ def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
     assert left_behind.offer(works, lambda work: not opened.append(work), None)
     assert opened == [works[1], works[3]]
     (rest,) = left_behind.find(recovery.folder)
-    assert read_session(rest.file).scene.screen.z == 8
+    assert read_session(rest.file).scene.receiver.z == 8
     rest.remove()
 
 
@@ -342,8 +342,8 @@ BEGIN = (
     "def started(self):\n"
     "    start(self)\n"
     "    scene = self._document.session.scene\n"
-    "    screen = scene.screen.model_copy(update={'z': 7.5})\n"
-    "    self._document.edit(scene.model_copy(update={'screen': screen}), 'edit', '')\n"
+    "    screen = scene.receiver.model_copy(update={'z': 7.5})\n"
+    "    self._document.edit(scene.with_receiver(screen), 'edit', '')\n"
     "    print(self.keep_now(), flush=True)\n"
     "r.Recovery.start = started\n"
     "sys.exit(ui.app.main([]))"
@@ -355,7 +355,7 @@ AGAIN = (
     "def report(self, *a):\n"
     "    done = recover(self, *a)\n"
     "    document = self._document\n"
-    "    print(document.session.scene.screen.z, document.name, document.dirty, flush=True)\n"
+    "    print(document.session.scene.receiver.z, document.name, document.dirty, flush=True)\n"
     "    return done\n"
     "m.FileActions.recover = report\n"
     "sys.exit(ui.app.main([]))"
@@ -387,7 +387,7 @@ def test_work_is_found_after_a_kill(tmp_path):
     (work,) = left_behind.find(folder)
     assert (work.about.name, work.about.path) == ("tophat", None)
     session = read_session(work.file)
-    assert session.scene.screen.z == 7.5 and session.view["layout"]
+    assert session.scene.receiver.z == 7.5 and session.view["layout"]
     work.remove()
 
 

@@ -86,13 +86,13 @@ def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
         fill(qtbot, row.editors[place], text)
     assert page.form.job.size == (60.0, 30.0)
     begin(page, qtbot)
-    assert window.document.session.scene.lens.half_width == (30.0, 15.0)
+    assert window.document.session.scene.optic.half_width == (30.0, 15.0)
 
 
 def test_text_typed_last_counts_without_enter(window, page, qtbot):
     fill(qtbot, row_of(page, "distance").editors["distance"], "700", key=None)
     begin(page, qtbot)
-    assert window.document.session.scene.screen.z == 700.0
+    assert window.document.session.scene.receiver.z == 700.0
 
 
 def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbot):

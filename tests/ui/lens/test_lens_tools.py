@@ -53,7 +53,7 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     traced = Plan(scene).trace({"exit": torch.tensor(result.state.heights["exit"])}).account
     assert result.state.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
-    flux = result.state.irradiance.sum() * scene.screen.pixel_measure
+    flux = result.state.irradiance.sum() * scene.receiver.pixel_measure
     assert flux == pytest.approx(traced.on_screen, rel=0.05)
     assert np.ptp(result.state.irradiance) > 5 * np.ptp(flat.snapshot.state.irradiance[4:-4, 4:-4])
     document.undo_stack.undo()
@@ -324,7 +324,7 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     qtbot.waitUntil(lambda: view.frame.session is tools.document.session, timeout=20_000)
     view.explode(True)
     qtbot.waitUntil(lambda: view._shown is not None)
-    held = drag(view, seen_at(view, view.handles._dots._mesh.points[-1]))
+    held = drag(view, seen_at(view, view.handles._markers._mesh.points[-1]))
     held.move(QPoint(20, 5))
     held.release()
     assert tools.document.undo_stack.count() == 1

@@ -21,7 +21,7 @@ def bowl(session, frames):
     """A frame whose face is a bowl of this depth at the middle of its sides."""
 
     def make(depth, session=session):
-        x, y = ControlNet.of(session.scene.lens).positions
+        x, y = ControlNet.of(session.scene.optic).positions
         bowl = 0.5 + depth * (x[:, None] ** 2 + y**2)
         return frames(1, session, heights=FaceArrays({"exit": bowl}))
 
@@ -59,7 +59,7 @@ def hatched(pane):
 
 def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     frame = bowl(0.2)
-    found = manufacture(session.scene.lens, frame.state.heights)
+    found = manufacture(session.scene.optic, frame.state.heights)
     texts = {key: label.text() for key, label in pane._figures.found.items()}
     assert texts == {
         "thinnest": f"{found.thinnest.value:.4g} cm",
@@ -76,7 +76,7 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
 
 def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
     rng = np.random.default_rng(1)
-    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.lens.net_shape)
+    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.optic.net_shape)
     pane.show_frame(frames(1, session, heights=FaceArrays({"exit": heights})))
     shown = pane._figures.found
     qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm")
@@ -206,14 +206,14 @@ def test_the_map_can_be_saved_in_numbers(pane):
 
 def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, frames, qtbot):
     session = make_session({"version": 2, "lens.entrance": {"shape": "freeform"}})
-    x, y = ControlNet.of(session.scene.lens).positions
+    x, y = ControlNet.of(session.scene.optic).positions
     bowl = 0.1 * (x[:, None] ** 2 + y**2)
     heights = FaceArrays({"entrance": bowl, "exit": 0.6 - 2 * bowl})
     pane.show_design(session)
     pane.show_frame(frames(1, session, heights=heights))
     found = pane._figures.found
     qtbot.waitUntil(lambda: found.get("entrance steepest") is not None)
-    figures = manufacture(session.scene.lens, heights)
+    figures = manufacture(session.scene.optic, heights)
     assert found["steepest"].text() == f"{figures.steepest.value:.4g}°"
     assert found["entrance steepest"].text() == f"{figures.entrance.steepest.value:.4g}°"
     assert found["entrance tightest_concave"].text() == "none"

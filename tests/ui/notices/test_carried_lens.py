@@ -59,16 +59,16 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     after = desk.document.session
     assert after.result is None and after.start["exit"].shape == (20, 10)
     off = deviation(
-        ControlNet.of(before.scene.lens),
+        ControlNet.of(before.scene.optic),
         before.heights["exit"],
-        ControlNet.of(after.scene.lens),
+        ControlNet.of(after.scene.optic),
         after.start["exit"],
     )
     assert f"off by up to {written(off, 'cm', 2)}" in desk.messages.text
     assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
     qtbot.mouseClick(desk.messages.buttons[0], Qt.MouseButton.LeftButton)
     taken = desk.document.session
-    assert taken.scene.lens.control_points == (21, 10)
+    assert taken.scene.optic.control_points == (21, 10)
     assert taken.result.state.loss == before.result.state.loss
     assert desk.messages.text == ""
     desk.document.undo_stack.undo()
@@ -86,8 +86,8 @@ def test_changing_both_numbers_of_a_net_asks_once(desk, qtbot):
     assert taken.result is not None
     np.testing.assert_array_equal(
         taken.result.state.heights["exit"],
-        ControlNet.of(before.scene.lens).refine(
-            before.heights["exit"], ControlNet.of(taken.scene.lens)
+        ControlNet.of(before.scene.optic).refine(
+            before.heights["exit"], ControlNet.of(taken.scene.optic)
         ),
     )
 
@@ -142,7 +142,7 @@ def test_run_settings_keep_the_lens(desk, qtbot):
 
 
 def test_a_lens_of_another_task_is_reported_once_for_merged_edits(desk, qtbot):
-    z = desk.document.session.scene.screen.z
+    z = desk.document.session.scene.receiver.z
     for beyond in (1, 2, 3):
         enter(qtbot, desk.forms, "screen.z", f"{z + beyond}")
     assert desk.document.undo_stack.count() == 1
@@ -154,7 +154,7 @@ def test_a_lens_of_another_task_is_reported_once_for_merged_edits(desk, qtbot):
 def test_a_second_freeform_face_is_said_and_taken_back(desk):
     document = desk.document
     before = document.session
-    two_faced = before.scene.lens.altered(
+    two_faced = before.scene.optic.altered(
         entrance=SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
     )
     document.edit(before.scene.altered(lens=two_faced), "two faces", "lens.entrance.shape")
@@ -164,7 +164,7 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     assert document.session is before
     document.undo_stack.redo()
     two = document.session
-    flat = two.scene.lens.altered(entrance=PlaneFace())
+    flat = two.scene.optic.altered(entrance=PlaneFace())
     document.edit(two.scene.altered(lens=flat), "one face", "lens.entrance")
     assert set(document.session.heights) == {"exit"}
     assert desk.messages.text.startswith("The entrance face is flat now;")
@@ -172,7 +172,7 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
 
 def test_another_net_of_the_entrance_face_is_said_of_that_face(desk):
     document = desk.document
-    two_faced = document.session.scene.lens.altered(
+    two_faced = document.session.scene.optic.altered(
         entrance=SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
     )
     document.edit(document.session.scene.altered(lens=two_faced), "two faces", "lens.entrance")

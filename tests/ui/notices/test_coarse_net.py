@@ -48,7 +48,7 @@ def test_a_finer_net_is_offered_and_designed(desk, qtbot):
     (button,) = desk.messages.buttons
     assert button.text() == "Refine and start over"
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert isinstance(desk.document.session.scene.lens.control_points, AutoNet)
+    assert isinstance(desk.document.session.scene.optic.control_points, AutoNet)
     assert desk.messages.text == "" and desk.begun == ["anew"]
 
 

@@ -71,7 +71,7 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
     lens = desk.document.session.result.state.heights["exit"]
     press(desk, qtbot)
     session = desk.document.session
-    assert session.scene.lens.height_range is None
+    assert session.scene.optic.height_range is None
     assert session.result.state.heights["exit"] is lens and session.result.state.shortfall is None
     assert "follows from the task now" in desk.messages.text
     assert offers(desk) == ["Start over", "Continue"]
@@ -85,7 +85,7 @@ def test_undo_restores_the_range_and_its_notice(desk, qtbot):
     design(desk, qtbot)
     press(desk, qtbot)
     desk.document.undo_stack.undo()
-    assert desk.document.session.scene.lens.height_range == (-0.3, 0.3)
+    assert desk.document.session.scene.optic.height_range == (-0.3, 0.3)
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
     desk.document.undo_stack.undo()
     assert desk.document.session.result is None
@@ -99,7 +99,7 @@ def test_the_notice_comes_during_the_run_and_can_stop_it(desk, qtbot):
     assert offers(desk) == ["Stop and widen"]
     with qtbot.waitSignal(desk.control.ended):
         press(desk, qtbot)
-    assert desk.document.session.scene.lens.height_range is None
+    assert desk.document.session.scene.optic.height_range is None
     assert desk.document.session.result is not None
     assert offers(desk) == ["Start over", "Continue"]
 
@@ -157,13 +157,13 @@ def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
 
 
 def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, qtbot):
-    free = desk.document.session.scene.lens.altered(height_range=None)
+    free = desk.document.session.scene.optic.altered(height_range=None)
     desk.document.edit(desk.document.session.scene.with_optic(free), "range", "")
     desk.fall_short(NARROW)
     design(desk, qtbot)
     assert "±0.3 cm is the automatic limit" in desk.messages.text
     press(desk, qtbot)
-    low, high = desk.document.session.scene.lens.height_range
+    low, high = desk.document.session.scene.optic.height_range
     assert low < -2.2 and high > 2.2
 
 
@@ -183,7 +183,7 @@ def test_a_narrow_entrance_range_can_be_widened_keeping_the_lens(desk, as_run, m
     assert offers(desk) == ["Widen"]
     press(desk, qtbot)
     session = desk.document.session
-    assert session.scene.lens.entrance.height_range == pytest.approx((-0.025, 0.035))
+    assert session.scene.optic.entrance.height_range == pytest.approx((-0.025, 0.035))
     assert set(session.start) == {"entrance", "exit"}  # its light is to be traced anew
     assert desk.messages.text.startswith("The entrance range is -0.025 to 0.035 cm now, and the")
     assert offers(desk) == ["Start over", "Continue"]

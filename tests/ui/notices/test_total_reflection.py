@@ -30,7 +30,7 @@ def desk(qtbot, session, as_run):
     owner.document = Document(session, "small")
     owner.document.setParent(owner)
     owner.control, owner.view, owner.said = RunControl(owner.document, owner), View(), []
-    x, _ = ControlNet.of(session.scene.lens).positions
+    x, _ = ControlNet.of(session.scene.optic).positions
     rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * np.ones((12, 10))
 
     def end(share):

@@ -14,7 +14,7 @@ def window(open_window, designed):
 def test_the_lens_is_converted_and_stays_the_result(window, designed):
     choose(window.forms, "unit", "mm")
     session = window.document.session
-    assert session.scene.screen.z == 50
+    assert session.scene.receiver.z == 50
     assert session.result.state.heights["exit"] == pytest.approx(
         10 * designed.result.state.heights["exit"]
     )
@@ -29,10 +29,10 @@ def test_the_numbers_are_kept_on_request(window, designed, qtbot):
     choose(window.forms, "unit", "mm")
     qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
     session = window.document.session
-    assert (session.scene.unit, session.scene.screen.z) == ("mm", 5)
+    assert (session.scene.unit, session.scene.receiver.z) == ("mm", 5)
     assert session.result is designed.result  # the same numbers are the same task
     assert window.messages.text == ""
     window.document.undo_stack.undo()
-    assert window.document.session.scene.screen.z == 50
+    assert window.document.session.scene.receiver.z == 50
     window.document.undo_stack.undo()
     assert window.document.session is designed

@@ -27,7 +27,7 @@ def test_the_row_shows_what_auto_comes_to(forms):
 
 def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
     enter(qtbot, forms, f"{NET}[0]", "12")
-    assert document.session.scene.lens.control_points == (12, 12)
+    assert document.session.scene.optic.control_points == (12, 12)
     assert shown(forms) == (False, [("12", "12"), ("12", "12")])
     document.undo_stack.undo()
     assert shown(forms)[0]
@@ -36,15 +36,15 @@ def test_a_number_that_is_typed_takes_the_tick_away(forms, document, qtbot):
 def test_an_empty_field_leaves_it_to_the_program_again(forms, document, qtbot):
     enter(qtbot, forms, f"{NET}[0]", "12")
     enter(qtbot, forms, f"{NET}[1]", "")
-    assert document.session.scene.lens.control_points == AutoNet((49, 39))
+    assert document.session.scene.optic.control_points == AutoNet((49, 39))
 
 
 def test_the_tick_takes_the_numbers_that_count_and_gives_them_back(forms, document, qtbot):
     row(forms, NET).box.click()
-    assert document.session.scene.lens.control_points == (49, 39)
+    assert document.session.scene.optic.control_points == (49, 39)
     assert editor(forms, f"{NET}[0]").text() == "49"
     row(forms, NET).box.click()
-    assert document.session.scene.lens.control_points == AutoNet((49, 39))
+    assert document.session.scene.optic.control_points == AutoNet((49, 39))
 
 
 def test_the_same_value_again_is_no_step(forms, document, qtbot):
@@ -55,7 +55,7 @@ def test_the_same_value_again_is_no_step(forms, document, qtbot):
 
 def test_an_edit_of_the_screen_changes_what_auto_comes_to(forms, document, qtbot):
     enter(qtbot, forms, "screen.pixels[0]", "40")
-    assert document.session.scene.lens.net_shape[0] == 75
+    assert document.session.scene.optic.net_shape[0] == 75
     assert np.shape(document.session.target) == (16, 40)
     assert shown(forms)[1][0] == ("", "75")
 
@@ -64,9 +64,9 @@ def test_a_number_beside_one_that_is_refused_takes_the_tick_away_with_it(forms, 
     enter(qtbot, forms, f"{NET}[0]", "x")
     assert row(forms, NET).refusal
     enter(qtbot, forms, f"{NET}[1]", "7")
-    assert document.session.scene.lens.control_points == AutoNet((49, 39))
+    assert document.session.scene.optic.control_points == AutoNet((49, 39))
     enter(qtbot, forms, f"{NET}[0]", "9")
-    assert document.session.scene.lens.control_points == (9, 7)
+    assert document.session.scene.optic.control_points == (9, 7)
     assert not forms.refused
 
 
@@ -75,7 +75,7 @@ def test_an_entrance_face_shows_the_net_of_the_exit_face_and_takes_it(forms, doc
     net = "lens.entrance.control_points"
     assert shown(forms, net) == (True, [("", "49"), ("", "39")])
     row(forms, net).box.click()
-    assert document.session.scene.lens.entrance.control_points == (49, 39)
+    assert document.session.scene.optic.entrance.control_points == (49, 39)
     assert shown(forms, net) == (False, [("49", "49"), ("39", "39")])
     row(forms, net).box.click()
-    assert document.session.scene.lens.entrance.control_points == AutoNet()
+    assert document.session.scene.optic.entrance.control_points == AutoNet()

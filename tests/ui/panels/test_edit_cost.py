@@ -55,7 +55,7 @@ def test_a_refused_edit_validates_once(forms, qtbot, counted):
 
 def test_another_unit_converts_without_a_validation(forms, document, counted):
     choose(forms, "unit", "mm")
-    assert document.session.scene.screen.z == 50
+    assert document.session.scene.receiver.z == 50
     assert counted == {}
 
 

@@ -30,7 +30,7 @@ def session():
 
 def test_a_number_is_entered_with_return(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "7.25")
-    assert document.session.scene.screen.z == 7.25
+    assert document.session.scene.receiver.z == 7.25
     assert document.undo_stack.undoText() == "screen at z 5 → 7.25 cm"
 
 
@@ -45,7 +45,7 @@ def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbo
     assert document.undo_stack.undoText() == "lens from the base -0.3 to 0.3 → -0.3 to 0.4 cm"
     document.undo_stack.undo()
     document.undo_stack.undo()
-    assert document.session.scene.screen.half_width == (1.0, 1.0)
+    assert document.session.scene.receiver.half_width == (1.0, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -77,9 +77,9 @@ def test_a_field_that_older_files_do_not_know_is_entered_number_by_number(
     forms, document, qtbot, field
 ):
     enter(qtbot, forms, f"screen.{field}[1]", "0.75")
-    assert getattr(document.session.scene.screen, field) == (0, 0.75)
+    assert getattr(document.session.scene.receiver, field) == (0, 0.75)
     enter(qtbot, forms, f"screen.{field}[0]", "0.5")
-    assert getattr(document.session.scene.screen, field) == (0.5, 0.75)
+    assert getattr(document.session.scene.receiver, field) == (0.5, 0.75)
     assert not forms.refused
 
 
@@ -88,7 +88,7 @@ def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, do
     choose(forms, "unit", "mm")
     enter(qtbot, forms, "lens.height_range[1]", "-4.1")
     enter(qtbot, forms, "lens.min_thickness", "0")
-    assert forms.refused and document.session.scene.screen.z == 50
+    assert forms.refused and document.session.scene.receiver.z == 50
     choose(forms, "unit", "m")
     assert editor(forms, "screen.z").text() == "1 mm"
 
@@ -98,9 +98,9 @@ def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
     first.setFocus()
     first.selectAll()
     qtbot.keyClicks(first, "1.5")
-    assert document.session.scene.lens.half_width == (1, 1)  # not at every key
+    assert document.session.scene.optic.half_width == (1, 1)  # not at every key
     second.setFocus()
-    qtbot.waitUntil(lambda: document.session.scene.lens.half_width == (1.5, 1))
+    qtbot.waitUntil(lambda: document.session.scene.optic.half_width == (1.5, 1))
 
 
 def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot):
@@ -108,7 +108,7 @@ def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot)
     enter(qtbot, forms, "lens.half_width[1]", "1e-3")
     enter(qtbot, forms, "lens.half_width[1]", "2")
     assert editor(forms, "lens.half_width[0]").text() == "0.123456789"
-    assert document.session.scene.lens.half_width == (0.123456789, 2.0)
+    assert document.session.scene.optic.half_width == (0.123456789, 2.0)
 
 
 @pytest.mark.parametrize(
@@ -145,7 +145,7 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
 def test_a_correction_clears_the_refusal(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "far")
     enter(qtbot, forms, "screen.z", "6")
-    assert document.session.scene.screen.z == 6
+    assert document.session.scene.receiver.z == 6
     assert row(forms, "screen.z").refusal == ""
     assert not forms.refused
 
@@ -168,7 +168,7 @@ def test_two_values_that_only_fit_together_are_taken_together(forms, document, q
     assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
     assert "6 is too few for degree 7" in row(forms, "lens.degree").refusal
     enter(qtbot, forms, "lens.control_points[0]", "9")
-    lens = document.session.scene.lens
+    lens = document.session.scene.optic
     assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
     assert not forms.refused
 
@@ -211,7 +211,7 @@ def test_another_unit_converts_all_lengths(forms, document, qtbot):
     before = document.session
     choose(forms, "unit", "mm")
     scene = document.session.scene
-    assert (scene.unit, scene.screen.z, scene.lens.half_width) == ("mm", 50, (10, 10))
+    assert (scene.unit, scene.receiver.z, scene.optic.half_width) == ("mm", 50, (10, 10))
     assert scene == before.scene.in_unit("mm")
     assert document.session.target is before.target
     assert row(forms, "screen.z")._unit.text() == "mm"
@@ -225,23 +225,23 @@ def test_each_change_of_the_unit_is_a_step(forms, document):
     choose(forms, "unit", "inch")
     choose(forms, "unit", "m")
     assert document.undo_stack.count() == 2
-    assert document.session.scene.screen.z == pytest.approx(0.05, rel=1e-15)
+    assert document.session.scene.receiver.z == pytest.approx(0.05, rel=1e-15)
 
 
 def test_a_refused_edit_waits_while_the_unit_changes(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "0.1")
     choose(forms, "unit", "mm")
-    assert document.session.scene.lens.half_width == (10, 10)
+    assert document.session.scene.optic.half_width == (10, 10)
     assert editor(forms, "screen.z").text() == "0.1" and forms.refused
 
 
 def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):
     choose(forms, "lens.refractive_index", "N-BK7")
-    lens = document.session.scene.lens
+    lens = document.session.scene.optic
     assert (lens.refractive_index, lens.wavelength_um) == ("N-BK7", 0.5876)
     assert row(forms, "lens.wavelength_um").isVisible()
     choose(forms, "lens.refractive_index", "index")
-    lens = document.session.scene.lens
+    lens = document.session.scene.optic
     assert lens.refractive_index == pytest.approx(1.5168, abs=1e-4)
     assert lens.wavelength_um is None
     assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
@@ -255,9 +255,9 @@ def test_an_impossible_index_is_marked_where_it_was_typed(forms, qtbot):
 
 def test_a_sphere_brings_its_fields(forms, document, qtbot):
     choose(forms, "lens.base.shape", "sphere")
-    assert document.session.scene.lens.base.shape == "sphere"
+    assert document.session.scene.optic.base.shape == "sphere"
     choose(forms, "lens.base.form", "convex")
-    assert document.session.scene.lens.base.form == "convex"
+    assert document.session.scene.optic.base.form == "convex"
     enter(qtbot, forms, "lens.base.radius", "0.5")
     assert "does not span the lens" in row(forms, "lens.base.radius").refusal
     choose(forms, "lens.base.shape", "flat")  # the field is gone, and what it held
@@ -286,7 +286,7 @@ def test_a_refused_edit_goes_with_the_kind_of_its_field(forms, document, qtbot):
     assert document.session.scene.source.kind == "point"
     assert row(forms, "run.iterations").refusal and not row(forms, "source.rays").refusal
     enter(qtbot, forms, "screen.z", "7")
-    assert document.session.scene.screen.z == 7
+    assert document.session.scene.receiver.z == 7
     enter(qtbot, forms, "run.iterations", "20")
     assert document.session.scene.run.iterations == 20 and not forms.refused
 
@@ -373,7 +373,7 @@ def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
     forms.set_running(False)
     forms.make_postponed_edits()
     scene = document.session.scene
-    assert (scene.screen.z, scene.source.position[2]) == (7, -9)
+    assert (scene.receiver.z, scene.source.position[2]) == (7, -9)
     assert document.undo_stack.count() == 3 and forms.postponed_edits == 0
 
 
@@ -396,7 +396,7 @@ def test_a_refused_edit_during_a_run_is_marked_at_once_and_stays(forms, document
     forms.make_postponed_edits()
     assert editor(forms, "screen.z").text() == "0.2" and forms.refused
     document.undo_stack.undo()
-    assert document.session.scene.screen.z == 5
+    assert document.session.scene.receiver.z == 5
 
 
 def test_an_edit_that_changes_nothing_does_not_wait(forms, qtbot):
@@ -539,19 +539,19 @@ def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
 def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):
     assert row(forms, "lens.height_range").chooser.currentText() == "Own limits"
     choose(forms, "lens.height_range", "automatic")
-    assert document.session.scene.lens.height_range is None
+    assert document.session.scene.optic.height_range is None
     assert [each.isVisible() for each in rows(forms) if each.path == "lens.height_range"] == [
         True,
         False,  # no numbers
     ]
     choose(forms, "lens.height_range", "own")
-    assert document.session.scene.lens.height_range == (-0.3, 0.3)
+    assert document.session.scene.optic.height_range == (-0.3, 0.3)
     enter(qtbot, forms, "lens.height_range[1]", "0.4")
-    assert document.session.scene.lens.height_range == (-0.3, 0.4)
+    assert document.session.scene.optic.height_range == (-0.3, 0.4)
 
 
 def test_stock_may_be_given_or_left_out(forms, document, qtbot):
     enter(qtbot, forms, "lens.max_thickness", "0.9")
-    assert document.session.scene.lens.max_thickness == 0.9
+    assert document.session.scene.optic.max_thickness == 0.9
     enter(qtbot, forms, "lens.max_thickness", "")
-    assert document.session.scene.lens.max_thickness is None
+    assert document.session.scene.optic.max_thickness is None

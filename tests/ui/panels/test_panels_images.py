@@ -49,7 +49,7 @@ def test_an_image_is_added_farther_away_and_its_target_is_drawn(begin, qtbot):
     first = document.session.scene
     click(qtbot, forms, "Add")
     (image,) = images(document)
-    assert image.screen.z > first.screen.z
+    assert image.screen.z > first.receiver.z
     assert image.target == first.target
     np.testing.assert_array_equal(image.wanted, document.session.target)
     assert listed(forms) == [f"1.  z = {image.screen.z:.6g}, top hat, weight 1"]
@@ -78,7 +78,7 @@ def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     enter(qtbot, forms, "further_images[0].screen.z", "7")
     choose(forms, "further_images[0].target.builtin", "ball")
     one, two = images(document)
-    assert (one.weight, one.screen.z, one.target.builtin) == (2.5, 7.0, "ball")
+    assert (one.weight, one.receiver.z, one.target.builtin) == (2.5, 7.0, "ball")
     assert (two.weight, two.target.builtin) == (1.0, "tophat")
     assert not np.array_equal(one.wanted, two.wanted)
 

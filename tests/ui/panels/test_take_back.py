@@ -89,7 +89,7 @@ def test_undo_takes_a_refused_entry_back_and_only_then_a_step(begin, qtbot, entr
     assert window.document.session is session
     assert not window.forms.refused and shown(window.forms) == before
     qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
-    assert window.document.session.scene.screen.z == 5
+    assert window.document.session.scene.receiver.z == 5
 
 
 @pytest.mark.parametrize(("entry", "changes"), ENTRIES)

@@ -32,7 +32,7 @@ class Engine:
         self.leave = threading.Semaphore(0)
 
     def __call__(self, scene, target, start=None, locked=None):
-        self.asked.append((scene.screen.z, start is not None))
+        self.asked.append((scene.receiver.z, start is not None))
         self.open += 1
         try:
             for iteration in range(self.iterations + 1):
@@ -75,8 +75,8 @@ class Desk:
 
     def edit(self, z, key=""):
         scene = self.document.session.scene
-        screen = scene.screen.model_copy(update={"z": z})
-        self.document.edit(scene.model_copy(update={"screen": screen}), "change", key)
+        screen = scene.receiver.model_copy(update={"z": z})
+        self.document.edit(scene.with_receiver(screen), "change", key)
 
     def wait(self, settled=1):
         self._qtbot.waitUntil(lambda: len(self.settled) >= settled)
@@ -93,7 +93,7 @@ class Desk:
 
     def seen(self):
         """Places of the screen of which a lens was seen that is none from before."""
-        zs = [f.session.scene.screen.z for f in self.frames if f.snapshot.iteration]
+        zs = [f.session.scene.receiver.z for f in self.frames if f.snapshot.iteration]
         return list(dict.fromkeys(zs))
 
     def close(self):
@@ -128,7 +128,7 @@ def test_an_edit_is_followed_by_a_lens_that_the_document_gets(desk):
     desk.edit(7)
     desk.wait()
     session = desk.document.session
-    assert session.scene.screen.z == 7
+    assert session.scene.receiver.z == 7
     assert session.result is not None
     assert session.result.ended == "converged"
     assert session.result.iterations == 5
@@ -174,7 +174,7 @@ def test_edits_wait_for_the_first_lens_and_the_latest_is_designed_next(desk):
     desk.wait()
     assert desk.seen() == [6, 8]
     assert [z for z, _ in desk.engine.asked] == [6, 8]
-    assert desk.document.session.scene.screen.z == 8
+    assert desk.document.session.scene.receiver.z == 8
     assert desk.document.session.result is not None
 
 
@@ -262,10 +262,10 @@ def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, desi
     runs = desk.document.session.runs
     assert [run.name for run in runs] == [f"Followed {k}: auto, 12 × 10" for k in (1, 2, 3)]
     assert [run.result for run in runs] == lenses
-    assert [run.scene.screen.z for run in runs] == [6, 7, 8]
+    assert [run.scene.receiver.z for run in runs] == [6, 7, 8]
     desk.document.change(restored(desk.document.session, runs[0]), "return")
     assert desk.document.session.result is lenses[0]
-    assert desk.document.session.scene.screen.z == 6
+    assert desk.document.session.scene.receiver.z == 6
     for lens in reversed(lenses):
         desk.document.undo_stack.undo()
         assert desk.document.session.result is lens
@@ -388,7 +388,7 @@ def test_an_edit_that_asks_for_no_other_lens_lets_the_design_before_it_go_on(has
     desk.wait()
     session = desk.document.session
     assert session.result.ended == "converged"
-    assert session.scene.screen.z == 7
+    assert session.scene.receiver.z == 7
     assert session.scene.regions[0].name == "Desk"
 
 
@@ -499,7 +499,7 @@ def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monk
     desk.edit(7)
     qtbot.waitUntil(lambda: bool(desk.failed))
     assert "nothing there" in desk.failed[0]
-    assert desk.document.session.scene.screen.z == 7
+    assert desk.document.session.scene.receiver.z == 7
     assert desk.follow.text == ""
 
 
@@ -508,7 +508,7 @@ def test_a_design_that_nobody_wants_ends_before_its_first_lens(desk, qtbot, desi
     begun = []
 
     def endless(scene, *_):
-        begun.append(scene.screen.z)
+        begun.append(scene.receiver.z)
         while True:
             check_given_up()
             time.sleep(0.002)

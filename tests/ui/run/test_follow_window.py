@@ -59,7 +59,7 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     with settled(window, qtbot):
         fill(qtbot, editor(window.forms, "screen.z"), "6")
     result = document.session.result
-    assert document.session.scene.screen.z == 6
+    assert document.session.scene.receiver.z == 6
     assert result.iterations > 0
     assert any("still getting better" in text for text in texts)
     assert texts[-1] == ""

@@ -87,7 +87,7 @@ def test_no_more_runs_are_kept_than_a_file_holds(session, result):
 def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     session, _ = with_run(session, result)
     (run,) = session.runs
-    locked = FaceArrays({"exit": np.zeros(session.scene.lens.net_shape, dtype=bool)})
+    locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     other = replace(
         session.with_scene(make_scene({"screen.z": 9.0}), session.target),
         locked=locked,

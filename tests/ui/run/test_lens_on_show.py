@@ -85,7 +85,7 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     np.testing.assert_array_equal(
         shown.result.state.heights["exit"], designed.result.state.heights["exit"]
     )
-    assert shown.scene.screen.z == 7
+    assert shown.scene.receiver.z == 7
     carried.exporter.export(tmp_path / "lens.irradiance.npy")
     qtbot.waitUntil(lambda: not carried.exporter._background.busy, timeout=60_000)
     assert received in carried.messages.text
@@ -113,16 +113,16 @@ def test_a_report_says_which_task_its_lens_was_designed_for(carried, qtbot, tmp_
 
 def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     enter(qtbot, running.forms, "screen.z", "7")
-    assert running.document.session.scene.screen.z == 5 and running.loaded.control.busy
+    assert running.document.session.scene.receiver.z == 5 and running.loaded.control.busy
     assert "Waits for the end of the run: change of screen at z." in running.messages.text
     stop_and_apply, _ = running.messages.buttons
     assert stop_and_apply.text() == "Stop and apply"
     with qtbot.waitSignal(running.loaded.control.ended, timeout=60_000):
         stop_and_apply.click()
-    assert running.document.session.scene.screen.z == 7
+    assert running.document.session.scene.receiver.z == 7
     assert not running.messages.isVisible()
     running.document.undo_stack.undo()
-    assert running.document.session.scene.screen.z == 5
+    assert running.document.session.scene.receiver.z == 5
     assert running.document.session.result is not None  # of the run, for the task that it had
 
 
@@ -130,13 +130,13 @@ def test_an_edit_that_waits_can_be_taken_back(running, qtbot, tmp_path, monkeypa
     enter(qtbot, running.forms, "screen.z", "7")
     monkeypatch.setattr(running.files, "ask_for_name", lambda: tmp_path / "mine.freeform")
     running.commands["save"].trigger()
-    assert read_session(tmp_path / "mine.freeform").scene.screen.z == 5
+    assert read_session(tmp_path / "mine.freeform").scene.receiver.z == 5
     assert "Saved with the task that the run works on" in running.messages.text
     _, take_back = running.messages.buttons
     take_back.click()
     assert editor(running.forms, "screen.z").text() == "5" and not running.messages.isVisible()
     stop(running, qtbot)
-    assert running.document.session.scene.screen.z == 5
+    assert running.document.session.scene.receiver.z == 5
 
 
 def test_closing_says_that_waiting_edits_are_given_up(running, qtbot, monkeypatch, tmp_path):
@@ -153,7 +153,7 @@ def test_closing_says_that_waiting_edits_are_given_up(running, qtbot, monkeypatc
     qtbot.waitUntil(lambda: not running.isVisible(), timeout=60_000)
     assert len(asked) == 1 and "given up" in asked[0]
     saved = read_session(path)
-    assert saved.scene.screen.z == 5 and saved.result is not None
+    assert saved.scene.receiver.z == 5 and saved.result is not None
 
 
 def drop(window, path):

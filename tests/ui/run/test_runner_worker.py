@@ -203,7 +203,7 @@ def test_rays_come_from_the_source_of_the_stage(
 
 
 def test_a_start_lens_is_traced_for_its_preview_and_continued(session, as_run, work):
-    heights = FaceArrays({"exit": np.full(session.scene.lens.net_shape, 0.47)})
+    heights = FaceArrays({"exit": np.full(session.scene.optic.net_shape, 0.47)})
     moved = dataclasses.replace(session, start=heights)
     starts = []
 

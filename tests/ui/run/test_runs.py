@@ -217,12 +217,12 @@ def test_going_back_to_a_run(two_runs, qtbot):
     first = document.session.runs[0]
     table(two_runs).selectRow(0)
     qtbot.mouseClick(two_runs.loaded.runs.table._restore, Qt.MouseButton.LeftButton)
-    assert document.session.scene is first.scene and document.session.scene.screen.z == 5.0
+    assert document.session.scene is first.scene and document.session.scene.receiver.z == 5.0
     assert document.session.result is first.result
     assert document.undo_stack.undoText() == "return to Run 1: auto, 12 × 10"
     assert table(two_runs).item(0, 0).font().bold()
     two_runs.commands["undo"].trigger()
-    assert document.session.scene.screen.z == 7.0
+    assert document.session.scene.receiver.z == 7.0
 
 
 def test_deleting_runs_can_be_undone(two_runs, qtbot):
@@ -417,9 +417,7 @@ def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
     session = window.document.session
     checks.error = 0.5
     moved = session.with_scene(
-        session.scene.model_copy(
-            update={"screen": session.scene.screen.model_copy(update={"z": 8.0})}
-        ),
+        session.scene.with_receiver(session.scene.receiver.model_copy(update={"z": 8.0})),
         session.target,
     )
     assert moved.start is session.result.state.heights

@@ -37,7 +37,7 @@ def asked(monkeypatch):
 
     def stand_in(scene, heights, index, face):
         calls.append((scene, heights, index, QThread.currentThread()))
-        n_x, n_y = scene.screen.pixels
+        n_x, n_y = scene.receiver.pixels
         return DerivativeMap(index, (0.0, 0.0), np.ones((n_y, n_x)), 0.5, 2.0)
 
     monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", stand_in)

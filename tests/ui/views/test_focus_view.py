@@ -78,21 +78,21 @@ def traced(view, frame, qtbot, rays=MANY):
 
 def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot):
     scene = frame.session.scene
-    assert view.z == scene.screen.z
+    assert view.z == scene.receiver.z
     found = traced(view, frame, qtbot)
-    assert f"z = {scene.screen.z:.4g} cm (screen): error" in view._place.text()
+    assert f"z = {scene.receiver.z:.4g} cm (screen): error" in view._place.text()
     assert f"{100 * found.efficiency:.1f} % of the light" in view._place.text()
     near, far = (view._z_of(part) for part in (500, 1500))
-    top = scene.lens.highest
-    assert near - top == pytest.approx((scene.screen.z - top) / 2)
-    assert far - top == pytest.approx((scene.screen.z - top) * 1.5)
+    top = scene.optic.highest
+    assert near - top == pytest.approx((scene.receiver.z - top) / 2)
+    assert far - top == pytest.approx((scene.receiver.z - top) * 1.5)
     for part, z in ((500, near), (1500, far), (1235, view._z_of(1235))):
         view._slider.setValue(part)
         assert view.z == z
         traced(view, frame, qtbot)
         assert f"z = {z:.4g} cm: error" in view._place.text()
     view._back.click()
-    assert view.z == scene.screen.z
+    assert view.z == scene.receiver.z
 
 
 def test_a_far_field_that_comes_meanwhile_is_not_traced(view, wavy, make_scene, session, qtbot):
@@ -161,8 +161,8 @@ def test_another_design_is_shown_only_after_its_trace(
 
     monkeypatch.setattr("workbench.analysis.validation.validating", later)
     scene = session.scene
-    screen = scene.screen.model_copy(update={"pixels": (16, 16)})
-    other = Session(scene.model_copy(update={"screen": screen}), session.target[::2, ::2])
+    screen = scene.receiver.model_copy(update={"pixels": (16, 16)})
+    other = Session(scene.with_receiver(screen), session.target[::2, ::2])
     moved = wavy(1, other)
     view.show_frame(moved)
     assert view._traced.light is None

@@ -86,7 +86,7 @@ def test_regions_leave_the_photo_as_it_is(view, flat, qtbot):
     scene = frame.session.scene.model_copy(update={"regions": regions})
     view.show_frame(replace(frame, session=replace(frame.session, scene=scene)))
     assert view.photo is photo
-    further = scene.model_copy(update={"screen": scene.screen.model_copy(update={"z": 8.0})})
+    further = scene.with_receiver(scene.receiver.model_copy(update={"z": 8.0}))
     view.show_frame(replace(frame, session=replace(frame.session, scene=further)))
     assert view.photo is None
 

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from tests.scenes import changed
 from ui.views.region_marks import RegionMarks
-from workbench.pictures.style import paint
+from workbench.pictures.axes import paint
 from workbench.scene import Scene
 
 

@@ -17,7 +17,7 @@ def tilted(session, frames):
     """A frame whose face rises by so much per length along x."""
 
     def make(slope):
-        x, y = ControlNet.of(session.scene.lens).positions
+        x, y = ControlNet.of(session.scene.optic).positions
         return frames(1, heights=FaceArrays({"exit": 0.5 + slope * x[:, None] + 0 * y}))
 
     return make
@@ -87,7 +87,7 @@ def test_a_text_replaces_labels_that_would_overlap(view, qtbot):
 def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbot):
     entrance = {"shape": "freeform", "height_range": [-0.1, 0.1]}
     session = make_session({"lens.entrance": entrance})
-    x, y = ControlNet.of(session.scene.lens).positions
+    x, y = ControlNet.of(session.scene.optic).positions
     heights = {"exit": np.full((12, 10), 0.5), "entrance": 0.05 * x[:, None] + 0 * y}
     frame = frames(1, session, heights=FaceArrays(heights))
     view = SurfaceView()

@@ -28,12 +28,12 @@ def frame(session, frames):
     """A frame of some iteration with an uneven image of its own."""
 
     def make(iteration, of=session):
-        n_x, n_y = of.scene.screen.pixels
+        n_x, n_y = of.scene.receiver.pixels
         return frames(
             iteration,
             of,
             irradiance=np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x),
-            heights=FaceArrays({"exit": np.full(of.scene.lens.net_shape, 0.5)}),
+            heights=FaceArrays({"exit": np.full(of.scene.optic.net_shape, 0.5)}),
         )
 
     return make
@@ -305,7 +305,7 @@ def test_untouched_scene_stays_fitted_on_resize(drawn_scene, qtbot):
 def test_the_wheel_zooms_to_what_is_under_the_pointer(drawn_scene, session, perspective):
     drawn_scene.see_in_perspective(perspective)
     plotter, sight = drawn_scene._plotter, drawn_scene.sight
-    corner = np.array([[0.9, 0.8, session.scene.screen.z]])  # of the screen
+    corner = np.array([[0.9, 0.8, session.scene.receiver.z]])  # of the screen
     near = corner + np.array([0.01, 0.0, 0.0])
     (x, y), there = sight.pixels(np.concatenate([corner, near]))
     for angle in (120, 240, -120, 360):
@@ -475,8 +475,8 @@ def test_exploded_distances_bring_the_screen_nearer_and_back(
     display, session, frame, draws, show, qtbot
 ):
     scene = session.scene
-    far = scene.model_copy(
-        update={"screen": scene.screen.model_copy(update={"z": 90.0, "half_width": (40.0, 40.0)})}
+    far = scene.with_receiver(
+        scene.receiver.model_copy(update={"z": 90.0, "half_width": (40.0, 40.0)})
     )
     view = show(SceneView(), 300, 200)
     view.show_frame(frame(1, dataclasses.replace(session, scene=far)))

@@ -24,11 +24,11 @@ def test_hundreds_of_steps_are_listed_and_gone_through_by_keyboard(window, qtbot
     qtbot.waitUntil(lambda: history.visualRect(history.currentIndex()).isValid())
     assert history.viewport().rect().intersects(history.visualRect(history.currentIndex()))
     qtbot.keyClick(history, Qt.Key.Key_Up)
-    assert document.session.scene.screen.z == 6 + STEPS - 2
+    assert document.session.scene.receiver.z == 6 + STEPS - 2
     qtbot.keyClick(history, Qt.Key.Key_Home)
-    assert document.session.scene.screen.z == 5 and history.currentIndex().row() == 0
+    assert document.session.scene.receiver.z == 5 and history.currentIndex().row() == 0
     qtbot.keyClick(history, Qt.Key.Key_End)
-    assert document.session.scene.screen.z == 6 + STEPS - 1
+    assert document.session.scene.receiver.z == 6 + STEPS - 1
 
 
 def test_undo_moves_the_mark(window):

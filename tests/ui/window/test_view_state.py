@@ -155,10 +155,10 @@ def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     move_screen(window.document, 8)
     assert revert.isEnabled()
     revert.trigger()
-    assert document.session.scene.screen.z == 7
+    assert document.session.scene.receiver.z == 7
     assert not document.dirty and not revert.isEnabled()
     window.commands["undo"].trigger()
-    assert document.session.scene.screen.z == 8 and document.dirty
+    assert document.session.scene.receiver.z == 8 and document.dirty
 
 
 def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
@@ -168,7 +168,7 @@ def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
     move_screen(window.document, 8)
     path.unlink()
     window.commands["revert"].trigger()
-    assert window.document.session.scene.screen.z == 8 and window.document.dirty
+    assert window.document.session.scene.receiver.z == 8 and window.document.dirty
     assert "mine.freeform" in window.messages.text
 
 

@@ -29,7 +29,7 @@ def disc_to_disc(r_1, r_2, distance):
 def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
     disc = {"kind": "area", "center": [0, 0, -1.0], "half_width": [0.5, 0.5], "outline": "ellipse"}
     scene = make_scene({"lens.outline": "ellipse", "source": disc})
-    plate = {"exit": torch.full(scene.lens.net_shape, 0.5, dtype=torch.float64)}
+    plate = {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
     light = BeamPlan(scene, Corners(100, 100, 64), dtype=torch.float64).trace(plate)
     met = disc_to_disc(0.5, 1.0, 1.0)
     assert 1 - light.account.lost["missed_lens"] == pytest.approx(met, abs=1e-3)
@@ -39,7 +39,7 @@ def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
 @ALL
 def test_rays_carry_the_flux_that_meets_the_face(make_scene, source, pose):
     scene = make_scene({"source": source})
-    light = light_source(scene.source, scene.lens, pose, 100_000, 1)
+    light = light_source(scene.source, scene.optic, pose, 100_000, 1)
     flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))
     assert flux / light.rays == pytest.approx(1 / (1 + light.beside), rel=3e-3)
 
@@ -49,7 +49,7 @@ def test_the_check_agrees_with_beams(make_scene, source):
     scene = make_scene(WIDE | {"source": source})
     heights = smooth(scene)
     light = BeamPlan(scene, Corners(60, 60, 64), dtype=torch.float64).trace({"exit": heights})
-    image = light.flux.numpy() / scene.screen.pixel_measure
+    image = light.flux.numpy() / scene.receiver.pixel_measure
     found = validate(scene, image, {"exit": heights.numpy()}, rays=200_000)
     assert found.relative_l2_corrected < 1e-2
     assert sum(light.account.lost.values()) + light.account.on_screen == pytest.approx(1, abs=1e-9)
@@ -62,7 +62,7 @@ def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     scene = make_scene(WIDE | {"source": source})
     plan = BeamPlan(scene, Corners(24, 24, 8), dtype=torch.float64)
     weight = torch.as_tensor(rng.normal(size=(12, 12)))
-    direction = torch.as_tensor(rng.normal(size=scene.lens.net_shape))
+    direction = torch.as_tensor(rng.normal(size=scene.optic.net_shape))
     heights = smooth(scene).requires_grad_()
     (plan.trace({"exit": heights}).flux * weight).sum().backward()
     ahead, behind = (

@@ -26,7 +26,7 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
     scene = make_scene(few | {"source": source | {"rays": [400, 400]}})
     heights = smooth(scene)
     light = Plan(scene, fused=False).trace({"exit": heights})
-    image = light.flux.double().numpy() / scene.screen.pixel_measure
+    image = light.flux.double().numpy() / scene.receiver.pixel_measure
     faces = {"exit": heights.numpy()}
     found = validate(scene, image, faces, rays=100_000, accuracy=0.05)
     assert found.relative_l2_corrected < 2e-2
@@ -41,14 +41,14 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
 @pytest.mark.parametrize("pose", [Pose(), Pose((0.1, -0.05), (0.3, 0.2))])
 def test_rays_carry_the_flux_of_the_quadrature_rule(make_scene, source, pose):
     scene = make_scene({"source": source})
-    light = light_source(scene.source, scene.lens, pose, 200_000, 1)
+    light = light_source(scene.source, scene.optic, pose, 200_000, 1)
     flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))
     assert flux / light.rays == pytest.approx(1 / (1 + light.beside), abs=1e-3)
 
 
 def test_a_straight_beam_misses_what_is_beyond_the_rim(make_scene):
     scene = make_scene({"source": BEAM})
-    light = light_source(scene.source, scene.lens, Pose(), 1000, 1)
+    light = light_source(scene.source, scene.optic, Pose(), 1000, 1)
     assert 1 / (1 + light.beside) == pytest.approx(erf(math.sqrt(2) / 0.7) ** 2, abs=1e-9)
     (rays, *_) = light.batch(0)
     np.testing.assert_allclose(rays.flux, rays.flux[0])
@@ -56,7 +56,7 @@ def test_a_straight_beam_misses_what_is_beyond_the_rim(make_scene):
 
 def test_finer_levels_have_more_directions(make_scene):
     sun, beam = (
-        light_source(make_scene({"source": source}).source, make_scene().lens, Pose(), 1, 1)
+        light_source(make_scene({"source": source}).source, make_scene().optic, Pose(), 1, 1)
         for source in (SUN, BEAM)
     )
     assert sun.finer(2).origins == 4 * sun.finer(0).origins

@@ -19,7 +19,7 @@ TILTED = Pose(tilt=(0.1, -0.2), decentre=(0.1, 0.0))
 
 def light(source, pose=None, rays=1):
     scene = Scene.from_data(changed({"source": source, "lens.half_width": [1.0, 0.7]}))
-    return light_source(scene.source, scene.lens, pose or Pose(), rays, 1)
+    return light_source(scene.source, scene.optic, pose or Pose(), rays, 1)
 
 
 def places(count):

@@ -14,11 +14,11 @@ from workbench.watch import finished
 
 
 def heights(scene):
-    return {"exit": np.full(scene.lens.net_shape, scene.lens.base.height)}
+    return {"exit": np.full(scene.optic.net_shape, scene.optic.base.height)}
 
 
 def waves(scene):
-    x, y = (np.linspace(-1, 1, n) for n in scene.lens.net_shape)
+    x, y = (np.linspace(-1, 1, n) for n in scene.optic.net_shape)
     return {"exit": 0.5 + 0.05 * np.sin(3 * x[:, None] + 1) * np.cos(2 * y)}
 
 
@@ -29,7 +29,7 @@ def crooked(make_scene, tmp_path):
 
 def test_cells_behind_a_plate_are_those_of_the_closed_form(make_scene, tmp_path):
     scene = make_scene({**PLATE, "source": downlight(tmp_path)})
-    n_x, n_y = scene.screen.pixels
+    n_x, n_y = scene.receiver.pixels
     x, y = ((2 * (np.arange(n) + 0.5) / n - 1) * 2 for n in (n_x, n_y))
 
     image = finished(imaging(scene, heights(scene), 1e-4))
@@ -41,7 +41,7 @@ def test_cells_behind_a_plate_are_those_of_the_closed_form(make_scene, tmp_path)
 
 def test_random_rays_cells_and_the_walk_agree(crooked):
     lens = waves(crooked)
-    target = np.ones(crooked.screen.pixels[::-1])
+    target = np.ones(crooked.receiver.pixels[::-1])
 
     checked = validate(crooked, target, lens, rays=400_000, accuracy=1e-3)
 
@@ -58,7 +58,7 @@ def test_random_rays_cells_and_the_walk_agree(crooked):
 
 
 def test_a_lamp_stays_where_it_is_while_the_lens_is_turned(crooked):
-    lens, target = waves(crooked), np.ones(crooked.screen.pixels[::-1])
+    lens, target = waves(crooked), np.ones(crooked.receiver.pixels[::-1])
     tilted = Pose(tilt=(0.02, -0.03), decentre=(0.05, 0.0))
 
     turned = validate(crooked, target, lens, rays=200_000, pose=tilted, accuracy=1e-3)

@@ -1,6 +1,6 @@
-"""What the camera sees where: between places of the scene and pixels of the window.
+"""Projection between scene points and window pixels.
 
-Pixels are counted from the lower left corner, as VTK does.
+Pixels are counted from the lower left corner, as in VTK.
 """
 
 from typing import Any
@@ -10,24 +10,18 @@ from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 from workbench.arrays import Array
 
-_STEP = 1e-3  # of what the picture is high, to see how far a direction leads in it
-_HEAD_ON = 0.15  # a direction seen shorter than this part of its length leads nowhere
+_STEP = 1e-3  # of the height of the picture, for finite differences
+_HEAD_ON = 0.15  # a direction seen shorter than this part of its length counts as head-on
 
 
-class Sight:
-    """Looks through the camera of a plotter that the caller owns.
-
-    Parameters
-    ----------
-    plotter : pyvista.BasePlotter
-        Has a window, shown or off screen.
-    """
+class Projection:
+    """Projection of the camera of a plotter of the caller."""
 
     def __init__(self, plotter: Any) -> None:
         self._renderer = plotter.renderer
 
     def line(self, x: float, y: float) -> tuple[Array, Array]:
-        """Where the line of sight through a pixel enters and leaves what the camera sees."""
+        """Return the ends of the line of sight through a pixel, at the clipping planes."""
         renderer, ends = self._renderer, []
         for depth in (0.0, 1.0):
             renderer.SetDisplayPoint(x, y, depth)
@@ -37,7 +31,7 @@ class Sight:
         return ends[0], ends[1]
 
     def point(self, x: float, y: float) -> Array:
-        """The point seen at a pixel: of a body, else of the plane through the focal point."""
+        """Return the point of a body at a pixel; without a body, of the focal plane."""
         picker = vtkCellPicker()
         picker.SetTolerance(0.0)
         if picker.Pick(x, y, 0.0, self._renderer):
@@ -48,17 +42,7 @@ class Sight:
         return np.asarray(start + part * (end - start))
 
     def pixels(self, points: Array) -> Array:
-        """Where points of the scene are seen.
-
-        Parameters
-        ----------
-        points : ndarray, shape (n, 3)
-            Scene units.
-
-        Returns
-        -------
-        ndarray, shape (n, 2)
-        """
+        """Return the pixels (n, 2) of points (n, 3)."""
         renderer = self._renderer
         seen = renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(
             renderer.GetTiledAspectRatio(), 0, 1
@@ -70,22 +54,22 @@ class Sight:
         return np.asarray(across * renderer.GetSize())
 
     def movement(self, point: Array, directions: Array, moved: tuple[float, float]) -> Array:
-        """How far something goes along given directions as it follows the pointer.
+        """Return the lengths (k,) by which an object follows the pointer.
 
         Parameters
         ----------
         point : ndarray, shape (3,)
-            Where it is.
+            Position of the object.
         directions : ndarray, shape (k, 3)
-            Unit vectors that it may move along, one or two.
+            One or two unit vectors of allowed movement.
         moved : tuple[float, float]
-            How far the pointer has gone, pixels to the right and up.
+            Movement of the pointer in pixels, to the right and up.
 
         Returns
         -------
         ndarray, shape (k,)
-            Lengths along the directions, scene units; 0 along one that is seen head-on beside
-            another. A single one seen head-on is taken to lead upwards in the picture.
+            Scene units; 0 along a direction seen head-on beside another. A single direction seen
+            head-on is taken to point upwards in the picture.
         """
         camera = self._renderer.GetActiveCamera()
         up = np.array(camera.GetViewUp())

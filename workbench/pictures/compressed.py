@@ -1,7 +1,7 @@
-"""Distances drawn shorter than they are, so that no screen or source makes the lens a dot.
+"""Scenes drawn with compressed distances, so that a far screen or source does not shrink the lens.
 
-What is drawn is another scene: its screen and its source are shrunk towards the middle of the
-lens, each as a whole. Rays keep where they meet the lens, and end at the same place of the image.
+The drawn scene has screen and source scaled towards the vertex of the lens. Rays keep their
+intersections with the lens and end at the same point of the image.
 """
 
 import math
@@ -11,29 +11,20 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.scene import Image, Scene, Screen, Source
 
-# Longest distances from the lens, and largest width of the screen, in widths of the lens.
+# Largest distances from the lens and width of the screen, in widths of the lens.
 _TO_SCREEN, _TO_SOURCE, _WIDTH = 2.0, 1.5, 1.5
 # Ends of rays this near a screen are on it, in parts of its size.
 _ROUNDING = 1e-9
 
 
-def exploded(scene: Scene) -> Scene:
-    """The scene as it is drawn; nothing is moved farther away, and nothing enlarged."""
-    return scene.with_images(_drawn_images(scene)).model_copy(
-        update={"source": _drawn_source(scene)}
-    )
+def compress_distances(scene: Scene) -> Scene:
+    """Return the scene with distances compressed; nothing is enlarged."""
+    drawn = scene.with_images(_drawn_images(scene))
+    return drawn.model_copy(update={"source": _drawn_source(scene)})
 
 
-def explode_paths(points: Array, scene: Scene) -> Array:
-    """Paths of rays as they are drawn in the `exploded` scene.
-
-    Parameters
-    ----------
-    points : ndarray, shape (n, k, 3)
-        Start, places on each face, screen plane; see `workbench.optics.paths.RayPaths`.
-    scene : Scene
-        The scene that they were traced in.
-    """
+def compress_paths(points: Array, scene: Scene) -> Array:
+    """Return ray paths (n, k, 3) of a scene as drawn in its scene from `compress_distances`."""
     drawn = points.copy()
     drawn[:, 0] = _nearer(points[:, 0], scene.optic.front_z, _source_scale(scene))
     screen, shown = scene.receiver, _drawn_screen(scene)
@@ -50,7 +41,6 @@ def _lens_width(scene: Scene) -> float:
 
 
 def _drawn_screen(scene: Scene) -> Screen | None:
-    """The screen nearer and smaller; a far field is drawn near the lens as it is."""
     screen = scene.receiver
     if not isinstance(screen, Screen):
         return None

@@ -1,6 +1,6 @@
 """Points, faces and lines of the drawn lens, as plain arrays.
 
-Cells are flat lists as pyvista takes them: (n, i_1, ..., i_n, n, ...).
+Cells are flat lists as pyvista expects them: (n, i_1, ..., i_n, n, ...).
 """
 
 import numpy as np
@@ -34,7 +34,7 @@ def net_lines(rows: int, columns: int, fields: int) -> Cells:
 
 
 def grid_lines(shown: Mask) -> Cells:
-    """All lines of a grid of points along rows and columns, where these are shown: side by side."""
+    """Lines of a grid of points along rows and columns, through the shown points only."""
     index = np.arange(shown.size).reshape(shown.shape)
     lines = [*map(_shown_part, index, shown), *map(_shown_part, index.T, shown.T)]
     return polylines([line for line in lines if len(line) > 1])
@@ -45,17 +45,7 @@ def _shown_part(line: Cells, shown: Mask) -> Cells:
 
 
 def normals(surface: Array) -> Array:
-    """Unit normals, towards +z, of a grid of points.
-
-    Parameters
-    ----------
-    surface : ndarray, shape (m_u, m_v, 3)
-        Points, u along x and v along y.
-
-    Returns
-    -------
-    ndarray, shape (m_u * m_v, 3)
-    """
+    """Return unit normals (m_u * m_v, 3), towards +z, of a grid of points (m_u, m_v, 3)."""
     along_u, along_v = np.gradient(surface, axis=0), np.gradient(surface, axis=1)
     across = np.cross(along_u, along_v)
     across /= np.linalg.norm(across, axis=-1, keepdims=True)
@@ -69,18 +59,9 @@ def normals(surface: Array) -> Array:
 
 
 def wall_points(surface: Array, other_z: npt.ArrayLike) -> Array:
-    """Points of the four side walls: of each the rim, then the same on the other side.
+    """Return points (4 * (m_u + m_v), 3) of the four side walls, between two faces.
 
-    Parameters
-    ----------
-    surface : ndarray, shape (m_u, m_v, 3)
-        Points of the exit face.
-    other_z : array_like
-        z of the other side below or above them, shape (m_u, m_v); a number if that is flat.
-
-    Returns
-    -------
-    ndarray, shape (4 * (m_u + m_v), 3)
+    For each wall: the rim of ``surface`` (m_u, m_v, 3), then the same points at ``other_z``.
     """
     other = surface.copy()
     other[..., 2] = other_z
@@ -89,10 +70,7 @@ def wall_points(surface: Array, other_z: npt.ArrayLike) -> Array:
 
 
 def wall_faces(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> Cells:
-    """Faces between the `wall_points` of each wall, and the other side, if that is flat.
-
-    Straight walls stand on four corners.
-    """
+    """Faces between the `wall_points` of each wall, and of the other face if it is flat."""
     faces, feet, first = [], [], 0
     for count in (m_u, m_v, m_u, m_v):
         wall = quads(2, count).reshape(-1, 5)
@@ -106,7 +84,7 @@ def wall_faces(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> 
 
 
 def wall_lines(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> Cells:
-    """Outline of the lens through its `wall_points`: rim, foot; upright edges of straight walls."""
+    """Outline of the lens through its `wall_points`."""
     lines, first = [], 0
     for count in (m_u, m_v, m_u, m_v):
         rim = np.arange(first, first + count)
@@ -118,25 +96,19 @@ def wall_lines(m_u: int, m_v: int, straight: bool = True, flat: bool = True) -> 
 
 
 def starting_at(start: Array, entrance: Array, z: float) -> Array:
-    """Starts of rays, those before the plane ``z`` moved up to it on the way to the entrance.
-
-    Parameters
-    ----------
-    start, entrance : ndarray, shape (n, 3)
-        Where rays start and where they meet the entrance face, which is behind the plane.
-    """
+    """Move ray starts (n, 3) before the plane ``z`` onto it, along the line to ``entrance``."""
     rise = entrance[:, 2] - start[:, 2]
     passed = ((z - start[:, 2]) / rise).clip(0)
     return start + passed[:, None] * (entrance - start)
 
 
 def rim_places(rows: int, columns: int) -> Cells:
-    """Point indices of the border of a grid in row-major order, as `rim` has its points."""
+    """Point indices of the border of a grid in row-major order, ordered as in `rim`."""
     index = np.arange(rows * columns, dtype=float).reshape(rows, columns)
     return rim(index).astype(np.int64)
 
 
 def rim(points: Array) -> Array:
-    """The border of a grid of points (m, n, 3) all around, the first of them again at the end."""
+    """Border of a grid of points (m, n, 3), closed."""
     around = [points[:-1, 0], points[-1, :-1], points[:0:-1, -1], points[0, ::-1]]
     return np.concatenate(around)

@@ -1,4 +1,4 @@
-"""What a figure shows, in numbers."""
+"""Numbers behind a figure, as columns of a table."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -16,33 +16,17 @@ _PLAIN = str.maketrans({"²": "^2", "°": "deg", "×": "x", "−": "-", "(": "["
 
 
 class Column(NamedTuple):
-    """Numbers of one kind.
-
-    Attributes
-    ----------
-    name : str
-        What they are, with their unit in brackets.
-    values : ndarray, shape (m,)
-        Not a number where there is none.
-    """
+    """Column of a table: name with unit, values (m,), NaN where there is none."""
 
     name: str
     values: Array
 
 
 def shown_data(figure: "Figure") -> list[Column]:
-    """The numbers behind images and named curves, as far as they lie within the axes.
+    """Return the visible data of a figure's first axes as columns of equal length.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Has one set of axes, perhaps with a colour bar in it. Each artist is named by its label;
-        one without is an ornament.
-
-    Returns
-    -------
-    list of Column
-        All of the same length. Curves with the same places share a column of them.
+    Artists are named by their labels; an artist without a label is left out. Curves with the same x
+    share one column of x.
     """
     axes = figure.axes[0]
     if axes.images:
@@ -63,7 +47,6 @@ def shown_data(figure: "Figure") -> list[Column]:
 
 
 def _image(axes: "Axes", image: Any) -> list[Column]:
-    """Places and values along the rows, from the top."""
     values = np.ma.filled(image.get_array(), 0.0)
     left, right, bottom, top = image.get_extent()
     n_y, n_x = values.shape
@@ -89,5 +72,4 @@ def _filled(values: Array, length: int) -> Array:
 
 
 def _plain(name: str) -> str:
-    """The name of what is not in multiples of a power of ten, as the numbers at its axis may be."""
     return without_power(name).translate(_PLAIN)

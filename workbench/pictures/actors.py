@@ -1,0 +1,152 @@
+"""Actors of the 3D view: point markers, colour bar, receiver."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from matplotlib import colormaps
+from matplotlib.font_manager import findfont
+from pyvista import Color
+from vtkmodules.vtkCommonCore import VTK_FONT_FILE, vtkLookupTable
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+
+from workbench.arrays import Array
+from workbench.pictures import meshes
+from workbench.pictures.images import LIGHT, full_scale, to_colours
+from workbench.powers import power_of, with_power
+from workbench.scene import AnyReceiver, Element, WantedImage
+
+_COLOURS, _LABELS = 256, 5
+# Position and size, in parts of the picture.
+_PLACE, _WIDTH, _HEIGHT = (0.3, 0.02), 0.4, 0.1
+_FONT = 12
+_FONT_FILE = findfont("DejaVu Sans")  # VTK's own fonts lack superscripts: 10⁻⁶ reads 10
+_TEXTURE_PIXELS = 512  # per axis; more than a view shows
+
+
+class PointMarkers:
+    """Point markers of one size in pixels, on a plotter of the caller; none at first."""
+
+    def __init__(self, plotter: Any, size: float, *, round: bool = True) -> None:
+        self._mesh = pv.PolyData(np.zeros((1, 3)))
+        self._actor = plotter.add_mesh(
+            self._mesh,
+            style="points",
+            point_size=size,
+            render_points_as_spheres=round,
+            lighting=False,
+            copy_mesh=False,
+            show_scalar_bar=False,
+            reset_camera=False,
+            render=False,
+        )
+        self.place(np.zeros((0, 3)))
+
+    def place(self, points: Array) -> None:
+        """Move the markers to points (n, 3), scene units."""
+        self._actor.SetVisibility(len(points) > 0)
+        if not len(points):  # VTK takes no empty arrays
+            return
+        self._mesh.points = points
+        if self._mesh.n_verts != len(points):
+            self._mesh.verts = np.insert(np.arange(len(points)), np.arange(len(points)), 1)
+
+    def resize(self, size: float) -> None:
+        """Change the size, in pixels."""
+        self._actor.prop.point_size = size
+
+    def colour(self, colour: str) -> None:
+        """Change the colour."""
+        self._actor.prop.color = colour
+
+
+class ColourScale:
+    """Colour bar at the bottom of a 3D picture; hidden at first."""
+
+    def __init__(self, plotter: Any) -> None:
+        self._table, self._shown = vtkLookupTable(), ""
+        self._bar = vtkScalarBarActor()
+        self._bar.SetLookupTable(self._table)
+        self._bar.SetNumberOfLabels(_LABELS)
+        self._bar.SetLabelFormat("%.3g")
+        self._bar.UnconstrainedFontSizeOn()
+        self._bar.SetOrientationToHorizontal()
+        self._bar.SetPosition(*_PLACE)
+        self._bar.SetWidth(_WIDTH)
+        self._bar.SetHeight(_HEIGHT)
+        self._texts = self._bar.GetTitleTextProperty(), self._bar.GetLabelTextProperty()
+        for text in self._texts:
+            text.SetFontFamily(VTK_FONT_FILE)
+            text.SetFontFile(_FONT_FILE)
+            text.SetFontSize(_FONT)
+            text.ItalicOff()
+            text.BoldOff()
+            text.ShadowOff()
+        self._bar.VisibilityOff()
+        self._bar.PickableOff()
+        plotter.add_actor(self._bar, reset_camera=False, render=False, pickable=False)
+
+    def show(self, scale: tuple[str, float, float, str] | None, title: str) -> None:
+        """Show a scale (colour map, lowest and highest value, unit), or hide the bar."""
+        self._bar.SetVisibility(scale is not None)
+        if scale is None:
+            return
+        name, low, high, unit = scale
+        power = power_of(low, high)
+        self._table.SetTableRange(low / 10.0**power, high / 10.0**power)
+        if name != self._shown:
+            self._table.SetNumberOfTableValues(_COLOURS)
+            for number in range(_COLOURS):
+                self._table.SetTableValue(number, *colormaps[name](number))
+            self._shown = name
+        named = f"{title} ({unit})" if title else unit
+        self._bar.SetTitle(f"{with_power(named, power)}\n")
+
+    def recolour(self, ink: str) -> None:
+        """Change the colour of the text."""
+        for text in self._texts:
+            text.SetColor(Color(ink).float_rgb)
+
+
+class LitReceiver:
+    """A receiver in the 3D view, textured with its irradiance, with a ``frame`` around it.
+
+    ``add`` is `LensPicture._add`.
+    """
+
+    def __init__(
+        self, add: Callable[..., Any], receiver: AnyReceiver, optic: Element, wanted: WantedImage
+    ) -> None:
+        self._wanted = wanted
+        corners = receiver.outline(optic)
+        count = len(corners)
+        plane = pv.PolyData(corners.reshape(-1, 3), faces=meshes.quads(count, count))
+        # Texture rows count upwards in VTK: the last row of an image lies at its origin.
+        steps = np.linspace(0, 1, count)
+        plane.active_texture_coordinates = np.stack(
+            np.meshgrid(steps, steps, indexing="ij"), axis=-1
+        ).reshape(-1, 2)
+        self._texels = pv.ImageData()
+        self._texture = pv.Texture()
+        self._texture.SetInputDataObject(self._texels)
+        n_x, n_y = receiver.pixels
+        self.paint(np.zeros((n_y, n_x)))
+        add(plane, body=True, texture=self._texture, lighting=False)
+        # Slightly larger than the plane, which would hide parts of the frame.
+        around = meshes.rim(receiver.outline(optic, 1.004))
+        rim = pv.PolyData(around, lines=[len(around), *range(len(around))])
+        self.frame = add(rim, line_width=1.5, lighting=False)
+
+    def paint(self, irradiance: Array, colours: str = LIGHT) -> None:
+        """Show an irradiance (n_y, n_x) in one of the colour maps `UNSIGNED`."""
+        n_y, n_x = irradiance.shape
+        thin = (slice(None, None, -(-n // _TEXTURE_PIXELS)) for n in (n_y, n_x))
+        shown = irradiance[tuple(thin)]
+        scene = self._wanted.scene
+        top = full_scale(scene, self._wanted.target, scene.receiver.total(irradiance))
+        texels = to_colours(shown, top, colours)[::-1]
+        self._texels.dimensions = (texels.shape[1], texels.shape[0], 1)
+        self._texels.point_data["colour"] = texels.reshape(-1, 3)
+        self._texels.point_data.active_scalars_name = "colour"
+        self._texels.Modified()

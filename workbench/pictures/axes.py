@@ -1,0 +1,280 @@
+"""Matplotlib axes of pictures: maps, colour bars, tick labels, colours of the frame."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.colors import Colormap, LinearSegmentedColormap, to_rgb
+from matplotlib.figure import Figure
+from matplotlib.ticker import Formatter, MaxNLocator, ScalarFormatter
+
+from workbench.arrays import Array
+from workbench.powers import power_of, with_power, written
+
+if TYPE_CHECKING:
+    from workbench.scene import Scene
+
+Direction = Literal["x", "y"]
+_MOST_DECIMALS = 12
+_SLACK = 1e-4  # rounding of tick labels, in parts of the axis
+SIGNED = "RdBu_r"
+"""Colour map of signed values."""
+UNSIGNED = ("inferno", "viridis", "cividis", "gray")
+"""Colour maps of values from zero on, perceptually uniform, readable without red and green."""
+_FONT = 8
+_DIGITS = 3  # of a coordinate
+_ZERO = 1e-4  # of a rectangle, less than a pixel of it
+_ROUNDING = 1e-9  # relative to the values
+_SHOWN_PART = 0.995  # of all values; a few at an edge must not hide the rest
+_ON_DARK = "signed on "  # prefix of a signed colour map's name, before the background
+_BELOW, _ABOVE = "#6fb7ff", "#ff8f73"  # ends of that colour map, equally bright
+
+
+class UpdatedPicture:
+    """A picture on axes of the caller that is drawn once and then updated.
+
+    ``update`` returns whether more than ``artists`` changed, so that the whole figure has to be
+    redrawn. The caller may blit ``artists``.
+    """
+
+    artists: list[Artist]
+
+
+class TickLabels(Formatter):
+    """Tick labels of a linear scale, as multiples of the scale's power of ten.
+
+    A scale that ends at 0.00005 would have labels of seven digits. The axis label gives a power of
+    ten instead, as in "height (10⁻⁶ mm)", and the ticks run from 0 to 50.
+    """
+
+    power = 0
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        """Format one number."""
+        return self.format_ticks([x])[0]
+
+    def format_ticks(self, values: Sequence[float]) -> list[str]:
+        """Format numbers with one count of decimals."""
+        low, high = self.axis.get_view_interval()  # type: ignore[union-attr]
+        ten = 10.0**self.power
+        numbers, slack = np.asarray(values) / ten, _SLACK * abs(high - low) / ten
+        fits = (n for n in range(_MOST_DECIMALS) if _rounding(numbers, n) <= slack)
+        decimals = next(fits, _MOST_DECIMALS)
+        rounded = numbers.round(decimals) + 0.0  # for zeros that would be written as -0
+        return [self.fix_minus(f"{number:.{decimals}f}") for number in rounded]
+
+
+def set_tick_labels(axes: "Axes", direction: Direction) -> None:
+    """Set such tick labels on an axis, also for later limits; label the axis before."""
+    axis = getattr(axes, f"{direction}axis")
+    axis.set_major_formatter(TickLabels())
+    axes.callbacks.connect(f"{direction}lim_changed", lambda _: _update_power(axis))
+    _update_power(axis)
+
+
+def set_bar_labels(bar: Any) -> None:
+    """Set such tick labels on a vertical colour bar."""
+    bar.formatter = TickLabels()
+    bar.ax.callbacks.connect("ylim_changed", lambda _: _update_power(bar.ax.yaxis))
+    _update_power(bar.ax.yaxis)
+
+
+def _rounding(numbers: Array, decimals: int) -> float:
+    return float(np.abs(numbers.round(decimals) - numbers).max(initial=0.0))
+
+
+def _update_power(axis: Any) -> None:
+    if isinstance(axis.get_major_formatter(), ScalarFormatter):  # a bar gets it with another norm
+        axis.set_major_formatter(TickLabels())
+    formatter, power = axis.get_major_formatter(), 0
+    if isinstance(formatter, TickLabels):
+        formatter.power = power = power_of(*axis.get_view_interval())
+    axis.set_label_text(with_power(axis.get_label_text(), power))
+
+
+class Extent(NamedTuple):
+    """Rectangle of a map: bounds (left, right, bottom, top), their unit, names of both axes."""
+
+    bounds: tuple[float, float, float, float]
+    unit: str
+    axes: tuple[str, str] = ("x", "y")
+
+    @classmethod
+    def around(cls, half_width: tuple[float, float], unit: str) -> Self:
+        """Rectangle about the optical axis."""
+        r_x, r_y = half_width
+        return cls((-r_x, r_x, -r_y, r_y), unit)
+
+    @classmethod
+    def of_receiver(cls, scene: "Scene") -> Self:
+        """Rectangle of a scene's receiver, in the receiver's coordinates."""
+        receiver = scene.receiver
+        return cls(receiver.bounds, receiver.measure.sign_in(scene.unit), receiver.axes)
+
+    def label(self, axis: int) -> str:
+        """Label of an axis: 0 to the right, 1 upwards."""
+        return f"{self.axes[axis]} ({self.unit})"
+
+    def in_words(self, axis: int, value: float) -> str:
+        """One coordinate of a point, as in "x = 0.4 cm"."""
+        return f"{self.axes[axis]} = {written(self._settled(axis, value), self.unit, _DIGITS)}"
+
+    def number(self, axis: int, value: float) -> str:
+        """One coordinate without name and unit."""
+        return written(self._settled(axis, value), digits=_DIGITS)
+
+    def _settled(self, axis: int, value: float) -> float:
+        low, high = self.bounds[2 * axis : 2 * axis + 2]
+        return 0.0 if abs(value) < _ZERO * (high - low) else value
+
+
+def map_image(
+    axes: "Axes", name: str, extent: Extent, count: tuple[int, int], colours: str | Colormap
+) -> Any:
+    """Draw an image of zeros with labelled axes and return it.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Empty axes.
+    name : str
+        Quantity.
+    extent : Extent
+        Rectangle.
+    count : tuple[int, int]
+        Numbers of values along x and y.
+    colours : str or Colormap
+        Colour map.
+
+    Returns
+    -------
+    matplotlib.image.AxesImage
+        Its data have shape (n_y, n_x) with row 0 at +y.
+    """
+    image = axes.imshow(
+        np.zeros(count[::-1]),
+        cmap=colours,
+        extent=extent.bounds,
+        origin="upper",
+        interpolation="nearest",
+        label=name,
+    )
+    axes.set_xlabel(extent.label(0), fontsize=_FONT, labelpad=2)
+    axes.set_ylabel(extent.label(1), fontsize=_FONT, labelpad=2)
+    axes.tick_params(labelsize=_FONT)
+    set_round_ticks(axes)
+    return image
+
+
+def constant_value(values: Array, size: float) -> float | None:
+    """Return the value of a map that is constant up to rounding; None for other maps.
+
+    NaN is ignored. ``size`` is the typical magnitude of such values: differences far below it are
+    rounding.
+    """
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    if high - low > _ROUNDING * max(size, abs(low), abs(high)):
+        return None
+    middle = (low + high) / 2
+    return 0.0 if abs(middle) <= _ROUNDING * size else middle
+
+
+def show_constant(image: Any, value: float, unit: str) -> None:
+    """Show one value everywhere, with a colour bar that names only this value."""
+    image.set_data(np.full(image.get_array().shape, value))
+    image.set_clim(*sorted((0.0, 2 * value)) if value else (0.0, 1.0))
+    bar = colour_bar(image.axes, image, f"{unit}, constant", "neither")
+    power = power_of(value, value)
+    bar.set_ticks([value], labels=[f"{value / 10.0**power:.6g}"])
+    bar.set_label(with_power(f"{unit}, constant", power))
+
+
+def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
+    """Draw and return the colour bar of an image, labelled by the unit of its values."""
+    # Beside the image itself, not beside the slot that the image may not fill.
+    beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
+    bar = axes.figure.colorbar(image, cax=beside, extend=extend)
+    bar.set_label(unit, fontsize=_FONT)
+    bar.ax.tick_params(labelsize=_FONT)
+    set_bar_labels(bar)
+    bar.outline.set_linewidth(0.6)
+    return bar
+
+
+def set_round_ticks(axes: "Axes") -> None:
+    """Set round ticks on both axes, as many as fit; label the axes before."""
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 5, 10], min_n_ticks=2))
+    set_tick_labels(axes, "x")
+    set_tick_labels(axes, "y")
+
+
+def round_scale(largest: float) -> float:
+    """Return the next of ... 0.1, 0.2, 0.5, 1, 2, 5 ... that is not below ``largest``."""
+    if not largest > 0:
+        return 1.0
+    decade = 10.0 ** math.floor(math.log10(largest))
+    return next(step * decade for step in (1, 2, 5, 10, 20) if step * decade >= largest)
+
+
+def stable_scale(values: Array, scale: float) -> float:
+    """Return a round upper end of a scale for magnitudes of values.
+
+    The present ``scale`` stays unless magnitudes exceed it or fill less than a third of it.
+    """
+    largest = float(np.nanquantile(np.abs(values), _SHOWN_PART))
+    return scale if 0 < scale / 3 <= largest <= scale else round_scale(largest)
+
+
+def pixel_at(
+    bounds: tuple[float, float, float, float], shape: tuple[int, ...], x: float, y: float
+) -> tuple[int, int] | None:
+    """Row and column of the pixel at a point of an image; None outside."""
+    (left, right, bottom, top), (n_y, n_x) = bounds, shape
+    column = math.floor((x - left) / (right - left) * n_x)
+    row = math.floor((top - y) / (top - bottom) * n_y)
+    return (row, column) if 0 <= row < n_y and 0 <= column < n_x else None
+
+
+def paint(figure: Figure, ink: str, paper: str) -> None:
+    """Recolour everything but the data; on a dark ground, signed colour maps are dark at zero."""
+    figure.set_facecolor(paper)
+    for axes in figure.findobj(Axes):
+        _paint_axes(axes, ink, paper)
+
+
+def _paint_axes(axes: Axes, ink: str, paper: str) -> None:
+    axes.set_facecolor(paper)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.label.set_color(ink)
+        axis.offsetText.set_color(ink)
+        axis.set_tick_params(which="both", color=ink, labelcolor=ink)
+    for text in (axes.title, *axes.texts):
+        text.set_color(ink)
+        box = text.get_bbox_patch()
+        if box is not None:
+            box.set_facecolor(paper)
+    for image in axes.images:
+        before = image.get_cmap()
+        if before.name == SIGNED or before.name.startswith(_ON_DARK):
+            colours = _signed_on(paper)
+            if colours.name != before.name:
+                red, green, blue, alpha = before.get_bad().tolist()
+                image.set_cmap(colours.with_extremes(bad=(red, green, blue, alpha)))
+    for spine in axes.spines.values():
+        spine.set_edgecolor(ink)
+    legend = axes.get_legend()
+    if legend is not None and legend.get_frame_on():  # one without a frame has curves' colours
+        legend.get_frame().set(facecolor=paper, edgecolor=paper)
+        for text in legend.get_texts():
+            text.set_color(ink)
+
+
+def _signed_on(paper: str) -> Colormap:
+    if sum(to_rgb(paper)) > 1.5:
+        return colormaps[SIGNED]
+    return LinearSegmentedColormap.from_list(_ON_DARK + paper, [_BELOW, paper, _ABOVE])
