@@ -13,7 +13,7 @@ from workbench.design.task import begin
 from workbench.report.figures import region_rows
 from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
 
-SCREEN = Screen(z=5.0, half_width=(2.0, 1.0), pixels=(40, 20))
+SCREEN = Screen(position=(0.0, 0.0, 5.0), half_width=(2.0, 1.0), pixels=(40, 20))
 
 
 def ramp(receiver):

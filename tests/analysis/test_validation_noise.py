@@ -64,7 +64,7 @@ class TestOtherDistances:
     def test_as_if_the_screen_stood_there(self, lens):
         scene, target, heights = lens
         there = validate(scene, target, {"exit": heights}, 10_000, screen_z=7.5)
-        moved = scene.with_receiver(scene.receiver.model_copy(update={"z": 7.5}))
+        moved = scene.with_receiver(scene.receiver.moved_to(7.5))
         assert np.array_equal(
             there.irradiance, validate(moved, target, {"exit": heights}, 10_000).irradiance
         )

@@ -139,7 +139,7 @@ class TestDone:
         freeform("design", scene_file, "-o", out)
         designed = read_session(out)
         heights = designed.result.state.heights["exit"]
-        screen = designed.scene.receiver.model_copy(update={"z": designed.scene.receiver.z + 0.5})
+        screen = designed.scene.receiver.moved_to(designed.scene.receiver.z + 0.5)
         moved = designed.with_scene(designed.scene.with_receiver(screen), designed.target)
         write_session(moved, out)
         assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0

@@ -137,8 +137,8 @@ class TestValidate:
         """The figures are printed, and the check fails: random rays meet another glass."""
 
         def in_denser_glass(scene, *others):
-            denser = scene.optic.altered(refractive_index=1.7)
-            return Trace(scene.altered(lens=denser), *others)
+            denser = scene.optic.model_copy(update={"material": CustomIndex(index=1.7)})
+            return Trace(scene.with_optic(denser), *others)
 
         monkeypatch.setattr("workbench.analysis.validation.Trace", in_denser_glass)
         status, stdout, stderr = freeform("validate", lens, "--rays", 100_000, "--json")

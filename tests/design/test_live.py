@@ -52,7 +52,7 @@ class Spy:
 
 
 def moved(session, z):
-    screen = session.scene.receiver.model_copy(update={"z": z})
+    screen = session.scene.receiver.moved_to(z)
     scene = session.scene.with_receiver(screen)
     return session.with_scene(scene, session.target)
 

@@ -180,7 +180,7 @@ def test_a_session_of_one_image_has_its_light_alone(make_scene, tmp_path):
     shot = next(run(session.scene, session.target))
     session = Session(session.scene, session.target, Result(shot.state, np.array([1.0]), 1.0))
     first, second = session.of_image(0), session.of_image(1)
-    np.testing.assert_array_equal(second.target, session.scene.further_images[0].wanted)
+    np.testing.assert_array_equal(second.target, session.scene.images[1].wanted)
     np.testing.assert_array_equal(second.result.state.irradiance, shot.state.further[0].irradiance)
     assert second.result.state.loss == pytest.approx(shot.state.further[0].loss, rel=1e-5)
     weighted = (relative_error(first.result.state, first.target) ** 2) + 2 * (

@@ -187,12 +187,12 @@ class TestWithScene:
         assert found.view is session.view
 
     def test_locks_stay_with_their_control_points(self, session):
-        screen = session.scene.receiver.model_copy(update={"z": 6.0})
+        screen = session.scene.receiver.moved_to(6.0)
         scene = session.scene.with_receiver(screen)
         found = session.with_scene(scene, session.target)
         assert found.result is None
         assert found.locked is session.locked
-        lens = scene.optic.model_copy(update={"degree": (3, 2)})
+        lens = scene.optic.shaped(degree=(3, 2))
         scene = scene.with_optic(lens)
         assert session.with_scene(scene, session.target).locked == NO_LOCKS
 

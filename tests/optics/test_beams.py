@@ -244,7 +244,7 @@ def test_neighbours_of_totally_reflected_light_land_alike(make_scene, rng, sourc
     scene = make_scene({"source": source, "lens.control_points": [9, 8]})
     if far:
         field = FarField(half_angle=(40.0, 30.0), pixels=(20, 16))
-        scene = scene.altered(screen=None, far_field=field)
+        scene = scene.with_receiver(field)
     wild = torch.tensor(scene.optic.base.height + 0.2 * rng.standard_normal((9, 8)))
     found = []
     for plan in tracers(scene, dtype=torch.float64):

@@ -90,7 +90,7 @@ def test_the_same_seed_repeats_and_another_draw_differs(lens, sampling):
 
 
 def path_of(source, lens):
-    screen = Screen(z=5.0, half_width=(1.0, 1.0), pixels=(8, 8))
+    screen = Screen(position=(0.0, 0.0, 5.0), half_width=(1.0, 1.0), pixels=(8, 8))
     scene = Scene.model_construct(lens=lens, source=source, screen=screen, run=AutoRun())
     return Path.of(scene, ControlNet.of(lens), torch.float64)
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.optics.landing import image_at
 from workbench.scene import BoxFilter, GaussianFilter, Screen
 
-SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))  # pixels of 0.5 x 0.5
+SCREEN = Screen(position=(0.0, 0.0, 5.0), half_width=(3.0, 2.0), pixels=(12, 8))  # pixels of 0.5 x 0.5
 FILTERS = [
     BoxFilter(),
     GaussianFilter(size=(1, 1)),
@@ -35,7 +35,7 @@ def test_every_rays_weight_is_conserved(filter, dtype, rng):
     weight = torch.as_tensor(rng.random(4000), dtype=dtype)
     image = image_at(x, y, weight, SCREEN, filter)
     # The same pixels in the middle of so many that all light falls on some.
-    wide = Screen(z=5.0, half_width=(33.0, 22.0), pixels=(132, 88))
+    wide = Screen(position=(0.0, 0.0, 5.0), half_width=(33.0, 22.0), pixels=(132, 88))
     flux = image_at(x, y, weight, wide, filter)
     assert image.shape == (8, 12)
     assert (flux >= 0).all()
@@ -109,6 +109,6 @@ def test_a_million_rays_in_one_pixel_are_all_counted():
     rays = 2**20
     weight = torch.full((rays,), 1.1 / rays)  # of which float32 would lose several per cent
     at = torch.zeros(rays)
-    screen = Screen(z=5.0, half_width=(1.0, 1.0), pixels=(1, 1))
+    screen = Screen(position=(0.0, 0.0, 5.0), half_width=(1.0, 1.0), pixels=(1, 1))
     image = image_at(at, at, weight, screen, BoxFilter())
     assert image.item() == pytest.approx(float(weight.sum(dtype=torch.float64)), rel=1e-6)

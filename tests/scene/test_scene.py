@@ -210,7 +210,7 @@ def test_spherical_bases_follow_their_formula(form, sign):
 
 
 def test_image_rows_run_down_from_plus_y():
-    screen = Screen(z=5.0, half_width=(2.0, 1.0), pixels=(8, 4))
+    screen = Screen(position=(0.0, 0.0, 5.0), half_width=(2.0, 1.0), pixels=(8, 4))
     assert screen.to_pixels(-2.0, 1.0) == (0, 0)
     assert screen.to_pixels(2.0, -1.0) == (8, 4)
     assert screen.to_pixels(0.25, 0.25) == (4.5, 1.5)
@@ -226,7 +226,7 @@ def test_a_scene_cannot_be_changed(make_scene):
 @pytest.mark.parametrize(
     "receiver",
     [
-        Screen(z=5, half_width=(1.0, 2.0), pixels=(10, 40)),
+        Screen(position=(0.0, 0.0, 5), half_width=(1.0, 2.0), pixels=(10, 40)),
         FarField(half_angle=(10.0, 20.0), pixels=(10, 40)),
     ],
 )

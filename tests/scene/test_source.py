@@ -7,7 +7,7 @@ from workbench.scene import GridSource
 
 
 def grid(points, half_width=(2.0, 1.0)):
-    return GridSource(kind="grid", center=(1.0, 0.0, -3.0), half_width=half_width, points=points)
+    return GridSource(kind="grid", position=(1.0, 0.0, -3.0), half_width=half_width, points=points)
 
 
 def test_grid_points_reach_the_rim_of_the_source():

@@ -156,7 +156,7 @@ def test_further_images_are_drawn_anew_for_light_that_goes_back(tmp_path):
 
     lens = begin(several("lens"), tmp_path)
     mirror = with_task(lens, several("mirror"), tmp_path)
-    before, after = (each.scene.further_images[0].wanted for each in (lens, mirror))
+    before, after = (each.scene.images[1].wanted for each in (lens, mirror))
     np.testing.assert_array_equal(after, before[:, ::-1])
 
 

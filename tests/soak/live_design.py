@@ -94,7 +94,7 @@ class Desk:
         """Move the screen; when that was."""
         began = time.perf_counter()
         scene = self.document.session.scene
-        screen = scene.receiver.model_copy(update={"z": z})
+        screen = scene.receiver.moved_to(z)
         self.document.edit(scene.with_receiver(screen), "move the screen", key)
         return began
 

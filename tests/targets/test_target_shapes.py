@@ -26,7 +26,7 @@ SHAPES = [
 
 
 def screen(pixels=(64, 64), half_width=(1.0, 1.0)):
-    return Screen(z=5.0, half_width=half_width, pixels=pixels)
+    return Screen(position=(0.0, 0.0, 5.0), half_width=half_width, pixels=pixels)
 
 
 @pytest.mark.parametrize("pixels", [(1, 1), (7, 5), (40, 64), (256, 256)])

@@ -189,7 +189,7 @@ class ConicFace(Part):
 
     model_config = ConfigDict(title="Conic")
 
-    shape: Literal["conic"]
+    shape: Literal["conic"] = "conic"
     designed: ClassVar[bool] = False
     height_range: ClassVar = None
 
@@ -267,7 +267,7 @@ class SplineFace(Part):
 
     model_config = ConfigDict(title="B-spline")
 
-    shape: Literal["bspline"]
+    shape: Literal["bspline"] = "bspline"
     degree: Annotated[
         tuple[Degree, Degree],
         about(

@@ -40,7 +40,7 @@ class FarField(AnyReceiver):
     at_distance = False
     facets = 24
 
-    kind: Literal["far_field"]
+    kind: Literal["far_field"] = "far_field"
     half_angle: Annotated[
         tuple[_HalfAngle, _HalfAngle],
         ANGLE,

@@ -43,7 +43,7 @@ class Screen(AnyReceiver):
     at_distance = True
     facets = 1
 
-    kind: Literal["plane"]
+    kind: Literal["plane"] = "plane"
     position: Annotated[
         Place,
         LENGTH,

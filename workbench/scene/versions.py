@@ -313,8 +313,12 @@ def _old_path(path: str, data: Data) -> str:
         path, done = re.subn(f"^{re.escape(new)}(?![A-Za-z_])", old, path)
         if done:
             break
-    if _centred(data.get("source")):
-        path = re.sub(r"^source\.position", "source.center", path)
+    run = data.get("run")
+    stages = run.get("stages") or [] if isinstance(run, dict) else []
+    sources = {f"run.stages[{k}].source": stage.get("source") for k, stage in enumerate(stages)}
+    for where, source in (sources | {"source": data.get("source")}).items():
+        if _centred(source) and path.startswith(f"{where}.position"):
+            path = path.replace(f"{where}.position", f"{where}.center")
     return path
 
 

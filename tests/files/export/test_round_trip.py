@@ -41,7 +41,7 @@ def design(make_scene, tmp_path):
 
 def fitted(scene, spline, shape):
     """A lens of another net through a spline, and its control heights."""
-    lens = scene.optic.model_copy(update={"control_points": shape})
+    lens = scene.optic.shaped(control_points=shape)
     net = ControlNet.of(lens)
     (x, y), (p, q) = net.positions, net.degree
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]

@@ -16,8 +16,8 @@ from workbench.optics.surfaces import BSplineSurface
 
 
 def lens(scene, seed=3):
-    noise = np.random.default_rng(seed).normal(size=scene.lens.net_shape)
-    return torch.tensor(scene.lens.base.height + 0.01 * noise)
+    noise = np.random.default_rng(seed).normal(size=scene.optic.net_shape)
+    return torch.tensor(scene.optic.base.height + 0.01 * noise)
 
 
 @pytest.fixture

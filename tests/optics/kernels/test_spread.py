@@ -22,7 +22,7 @@ from workbench.optics.kernels.taps import fill_taps, make_taps
 from workbench.optics.receivers import PlaneReceiver
 from workbench.scene import BoxFilter, GaussianFilter, Screen
 
-SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))
+SCREEN = Screen(position=(0.0, 0.0, 5.0), half_width=(3.0, 2.0), pixels=(12, 8))
 KINDS = [np.float32, np.float64]
 FILTERS = [
     BoxFilter(),

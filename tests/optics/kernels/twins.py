@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 def lens(scene, seed, amplitude):
     """Heights that are wild from an amplitude of 0.3 on: folds, total reflection, stray light."""
-    noise = np.random.default_rng(seed).normal(size=scene.lens.net_shape)
-    return torch.tensor(scene.lens.base.height + amplitude * noise)
+    noise = np.random.default_rng(seed).normal(size=scene.optic.net_shape)
+    return torch.tensor(scene.optic.base.height + amplitude * noise)
 
 
 def account(light):

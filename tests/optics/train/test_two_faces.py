@@ -32,14 +32,14 @@ from workbench.scene import Scene
 def two_faces(scene, origins, cells, dtype=torch.float64):
     """The path of a scene with a B-spline in place of its flat entrance face."""
     flat = Path.of(scene, ControlNet.of(scene.lens), dtype)
-    net = ControlNet((5, 6), (3, 2), scene.lens.half_width)
+    net = ControlNet((5, 6), (3, 2), scene.optic.half_width)
     surface = BSplineSurface(
-        "entrance", net, flat.datum, dtype, outline=flat.outline, level=scene.lens.entrance_z
+        "entrance", net, flat.datum, dtype, outline=flat.outline, level=scene.optic.entrance_z
     )
     law, _ = TransmittanceLaw.of(scene.lens)
     front = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
     emitter, steps = Light(origins, Corners(*cells)), (front, flat.steps[1])
-    front_z = scene.lens.entrance_z - 0.007  # the aperture
+    front_z = scene.optic.entrance_z - 0.007  # the aperture
     given = flat.receiver, flat.datum, flat.outline, 0, dtype
     return Path(emitter, steps, *given, front_z=front_z)
 
