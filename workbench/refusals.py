@@ -31,6 +31,7 @@ SENTENCES = {
     "unknown_kind": "{input} is not available; allowed: {expected}",
     "too_long": "{actual_length} values given; exactly {max_length} are needed",
     "auto_net": "{input}: two whole numbers or 'auto' are needed",
+    "material": "{input} is neither a name nor an index above 1",
 }
 """What is wrong, by pydantic's error type; {x} are the values pydantic reports with it."""
 
@@ -77,7 +78,7 @@ def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[st
         annotations = [
             c.model_fields[step].annotation for c in candidates if step in c.model_fields
         ]
-        candidates = [m for a in annotations for m in _models(a)]
+        candidates = list(dict.fromkeys(m for a in annotations for m in _models(a)))
     return path, fields
 
 

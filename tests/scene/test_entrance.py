@@ -7,20 +7,19 @@ from tests.scene.test_further_image import SECOND
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import PlaneFace, SplineFace, Scene
+from workbench.scene import PlaneFace, Scene, SplineFace
 
 FREEFORM = {"shape": "freeform"}
 
 
-def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene):
+def test_a_lens_has_a_plane_entrance_face(make_scene):
     scene = make_scene()
     assert scene.optic.entrance == PlaneFace()
-    assert "entrance" not in scene.to_data()["lens"]
     assert list(freeform_nets(scene.optic)) == ["exit"]
     assert scene.optic.entrance_range == (0.0, 0.0)
 
 
-def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
+def test_a_freeform_entrance_face_comes_back(make_scene):
     given = {"shape": "freeform", "control_points": [7, 9], "degree": [2, 4]}
     scene = make_scene({"lens.entrance": {**given, "height_range": [-0.1, 0.2]}})
     assert Scene.from_json(scene.to_json()) == scene

@@ -4,7 +4,17 @@ from typing import Annotated
 
 import pytest
 
-from workbench.scene import LENGTH, CollimatedSource, GridSource, Kinds, Lens, PointSource, Scene
+from workbench.scene import (
+    LENGTH,
+    CollimatedSource,
+    GridSource,
+    Image,
+    Kinds,
+    Lens,
+    PointSource,
+    Scene,
+    SplineFace,
+)
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.run import Stage
@@ -52,14 +62,15 @@ def test_the_schema_says_what_the_fields_say(part):
 
 
 def test_a_field_states_its_limits():
-    limits = {field.name: field.limits for field in (*Lens.fields(), *Stage.fields())}
+    parts = Lens, SplineFace, Stage
+    limits = {field.name: field.limits for part in parts for field in part.fields()}
     assert limits["degree"] == "From 1 to 7."
     assert limits["iterations"] == "From 1 to 1000000."
-    assert limits["entrance_z"] == limits["half_width"] == ""
+    assert limits["thickness"] == limits["half_width"] == ""
 
 
 def test_fields_of_a_kind_come_before_those_of_all_kinds():
-    (target,) = (field for field in Scene.fields() if field.name == "target")
+    (target,) = (field for field in Image.fields() if field.name == "target")
     names = [field.name for field in target.parts[1].fields()]
     assert names == ["builtin", "radius", "padding", "blur", "invert", "viewed_from"]
 
@@ -105,4 +116,4 @@ def test_a_source_that_is_new_stands_in_front_of_its_lens(make_scene):
     )
     kinds = next(field for field in Scene.fields() if field.name == "source").mark(Kinds)
     grid = kinds.exchanged(scene.source, GridSource, scene)
-    assert (grid.center, grid.half_width) == ((0, 0, -11), (1, 0.5))
+    assert (grid.position, grid.half_width) == ((0, 0, -11), (1, 0.5))

@@ -26,22 +26,14 @@ def refused(changes):
     return str(found.value)
 
 
-def test_a_scene_of_several_images_is_written_as_version_2_and_read_back(several):
+def test_a_scene_of_several_images_is_written_and_read_back(several):
     data = several.to_data()
-    assert data["version"] == 2
-    assert data["further_images"][0]["weight"] == 2.0
+    assert [image["weight"] for image in data["images"]] == [1.0, 2.0]
     assert Scene.from_data(data) == several
 
 
-def test_a_scene_of_one_image_is_written_as_before(make_scene):
-    scene = make_scene()
-    assert "further_images" not in scene.to_data()
-    assert scene.to_data()["version"] == 1
-    assert "further_images" not in make_scene({"lens.entrance": {"shape": "freeform"}}).to_data()
-
-
 def test_all_lengths_of_further_images_are_converted(several):
-    screen = several.in_unit("mm").further_images[0].screen
+    screen = several.in_unit("mm").images[1].receiver
     assert screen.z == pytest.approx(60)
     assert screen.half_width == pytest.approx((15, 10))
 
@@ -52,9 +44,8 @@ def test_each_image_is_a_scene_of_its_own(several):
     assert first.target == several.target
     assert second.receiver == several.images[1].receiver
     assert second.target == several.images[1].target
-    assert not first.further_images
-    assert not second.further_images
-    assert second.optic is several.optic
+    assert len(first.images) == len(second.images) == 1
+    assert second.optic == several.optic
 
 
 def test_a_scene_of_one_image_is_its_only_one(make_scene):
@@ -109,7 +100,7 @@ def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
 
 
 def test_a_target_that_was_not_drawn_is_refused(several):
-    with pytest.raises(Refused, match=r"further_images\[0\].target: has yet to be drawn"):
+    with pytest.raises(Refused, match=r"images\[1\].target: has yet to be drawn"):
         several.wanted(np.ones((32, 32)))
 
 
@@ -124,7 +115,7 @@ def test_a_drawn_target_stays_through_conversions_and_edits_beside_it(several, t
 def test_another_target_is_drawn_anew_and_makes_another_task(several, tmp_path):
     session = begin(several, tmp_path)
     data = several.to_data()
-    data["further_images"][0]["target"]["invert"] = True
+    data["images"][1]["target"]["invert"] = True
     edited = with_task(session, Scene.from_data(data), tmp_path)
     assert edited.scene != session.scene
     before, after = (s.scene.images[1].wanted for s in (session, edited))

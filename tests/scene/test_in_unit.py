@@ -46,17 +46,17 @@ def test_every_length_is_converted_and_nothing_else():
     converted = {path for path, value in leaves(before.to_data()) if found[path] != value}
     assert converted == {
         "unit",
-        *(f"lens.half_width[{axis}]" for axis in (0, 1)),
-        "lens.entrance_z",
-        "lens.base.height",
-        "lens.base.radius",
-        *(f"lens.height_range[{end}]" for end in (0, 1)),
-        "lens.min_thickness",
+        *(f"elements[0].half_width[{axis}]" for axis in (0, 1)),
+        "elements[0].position[2]",
+        "elements[0].thickness",
+        "elements[0].faces[1].base.radius",
+        *(f"elements[0].faces[1].height_range[{end}]" for end in (0, 1)),
+        "elements[0].min_thickness",
         *(f"source.position[{axis}]" for axis in (0, 1, 2)),
-        *(f"run.stages[0].source.center[{axis}]" for axis in (1, 2)),  # the first one is 0
+        *(f"run.stages[0].source.position[{axis}]" for axis in (1, 2)),  # the first one is 0
         *(f"run.stages[0].source.half_width[{axis}]" for axis in (0, 1)),
-        "screen.z",
-        *(f"screen.half_width[{axis}]" for axis in (0, 1)),
+        "images[0].receiver.position[2]",
+        *(f"images[0].receiver.half_width[{axis}]" for axis in (0, 1)),
         "run.min_radius",
         "run.min_tool_radius",
     }

@@ -57,7 +57,7 @@ def test_files_are_named_by_their_fields_and_can_be_renamed(make_scene):
     names = dict(scene.files())
     assert names == {
         "source.file": "lamp.ies",
-        "target.image": "a.png",
+        "images[0].target.image": "a.png",
         "run.stages[0].source.file": "other.ldt",
     }
     moved = scene.with_files({field: f"/there/{name}" for field, name in names.items()})

@@ -23,12 +23,6 @@ def test_regions_are_written_as_they_are_read():
     assert scene.to_data()["regions"][0] == DESK
 
 
-def test_a_scene_without_regions_is_written_without_that_field():
-    assert "regions" not in Scene.from_data(changed({})).to_data()
-    two_faces = changed({"lens.entrance": {"shape": "freeform"}})
-    assert "regions" not in Scene.from_data(two_faces).to_data()
-
-
 def test_another_unit_leaves_regions_where_they_are():
     scene = with_regions(DESK)
     assert scene.in_unit("mm").regions == scene.regions

@@ -1,6 +1,5 @@
 """The scene file: what it may leave out, what is refused and how that is said."""
 
-import json
 import math
 
 import numpy as np
@@ -12,7 +11,7 @@ from workbench.scene import (
     FarField,
     FlatBase,
     GaussianFilter,
-    Lens,
+    PlacedBase,
     Scene,
     Screen,
     SphereBase,
@@ -35,7 +34,7 @@ def test_only_the_starred_fields_are_needed():
         }
     )
     assert scene.optic.degree == (3, 3)
-    assert scene.optic.base == FlatBase(height=1.0)
+    assert scene.optic.base == PlacedBase(FlatBase(), 1.0)
     assert scene.filter == GaussianFilter()
     assert scene.run == AutoRun()
 
@@ -148,7 +147,7 @@ REFUSED = [
     ("target", {}, "target.image: missing; it is required"),
     ("run", {"method": "best"}, "run.method: 'best' is not available; allowed: 'auto', 'paper'"),
     ("run.seed", -1, "run.seed: -1 is too small; at least 0"),
-    ("version", 3, "version: 3 is not available; allowed: 1 or 2"),
+    ("version", 4, "version: 4 is not available; allowed: 1, 2 or 3"),
     ("unit", "foot", "unit: 'foot' is not available; allowed: 'mm', 'cm', 'm' or 'inch'"),
 ]
 
@@ -183,13 +182,13 @@ def test_data_that_are_no_scene_are_refused_in_one_sentence(text):
     assert "\n" not in str(refused.value)
 
 
-def test_a_material_gives_its_index(scene_data):
-    lens = scene_data["lens"] | {"refractive_index": "N-BK7", "wavelength_um": 0.5876}
-    assert Lens.model_validate_json(json.dumps(lens)).index == pytest.approx(1.5168, abs=1e-4)
+def test_a_material_gives_its_index(make_scene):
+    glass = {"lens.refractive_index": "N-BK7", "lens.wavelength_um": 0.5876}
+    assert make_scene(glass).optic.index == pytest.approx(1.5168, abs=1e-4)
     with pytest.raises(Refused, match=r"lens\.wavelength_um: 9 is outside the data for N-BK7"):
-        Lens.model_validate_json(json.dumps(lens | {"wavelength_um": 9.0}))
+        make_scene(glass | {"lens.wavelength_um": 9.0})
     with pytest.raises(Refused, match=r"lens\.refractive_index: 'butter' is not in the catalogue"):
-        Lens.model_validate_json(json.dumps(lens | {"refractive_index": "butter"}))
+        make_scene(glass | {"lens.refractive_index": "butter"})
 
 
 @pytest.mark.parametrize("value", ["x" * 10**6, [1.5] * 10**6])
@@ -201,7 +200,7 @@ def test_a_sentence_quotes_the_beginning_of_what_is_long(make_scene, value):
 
 @pytest.mark.parametrize(("form", "sign"), [("concave", 1), ("convex", -1)])
 def test_spherical_bases_follow_their_formula(form, sign):
-    base = SphereBase(height=0.5, radius=8.0, form=form)
+    base = PlacedBase(SphereBase(radius=8.0, form=form), 0.5)
     x, y = np.array([0.0, 0.3, -1.0]), np.array([0.0, -0.2, 1.0])
     sphere = 0.5 + sign * (8 - np.sqrt(64 - x**2 - y**2))
     assert base.height_at(x, y) == pytest.approx(sphere, abs=1e-14)

@@ -4,7 +4,14 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr
+from pydantic import (
+    Field,
+    PrivateAttr,
+    ValidationError,
+    ValidatorFunctionWrapHandler,
+    field_validator,
+)
+from pydantic_core import PydanticCustomError
 
 from workbench import materials
 from workbench.arrays import Array
@@ -99,7 +106,7 @@ class Lens(Element):
         about("Material", "What the lens is made of: a catalogue material, or a custom index."),
     ]
     thickness: Annotated[
-        NonNegative,
+        float,
         LENGTH,
         about("Thickness", "From the vertex of the front face to the vertex of the back face."),
     ]
@@ -107,6 +114,15 @@ class Lens(Element):
         tuple[Face, Face],
         about("Faces", "Front face and back face, in the order in which light meets them."),
     ]
+    @field_validator("material", mode="wrap")
+    @classmethod
+    def _name_or_index(cls, value: Any, read: ValidatorFunctionWrapHandler) -> Any:
+        # One error, not one for each member of the union.
+        try:
+            return read(value)
+        except ValidationError:
+            raise PydanticCustomError("material", "neither a name nor an index above 1") from None
+
     _wavelength: float = PrivateAttr(default=DEFAULT_WAVELENGTH)
 
     absorption: Annotated[

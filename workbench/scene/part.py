@@ -69,7 +69,7 @@ class Part(BaseModel):
         """Fields that name files, as paths from this part, and the names."""
         for field in self.fields():
             value = getattr(self, field.name)
-            if field.mark(NamesFile):
+            if field.mark(NamesFile) and value is not None:
                 yield field.name, value
             for index, part in _parts_in(value):
                 yield from ((f"{field.name}{index}.{path}", name) for path, name in part.files())

@@ -204,7 +204,7 @@ class Screen(AnyReceiver):
                 Said(
                     "{tilt} turns the back of the screen to light of the {optic}; its "
                     "front has to face all of the {optic}",
-                    tilt=list(self.tilt),
+                    tilt="[{}]".format(", ".join(f"{angle:g}" for angle in self.tilt)),
                     optic=optic.called,
                 ),
             )

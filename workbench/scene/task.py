@@ -169,8 +169,13 @@ class Scene(Part):
         designed = [number for number, element in enumerate(self.elements) if element.designed]
         if not designed:
             raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
-        with refused_within(f"elements[{designed[0]}]"):
-            self.elements[designed[0]].lit(self.source.wavelength).check_element()
+        optic = self.elements[designed[0]].lit(self.source.wavelength)
+        try:
+            optic.check_element()
+        except Refused as refused:
+            if refused.path.startswith("source."):  # a wavelength beyond the data of a material
+                raise
+            raise Refused(f"elements[{designed[0]}].{refused.path}", refused.reason) from None
 
     @property
     def designed_number(self) -> int:

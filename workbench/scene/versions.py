@@ -40,6 +40,7 @@ _KEPT_OF_LENS = [
     "reflection",
 ]
 _KEPT_OF_MIRROR = ["half_width", "outline", "reflectance", "thickness"]
+_MOST_FURTHER = 8
 _KEPT_OF_FACE = ["control_points", "degree", "height_range"]
 
 
@@ -98,7 +99,11 @@ def upgraded(data: Data, version: int) -> Data:
     if source is not None:
         new["source"] = source
     images = [_image("", data, {})]
-    for number, further in enumerate(_list("further_images", data.get("further_images", []))):
+    others = _list("further_images", data.get("further_images", []))
+    if len(others) > _MOST_FURTHER:
+        many = Said("{count} are given; at most {most}", count=len(others), most=_MOST_FURTHER)
+        raise Refused("further_images", many)
+    for number, further in enumerate(others):
         path = f"further_images[{number}]"
         kept = {k: v for k, v in _object(path, further).items() if k == "weight"}
         _check_known(path, further, "screen far_field target weight")
@@ -137,6 +142,9 @@ def _lens(lens: Data, version: int) -> tuple[Data, Any]:
                     value=shown(material),
                 ),
             )
+        if not isinstance(material, str) and not 1 < material < float("inf"):
+            reason = Said("{value}; a number greater than 1 is needed", value=shown(material))
+            raise Refused("lens.refractive_index", reason)
         element["material"] = material if isinstance(material, str) else {"index": material}
     return element, wavelength
 
@@ -157,9 +165,10 @@ def _face(path: str, optic: Data) -> tuple[Any, Data]:
     height = None
     if optic.get("base") is not None:
         base = dict(_object(f"{path}.base", optic["base"]))
-        if "height" not in base:
+        if "height" in base:
+            height = _number(f"{path}.base.height", base.pop("height"))
+        elif base.get("shape", "flat") in ("flat", "sphere"):
             raise Refused(f"{path}.base.height", Said(SENTENCES["missing"]))
-        height = _number(f"{path}.base.height", base.pop("height"))
         face["base"] = base
     return height, face | {"shape": "bspline"}
 
@@ -319,7 +328,7 @@ def _old_path(path: str, data: Data) -> str:
     for where, source in (sources | {"source": data.get("source")}).items():
         if _centred(source) and path.startswith(f"{where}.position"):
             path = path.replace(f"{where}.position", f"{where}.center")
-    return path
+    return path.removeprefix(".")
 
 
 def _paths(data: Data) -> Iterator[tuple[str, str]]:
@@ -344,6 +353,5 @@ def _paths(data: Data) -> Iterator[tuple[str, str]]:
         yield f"{new}.receiver.position[2]", f"{old}{kind}.z"
         yield f"{new}.receiver.position", f"{old}{kind}.center"
         yield f"{new}.receiver", f"{old}{kind}"
-        yield f"{new}.", old
         yield new, old.removesuffix(".")
     yield "images", "further_images"

@@ -60,7 +60,7 @@ def _plane(screen: Screen, onwards: int) -> Array:
 
     Those of its middle are half of all.
     """
-    turned = Rotation.from_rotvec([*screen.tilt, 0.0], degrees=True).as_matrix().T
+    turned = Rotation.from_euler("XYZ", screen.tilt, degrees=True).as_matrix().T
     (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
     per_length = turned[0] * (n_x / (2 * r_x)), -turned[1] * (n_y / (2 * r_y))
     return np.array([[*screen.center, screen.z], onwards * turned[2], *per_length])

@@ -4,5 +4,5 @@ from scipy.spatial.transform import Rotation
 
 
 def file_axes(degrees: tuple[float, float, float]) -> Rotation:
-    """The turn about x, then about y, then about z: from the axes of a file to the scene's."""
-    return Rotation.from_euler("xyz", degrees, degrees=True)
+    """Return the rotation about x, new y and new z that takes axes of a file to those of the scene."""
+    return Rotation.from_euler("XYZ", degrees, degrees=True)
