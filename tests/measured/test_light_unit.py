@@ -16,7 +16,7 @@ from workbench.design.session import Session
 from workbench.design.snapshot import Result
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
-from workbench.measured.light_unit import IN_PARTS, light_unit
+from workbench.measured.lamps import IN_PARTS, light_unit
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.pictures.images import shown_error

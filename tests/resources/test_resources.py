@@ -14,7 +14,7 @@ from resources import drawings, make_resources
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
 from workbench.files.session import open_design
-from workbench.measured.rays.read import read_rays
+from workbench.measured.rays import read_rays
 from workbench.scene import Scene
 from workbench.scene.viewing import as_viewed, viewed_from
 from workbench.targets import load_target

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from workbench.arrays import Array
-from workbench.measured.light_unit import IN_PARTS, LightUnit
+from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.said import Said
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.coverage import coverage

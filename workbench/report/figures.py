@@ -13,7 +13,7 @@ from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation_figures import Validation
 from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
-from workbench.measured.light_unit import IN_PARTS, LightUnit
+from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.powers import written
 from workbench.report.content import Fact

@@ -20,7 +20,7 @@ from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
 from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.pictures import report as pictures
 from workbench.powers import written
 from workbench.report.content import Fact, PagePicture, Report, Section

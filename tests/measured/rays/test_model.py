@@ -7,7 +7,7 @@ from tests.lamps import led
 from tests.measured.rays.files import text
 from workbench.errors import Refused
 from workbench.measured.lamps import of_known_size, placed_rays, ray_model
-from workbench.measured.rays.model import _off
+from workbench.measured.rays.model import _misplaced_flux
 from workbench.scene import Scene
 
 
@@ -118,7 +118,9 @@ def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
     radiance[:, half:] *= 2
     one_sided = model._replace(radiance=radiance)
     crossing = np.column_stack([x, y])[come]
-    assert _off(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(0.5, abs=0.08)
+    assert _misplaced_flux(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(
+        0.5, abs=0.08
+    )
 
 
 def test_intensity_of_points_is_that_of_an_even_emitter(scene):
