@@ -9,10 +9,9 @@ from PIL import Image, ImageCms
 
 from workbench.errors import Refused
 from workbench.targets import draw_target
-from workbench.targets.colour import luminance_weights
+from workbench.targets.colour import LINEAR, SRGB, luminance_weights
 from workbench.targets.image import read_picture
 from workbench.targets.picture import Picture
-from workbench.targets.tone import LINEAR, SRGB
 
 D65 = 0.3127, 0.3290
 SRGB_PRIMARIES = (0.64, 0.33), (0.30, 0.60), (0.15, 0.06)

@@ -6,8 +6,8 @@ import pytest
 
 from tests.targets.damaged import check_damaged
 from workbench.errors import Refused
+from workbench.targets.colour import SRGB
 from workbench.targets.image import read_picture
-from workbench.targets.tone import SRGB
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from PIL import Image
 from workbench.errors import Refused
 from workbench.scene import Scene
 from workbench.targets import load_target
-from workbench.targets.tone import SRGB
+from workbench.targets.colour import SRGB
 
 F = np.array(
     [

@@ -5,8 +5,8 @@ import pytest
 
 from tests.targets.damaged import check_damaged
 from workbench.errors import Refused
+from workbench.targets.colour import SRGB
 from workbench.targets.image import read_picture
-from workbench.targets.tone import SRGB
 
 HEAD = "#?RADIANCE\n# made here\nFORMAT=32-bit_rle_{}\nEXPOSURE=2\n{}\n{}\n"
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])

@@ -8,9 +8,9 @@ import pytest
 from PIL import Image, ImageOps
 
 from workbench.errors import Refused
+from workbench.targets.colour import SRGB
 from workbench.targets.image import read_picture
 from workbench.targets.picture import LARGEST_SIDE
-from workbench.targets.tone import SRGB
 
 
 def read_image(path, *options, **tone):

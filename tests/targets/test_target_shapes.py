@@ -11,7 +11,7 @@ from workbench.scene import (
     TextTarget,
     TopHatTarget,
 )
-from workbench.targets.coverage import coverage
+from workbench.targets.raster import coverage
 from workbench.targets.shapes import ball, draw, flame, top_hat
 from workbench.targets.text import picture_of_text
 
