@@ -5,9 +5,9 @@ import pytest
 
 from workbench.analysis.cut_lens import tracing_cut
 from workbench.errors import Refused
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 
@@ -18,7 +18,7 @@ def scene(make_scene):
 
 def raster_of(scene, heights, radius, scallop):
     face = CutFace(freeform_nets(scene.optic)["exit"], heights, outline_of(scene.optic))
-    return finished(face.rastering(radius, scallop, 10**6))
+    return finished(face.plan_raster(radius, scallop, 10**6))
 
 
 def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):

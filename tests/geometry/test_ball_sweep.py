@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.ball_sweep import BallSweep
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))  # in cm: 1e-4 is a micrometre
@@ -50,7 +50,7 @@ def places(rng, count):
 @pytest.mark.parametrize("name", FACES)
 def test_the_cut_is_that_of_the_lowest_of_all_balls(name, radius, scallop, rng):
     """Balls of 3 are much larger than the hollows of waves."""
-    raster = finished(face_of(FACES[name]).rastering(radius, max(scallop, 0.01 * radius), 10**6))
+    raster = finished(face_of(FACES[name]).plan_raster(radius, max(scallop, 0.01 * radius), 10**6))
     x, y = places(rng, 30)
     found, expected = raster.cut_at(x, y), each_ball(raster, x, y)
     assert (found <= expected + 1e-12).all()
@@ -61,7 +61,7 @@ def test_the_cut_is_that_of_the_lowest_of_all_balls(name, radius, scallop, rng):
 @pytest.mark.parametrize("name", FACES)
 def test_no_ball_cuts_into_the_face(name, radius, rng):
     face = face_of(FACES[name])
-    raster = finished(face.rastering(radius, 0.1 * radius, 10**6))
+    raster = finished(face.plan_raster(radius, 0.1 * radius, 10**6))
     t = np.linspace(-1, 1, 401)
     x, y = np.meshgrid(t, 0.8 * t, indexing="ij")
     z = face.net.at(x, y, face.heights)[0]

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline, NdBSpline
 
-from workbench.geometry.bounds import derivative_range
+from workbench.geometry.curvature import derivative_range
 from workbench.geometry.surface import ControlNet
 
 NETS = [((9, 7), (3, 3)), ((6, 8), (1, 2)), ((12, 9), (7, 4)), ((4, 4), (3, 3)), ((5, 2), (2, 1))]

@@ -1,9 +1,8 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.basis import basis_matrix
+from workbench.geometry.basis import basis_matrix, greville
 from workbench.geometry.curvature import local_shape
-from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
 
 HALF = (1.0, 0.8)

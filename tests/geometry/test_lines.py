@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.lines import nearest_to_line
+from workbench.pictures.projection import nearest_to_line
 
 
 def test_distances_are_square_to_the_line(rng):

@@ -6,8 +6,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
-from workbench.geometry.basis import basis_matrix, local_basis
-from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
+from workbench.geometry.basis import (
+    basis_matrix,
+    clamped_knots,
+    greville,
+    insertion_matrix,
+    local_basis,
+)
 
 DEGREES = range(1, 8)
 

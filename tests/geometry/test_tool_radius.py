@@ -5,7 +5,7 @@ import pytest
 
 from tests.analysis.test_manufacture import ball, lens_of
 from workbench.analysis.manufacture import manufacture
-from workbench.geometry.tool_radius import GridFace, blocked_radius
+from workbench.geometry.ball_cutter import GridFace, blocked_radius
 
 RADIUS = 4.0
 

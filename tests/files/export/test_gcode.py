@@ -9,9 +9,9 @@ import pytest
 from workbench.errors import Refused
 from workbench.files.export.cutting import Cutting
 from workbench.files.export.gcode import planning, write_gcode
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
@@ -34,7 +34,7 @@ def waves(x, y):
 
 def test_a_plane_is_left_with_ridges_of_the_stated_height():
     face = face_of(lambda x, y: 0 * x + 0 * y)
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
     assert raster.tip == pytest.approx(0, abs=1e-15)
     apart = raster.y[1] - raster.y[0]
     ridge = RADIUS - math.sqrt(RADIUS**2 - (apart / 2) ** 2)
@@ -48,14 +48,14 @@ def test_a_plane_is_left_with_ridges_of_the_stated_height():
 @pytest.mark.parametrize("height", [bowl, waves, lambda x, y: 0.5 * x - 0.3 * y])
 def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sign):
     face = face_of(lambda x, y: sign * height(x, y))
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
-    cut_off, left, _ = finished(face.left(raster))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
+    cut_off, left, _ = finished(face.cut_errors(raster))
     assert cut_off < 0.02 * SCALLOP
     assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
 
 
 def test_a_raster_is_found_in_steps_that_can_be_left():
-    parts = list(face_of(waves).rastering(RADIUS, 5e-5, 10**6))
+    parts = list(face_of(waves).plan_raster(RADIUS, 5e-5, 10**6))
     assert parts == sorted(parts) and parts[-1] == 1
     assert len(parts) > 8
 
@@ -63,7 +63,7 @@ def test_a_raster_is_found_in_steps_that_can_be_left():
 def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
     """Beside a plane of slope m, a ball's tip is R (√(1 + m²) − 1) above it."""
     face = face_of(lambda x, y: 0.75 * x + 0 * y)
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
     inside_x, inside_y = np.abs(raster.x) < 1 - RADIUS, np.abs(raster.y) < 0.8
     above = (raster.tip - 0.75 * raster.x[:, None])[inside_x][:, inside_y]
     assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
@@ -71,20 +71,20 @@ def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
 
 def test_ridges_are_higher_where_those_asked_for_take_too_many_moves():
     face = face_of(waves)
-    assert face.finest(RADIUS, SCALLOP, 10**6) == SCALLOP
-    higher = face.finest(RADIUS, SCALLOP, 1_000)
+    assert face.finest_scallop(RADIUS, SCALLOP, 10**6) == SCALLOP
+    higher = face.finest_scallop(RADIUS, SCALLOP, 1_000)
     assert SCALLOP < higher < RADIUS
-    raster = finished(face.rastering(RADIUS, higher, 1_000))
+    raster = finished(face.plan_raster(RADIUS, higher, 1_000))
     assert 700 < raster.tip.size <= 1_000
     with pytest.raises(Refused, match="a larger one"):
-        finished(face.rastering(RADIUS, SCALLOP, 1_000))
+        finished(face.plan_raster(RADIUS, SCALLOP, 1_000))
 
 
 @pytest.mark.parametrize("height", [bowl, waves])
 def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
     face = face_of(height)
     x, y = rng.uniform(-0.7, 0.7, (2, 500))
-    _, normal = finished(face.rastering(RADIUS, 1e-4, 10**6)).cut(x, y)
+    _, normal = finished(face.plan_raster(RADIUS, 1e-4, 10**6)).cut(x, y)
     np.testing.assert_allclose(np.linalg.norm(normal, axis=1), 1)
     step = 1e-5
     slopes = [
@@ -97,7 +97,7 @@ def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
 
 def test_a_cutter_that_is_too_large_leaves_more_than_ridges():
     face = face_of(waves)
-    cut_off, left, _ = finished(face.left(finished(face.rastering(3.0, SCALLOP, 10**6))))
+    cut_off, left, _ = finished(face.cut_errors(finished(face.plan_raster(3.0, SCALLOP, 10**6))))
     assert max(cut_off, left) > SCALLOP
 
 
@@ -291,8 +291,8 @@ def test_the_cutter_that_is_chosen_fits_rough_faces(degree, seed):
     net = ControlNet((16, 13), (degree, degree), (1.0, 0.8))
     heights = 0.02 * np.random.default_rng(seed).normal(size=net.shape)
     face = CutFace(net, heights, Rectangle(net.half_width))
-    raster = finished(face.rastering(face.fitting_radius, SCALLOP, 10**6))
-    cut_off, left, place = finished(face.left(raster))
+    raster = finished(face.plan_raster(face.default_radius, SCALLOP, 10**6))
+    cut_off, left, place = finished(face.cut_errors(raster))
     assert cut_off < 1e-4 * SCALLOP
     assert 0.1 * SCALLOP < left < 1.1 * SCALLOP
     assert face.outline.contains(*place)
