@@ -25,7 +25,7 @@ from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.report.content import Fact, PagePicture, Report, Section
-from workbench.report.pdf import write_pdf
+from workbench.report.write import write_pdf
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -274,7 +274,7 @@ def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkey
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("workbench.report.html.to_png", full)
+    monkeypatch.setattr("workbench.report.write.to_png", full)
     status, _, stderr = freeform("report", lens, old, *RAYS)
     assert status == 2
     assert "No space left on device" in stderr

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.sweep.store import Store
+from workbench.sweep.sweep import Store
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 FEW = ("--validate-rays", 10_000)
@@ -30,7 +30,7 @@ def folder(tmp_path):
 @pytest.fixture
 def here(monkeypatch):
     """Works in this process."""
-    from workbench.sweep.work import attempt
+    from workbench.sweep.processes import attempt
 
     class Here:
         def __enter__(self):

@@ -1,6 +1,6 @@
 """In which fields two scenes differ."""
 
-from workbench.report.differences import differences
+from workbench.report.scene_rows import differences
 
 
 def test_scenes_differ_where_their_values_do(make_scene):

@@ -15,12 +15,9 @@ from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.interruption import Interrupted, interrupted_when
 from workbench.sweep.cluster import Cluster
-from workbench.sweep.points import key_of, points
-from workbench.sweep.processes import Processes
-from workbench.sweep.store import Store
-from workbench.sweep.sweep import sweep
-from workbench.sweep.vary import Variation
-from workbench.sweep.work import DesignTask, Done, Failed, attempt
+from workbench.sweep.points import Variation, key_of, points
+from workbench.sweep.processes import DesignTask, Done, Failed, Processes, attempt
+from workbench.sweep.sweep import Store, sweep
 
 RAYS = 10_000
 CHECK = {

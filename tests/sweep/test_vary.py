@@ -2,7 +2,7 @@ import pytest
 
 from workbench.errors import Refused
 from workbench.scene import Scene
-from workbench.sweep.vary import Variation, shown, varied
+from workbench.sweep.points import Variation, shown, varied
 
 
 @pytest.mark.parametrize(

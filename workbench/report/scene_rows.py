@@ -1,4 +1,4 @@
-"""All fields of a scene with their units."""
+"""All fields of a scene with their units, and the fields in which two scenes differ."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -8,20 +8,11 @@ from workbench.scene import FieldDescription, Part, Scene
 from workbench.scene.fields import Since, Version
 
 _FILE = {"format", "version"}
+_NONE = "–"
 
 
 class FieldRow(NamedTuple):
-    """A field of a scene that has a value.
-
-    Attributes
-    ----------
-    path : str
-        As files and refusals name it.
-    title : str
-        As forms name it, with the titles of the parts that it is in.
-    value : str
-        With its unit.
-    """
+    """A field with a value: its path as in files, its title with those of its parts."""
 
     path: str
     title: str
@@ -29,20 +20,16 @@ class FieldRow(NamedTuple):
 
 
 def scene_rows(scene: Scene) -> tuple[Fact, ...]:
-    """A row for each field that has a value, those of a kind before those of all kinds.
-
-    Fields that the scene's file leaves out, as its version does not know them, have none.
-    """
+    """Return a row for each field that has a value and that the scene's file version has."""
     return tuple(Fact(row.path, row.value) for row in field_rows(scene, scene.needed_version))
 
 
 def field_rows(scene: Scene, version: Version) -> Iterator[FieldRow]:
-    """A row for each field of a scene that has a value and that files of a version know."""
+    """Yield a row for each field that has a value and exists in files of a version."""
     return _rows(scene, "", "", scene, version)
 
 
 def _rows(part: Part, path: str, title: str, scene: Scene, version: Version) -> Iterator[FieldRow]:
-    """Rows of a part, as deep as there are names."""
     remarks = part.remarks()
     for field in part.fields():
         since = field.mark(Since)
@@ -71,3 +58,39 @@ def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+class Difference(NamedTuple):
+    """A field whose values in two scenes differ; a dash stands for a missing value."""
+
+    title: str
+    values: tuple[str, str]
+
+
+def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
+    """Return the fields in which two scenes differ, lengths in the unit of the first.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.scene import read_scene
+    >>> scene = read_scene(path("examples", "tophat.json"))
+    >>> other = scene.altered(screen=scene.screen.altered(z=6.0))
+    >>> differences(scene, other)
+    (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
+    """
+    version = max(one.needed_version, other.needed_version)
+    found = [
+        {row.path: row for row in field_rows(scene, version)}
+        for scene in (one, other.in_unit(one.unit))
+    ]
+    if other.unit != one.unit:
+        found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)
+    differ = []
+    for path in found[0] | found[1]:
+        first, second = (rows.get(path) for rows in found)
+        before, after = (row.value if row else _NONE for row in (first, second))
+        if before != after:
+            title = (first or found[1][path]).title
+            differ.append(Difference(title, (before, after)))
+    return tuple(differ)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from workbench.files.session import read_session
 from workbench.interruption import check_interruption
-from workbench.sweep.work import Failed, attempt
+from workbench.sweep.processes import Failed, attempt
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
