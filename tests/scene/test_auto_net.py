@@ -5,7 +5,7 @@ import json
 import pytest
 
 from workbench.errors import Refused
-from workbench.scene import AutoNet, Lens, Scene
+from workbench.scene import AutoNet, Scene
 
 
 def test_auto_is_read_and_written_as_version_2(make_scene):
@@ -16,14 +16,6 @@ def test_auto_is_read_and_written_as_version_2(make_scene):
     assert Scene.from_data(data) == Scene.from_data(scene.to_data())
 
 
-def test_a_scene_with_numbers_stays_version_1(make_scene, scene_data):
-    assert make_scene().to_data()["version"] == 1
-    lens = scene_data["lens"] | {"reflection": "schlick"}
-    again = Scene.from_data(scene_data | {"version": 2, "lens": lens})
-    assert again.to_data()["version"] == 1
-    assert again.optic.control_points == (12, 10)
-
-
 def test_files_do_not_hold_what_was_chosen(make_scene):
     chosen = make_scene({"lens.control_points": "auto"}).with_net((48, 40))
     assert chosen.optic.net_shape == (48, 40)
@@ -31,22 +23,11 @@ def test_files_do_not_hold_what_was_chosen(make_scene):
     assert chosen.with_net(None).optic.known_shape is None
 
 
-def test_numbers_are_no_choice_that_could_be_changed(make_scene):
-    scene = make_scene()
-    assert scene.with_net((48, 40)) is scene
-
-
 def test_settled_scenes_have_the_numbers_that_were_chosen(make_scene):
     scene = make_scene({"lens.control_points": "auto"})
     settled = scene.with_net((48, 40)).settled()
     assert settled == make_scene({"lens.control_points": [48, 40]})
     assert settled.to_data()["version"] == 1
-
-
-def test_a_net_that_is_not_chosen_yet_has_no_numbers(make_scene):
-    lens = make_scene({"lens.control_points": "auto"}).optic
-    with pytest.raises(Refused, match=r"lens\.control_points: 'auto' needs a target"):
-        _ = lens.net_shape
 
 
 @pytest.mark.parametrize(
@@ -62,32 +43,3 @@ def test_other_values_are_refused(make_scene, value, message):
     with pytest.raises(Refused) as refused:
         make_scene({"lens.control_points": value})
     assert str(refused.value).startswith(message)
-
-
-def test_a_choice_is_checked_against_the_degree(make_scene):
-    scene = make_scene({"lens.control_points": "auto", "lens.degree": [7, 3]})
-    with pytest.raises(Refused, match="6 is too few for degree 7"):
-        scene.with_net((6, 6))
-
-
-def test_a_mesh_is_checked_with_the_chosen_net(make_scene):
-    mesh = {"method": "mesh", "subdivisions": [16, 16]}
-    source = {"kind": "point", "position": [0, 0, -5], "intersection": mesh}
-    scene = make_scene({"lens.control_points": "auto", "source": source})
-    with pytest.raises(Refused, match=r"source\.intersection\.subdivisions"):
-        scene.with_net((1024, 1024))
-
-
-def test_the_schema_allows_numbers_and_auto():
-    said = Lens.model_json_schema()["properties"]["control_points"]
-    numbers, auto = said["anyOf"]
-    assert auto == {"const": "auto"} and numbers["maxItems"] == 2
-    (field,) = (field for field in Lens.fields() if field.name == "control_points")
-    assert field.auto and not field.optional and field.count == 2
-    assert field.limits == "From 2 to 1024."
-
-
-def test_the_lens_remarks_what_was_chosen(make_scene):
-    scene = make_scene({"lens.control_points": "auto"})
-    assert "control_points" not in scene.optic.remarks()
-    assert scene.with_net((48, 40)).optic.remarks()["control_points"] == "48 × 40"

@@ -35,23 +35,3 @@ def test_the_sun_is_as_wide_on_the_screen_as_its_angle_says(make_scene):
     scene = make_scene({"source": SUN})
     width = math.radians(0.533) * (5 - 0.8)
     assert scene.source.blur(scene.optic, scene.receiver) == pytest.approx((width, width))
-
-
-def test_light_is_its_own_mirror_image_where_it_is_not_tilted(make_scene):
-    assert source(make_scene, **SUN).mirrored == (True, True)
-    assert source(make_scene, direction=[5.0, 0.0]).mirrored == (True, False)
-    assert source(make_scene, direction=[0.0, 5.0]).mirrored == (False, True)
-
-
-def test_the_sharp_source_comes_from_the_middle_of_the_disc(make_scene):
-    sun = source(make_scene, direction=[5.0, 1.0], angular_diameter=0.5)
-    assert sun.continuous and not sun.sharp.continuous
-    assert sun.sharp.direction == sun.direction
-
-
-def test_new_light_needs_version_2(make_scene):
-    assert make_scene().needed_version == 1
-    for fields in (SUN, {"direction": [1.0, 0.0]}, {"profile": {"kind": "gaussian", "radius": 1}}):
-        scene = make_scene({"source": {"kind": "collimated"} | fields})
-        assert scene.needed_version == 2
-        assert type(scene).from_json(scene.to_json()) == scene

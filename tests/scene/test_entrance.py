@@ -1,33 +1,13 @@
 """The entrance face of a lens: flat, or a second B-spline whose room is known beforehand."""
 
-import numpy as np
 import pytest
 
-from tests.scene.test_further_image import SECOND
-from workbench.design.limits import HeightLimits, bounded, undesigned
+from workbench.design.limits import HeightLimits, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import FlatEntrance, FreeformEntrance, Scene
+from workbench.scene import FreeformEntrance
 
 FREEFORM = {"shape": "freeform"}
-
-
-def test_a_lens_has_a_flat_entrance_face_that_version_1_does_not_name(make_scene):
-    scene = make_scene()
-    assert scene.optic.entrance == FlatEntrance()
-    assert scene.needed_version == 1
-    assert "entrance" not in scene.to_data()["lens"]
-    assert list(freeform_nets(scene.optic)) == ["exit"]
-    assert scene.optic.entrance_range == (0.0, 0.0)
-
-
-def test_a_freeform_entrance_face_needs_version_2_and_comes_back(make_scene):
-    given = {"shape": "freeform", "control_points": [7, 9], "degree": [2, 4]}
-    scene = make_scene({"lens.entrance": {**given, "height_range": [-0.1, 0.2]}})
-    assert scene.needed_version == 2
-    assert Scene.from_json(scene.to_json()) == scene
-    net = freeform_nets(scene.optic)["entrance"]
-    assert (net.shape, net.degree, net.half_width) == ((7, 9), (2, 4), (1.0, 1.0))
 
 
 def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
@@ -63,26 +43,6 @@ def test_an_automatic_entrance_face_shares_the_glass_with_the_exit_face(make_sce
     assert lens.floor == pytest.approx(room + 0.05)
 
 
-def test_an_automatic_entrance_face_rises_by_no_more_than_half_the_way_from_the_source(make_scene):
-    near = {"source": {"kind": "point", "position": [0, 0, -0.2]}}
-    automatic = bounded(make_scene({"lens.entrance": FREEFORM, **near}))
-    assert automatic.entrance_range == pytest.approx((0.0, 0.1))
-    assert automatic.floor == pytest.approx(0.1 + 0.05)
-    own = {**FREEFORM, "height_range": [-0.1, 0.3]}
-    assert bounded(make_scene({"lens.entrance": own, **near})).entrance_range == (-0.1, 0.3)
-
-
-def test_an_automatic_entrance_face_has_half_of_thick_glass_for_several_images(make_scene):
-    thick = {"lens.entrance": FREEFORM, "lens.height_range": None, "lens.base.height": 1.05}
-    assert bounded(make_scene(thick)).entrance_range == pytest.approx((0.0, 0.25))
-    several = bounded(make_scene({**thick, "further_images": [SECOND]}))
-    assert several.entrance_range == pytest.approx((0.0, 0.5))
-    assert several.floor == pytest.approx(0.5 + 0.05)
-    near = {"source": {"kind": "point", "position": [0, 0, -0.8]}}
-    near_range = bounded(make_scene({**thick, **near, "further_images": [SECOND]})).entrance_range
-    assert near_range == pytest.approx((0.0, 0.4))
-
-
 @pytest.mark.parametrize("entrance", [FREEFORM, {**FREEFORM, "height_range": [-0.2, 0.3]}])
 def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entrance):
     lens = make_scene({"lens.entrance": entrance}).optic
@@ -90,11 +50,6 @@ def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entra
     assert limits["exit"].lower.min() - limits["entrance"].upper.max() >= 0.05 - 1e-15
     heights = undesigned(lens)
     assert all(limits[face].hold(each) for face, each in heights.items())
-
-
-def test_an_undesigned_entrance_face_is_in_the_middle_of_its_own_range(make_scene):
-    lens = make_scene({"lens.entrance": {**FREEFORM, "height_range": [-0.2, 0.1]}}).optic
-    np.testing.assert_allclose(undesigned(lens)["entrance"], -0.05)
 
 
 @pytest.mark.parametrize(

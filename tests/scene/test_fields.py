@@ -4,10 +4,9 @@ from typing import Annotated
 
 import pytest
 
-from workbench.scene import LENGTH, CollimatedSource, GridSource, Kinds, Lens, PointSource, Scene
+from workbench.scene import LENGTH, CollimatedSource, GridSource, Kinds, PointSource, Scene
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part, Positive
-from workbench.scene.run import Stage
 
 
 def parts(part=Scene):
@@ -51,19 +50,6 @@ def test_the_schema_says_what_the_fields_say(part):
             assert said["unit"] == words
 
 
-def test_a_field_states_its_limits():
-    limits = {field.name: field.limits for field in (*Lens.fields(), *Stage.fields())}
-    assert limits["degree"] == "From 1 to 7."
-    assert limits["iterations"] == "From 1 to 1000000."
-    assert limits["entrance_z"] == limits["half_width"] == ""
-
-
-def test_fields_of_a_kind_come_before_those_of_all_kinds():
-    (target,) = (field for field in Scene.fields() if field.name == "target")
-    names = [field.name for field in target.parts[1].fields()]
-    assert names == ["builtin", "radius", "padding", "blur", "invert", "viewed_from"]
-
-
 def test_a_new_field_is_converted_and_described():
     class Holder(Part):
         ledge: Annotated[
@@ -78,13 +64,6 @@ def test_a_new_field_is_converted_and_described():
     ledge, torque = Holder.fields()
     assert (ledge.title, ledge.number, ledge.count) == ("Ledge", float, 2)
     assert (ledge.measure.sign_in("mm"), torque.measure.sign_in("mm")) == ("mm", "N·m")
-
-
-@pytest.mark.parametrize(
-    ("power", "sign"), [(1, "mm"), (2, "mm²"), (-1, "mm⁻¹")], ids=["length", "area", "per length"]
-)
-def test_a_measure_is_a_power_of_the_unit(power, sign):
-    assert Measure(power=power).sign_in("mm") == sign
 
 
 GRID = {"kind": "grid", "center": [0, 1, -3], "half_width": [0.3, 0.2], "points": [2, 3]}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import changed
-from workbench.design.task import begin, with_file, with_task
+from workbench.design.task import begin, with_task
 from workbench.errors import Refused
 from workbench.scene import Scene
 
@@ -33,13 +33,6 @@ def test_a_scene_of_several_images_is_written_as_version_2_and_read_back(several
     assert Scene.from_data(data) == several
 
 
-def test_a_scene_of_one_image_is_written_as_before(make_scene):
-    scene = make_scene()
-    assert "further_images" not in scene.to_data()
-    assert scene.to_data()["version"] == 1
-    assert "further_images" not in make_scene({"lens.entrance": {"shape": "freeform"}}).to_data()
-
-
 def test_all_lengths_of_further_images_are_converted(several):
     screen = several.in_unit("mm").further_images[0].screen
     assert screen.z == pytest.approx(60)
@@ -55,12 +48,6 @@ def test_each_image_is_a_scene_of_its_own(several):
     assert not first.further_images
     assert not second.further_images
     assert second.optic is several.optic
-
-
-def test_a_scene_of_one_image_is_its_only_one(make_scene):
-    scene = make_scene()
-    assert scene.single == (scene,)
-    assert scene.single[0] is scene
 
 
 @pytest.mark.parametrize(
@@ -87,18 +74,6 @@ def test_an_impossible_image_is_refused_by_its_path(changes, sentence):
     assert refused(changes).startswith(sentence)
 
 
-def test_too_many_images_are_refused():
-    with pytest.raises(Refused, match="further_images: 9 are given; at most 8"):
-        Scene.from_data(changed({"further_images": [SECOND] * 9}))
-
-
-def test_an_image_in_the_far_field_is_possible(make_scene):
-    field = {"far_field": {"half_angle": [20, 20], "pixels": [16, 16]}, "target": SECOND["target"]}
-    scene = make_scene({"further_images": [field]})
-    assert scene.receivers[1].called == "far field"
-    assert scene.in_unit("mm").receivers[1] == scene.receivers[1]
-
-
 def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
     session = begin(several, tmp_path)
     _, second = session.scene.images(session.target)
@@ -108,45 +83,9 @@ def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
     np.testing.assert_array_equal(second.target, alone.target)
 
 
-def test_a_target_that_was_not_drawn_is_refused(several):
-    with pytest.raises(Refused, match=r"further_images\[0\].target: has yet to be drawn"):
-        several.images(np.ones((32, 32)))
-
-
 def test_a_drawn_target_stays_through_conversions_and_edits_beside_it(several, tmp_path):
     session = begin(several, tmp_path)
     drawn = session.scene.further_images[0].wanted
     assert session.in_unit("mm").scene.further_images[0].wanted is drawn
     edited = with_task(session, Scene.from_data(several.to_data() | {"unit": "cm"}), tmp_path)
     assert edited.scene.further_images[0].wanted is drawn
-
-
-def test_another_target_is_drawn_anew_and_makes_another_task(several, tmp_path):
-    session = begin(several, tmp_path)
-    data = several.to_data()
-    data["further_images"][0]["target"]["invert"] = True
-    edited = with_task(session, Scene.from_data(data), tmp_path)
-    assert edited.scene != session.scene
-    before, after = (s.scene.further_images[0].wanted for s in (session, edited))
-    assert not np.array_equal(before, after)
-
-
-def test_an_image_file_is_read_anew_when_asked(make_scene, tmp_path):
-    file = tmp_path / "wanted.npy"
-    np.save(file, np.ones((8, 8)))
-    image = {**SECOND, "target": {"image": str(file)}}
-    session = begin(make_scene({"further_images": [image]}), tmp_path)
-    np.save(file, np.eye(8))
-    kept = with_task(session, session.scene, tmp_path)
-    anew = with_file(session, tmp_path)
-    before, after = (s.scene.further_images[0].wanted for s in (kept, anew))
-    np.testing.assert_array_equal(before, session.scene.further_images[0].wanted)
-    assert not np.array_equal(before, after)
-    assert anew.scene != session.scene
-
-
-def test_all_images_have_the_same_regions(make_scene):
-    scene = make_scene({"further_images": [SECOND], "regions": [{"name": "Desk"}]})
-    first, second = scene.single
-    assert [region.name for region in first.regions] == ["Desk"]
-    assert second.regions == first.regions

@@ -1,7 +1,5 @@
 """Fields of losses: versions of files, and what is refused."""
 
-import json
-
 import pytest
 
 from workbench.errors import Refused
@@ -20,25 +18,6 @@ class TestVersions:
         written = scene.to_data()
         assert written["version"] == 1
         assert not {"reflection", "coating", "absorption"} & written["lens"].keys()
-
-    def test_a_file_of_version_2_means_fresnel_if_it_does_not_say(self, scene_data):
-        scene = read(scene_data, 2)
-        assert scene.optic.reflection == "fresnel"
-        assert scene.to_data()["version"] == 2
-        assert scene.to_data()["lens"]["reflection"] == "fresnel"
-
-    @pytest.mark.parametrize("reflection", ["fresnel", "schlick", "none"])
-    def test_a_file_of_version_2_means_what_it_says(self, scene_data, reflection):
-        scene = read(scene_data, 2, reflection=reflection)
-        assert scene.optic.reflection == reflection
-        assert Scene.from_json(scene.to_json()) == scene
-
-    def test_a_scene_that_needs_version_2_for_something_else_says_its_reflection(self, scene_data):
-        scene = read(scene_data, 1, control_points="auto")
-        assert scene.optic.reflection == "schlick"
-        written = scene.to_data()
-        assert written["version"] == 2 and written["lens"]["reflection"] == "schlick"
-        assert Scene.from_data(written) == scene
 
     def test_coating_and_absorption_come_back(self, scene_data):
         scene = read(scene_data, 2, coating=[0.0, 0.02], absorption=0.003)
@@ -70,10 +49,3 @@ def test_impossible_loss_is_refused_with_its_path(scene_data, lens, path, said):
         read(scene_data, 2, **lens)
     assert refused.value.path == path
     assert said in refused.value.reason
-
-
-@pytest.mark.parametrize("number", ["NaN", "Infinity"])
-def test_numbers_that_are_none_are_refused(scene_data, number):
-    text = json.dumps(scene_data).replace('"degree"', f'"absorption": {number}, "degree"')
-    with pytest.raises(Refused):
-        Scene.from_json(text)

@@ -4,17 +4,8 @@ import numpy as np
 import pytest
 
 from workbench.errors import Refused
-from workbench.scene import Scene
 
 LAMP = {"kind": "photometric", "file": "lamp.ies", "position": [0.0, 0.0, -3.0]}
-
-
-def test_a_photometric_file_needs_version_2(make_scene):
-    scene = make_scene({"source": LAMP})
-
-    assert scene.needed_version == 2
-    assert scene.to_data()["source"]["rotation"] == [0, 0, 0]
-    assert Scene.from_data(scene.to_data()) == scene
 
 
 @pytest.mark.parametrize(
@@ -65,24 +56,3 @@ def test_files_are_named_by_their_fields_and_can_be_renamed(make_scene):
     assert dict(moved.files())["run.stages[0].source.file"] == "/there/other.ldt"
     assert moved.source.file == "/there/lamp.ies"
     assert scene.with_files({}) == scene
-
-
-def test_carried_file_content_does_not_change_equality_of_scenes(make_scene):
-    scene = make_scene({"source": LAMP})
-
-    carrying = scene.carrying({"lamp.ies": b"light"})
-
-    assert carrying.light_files == {"lamp.ies": b"light"}
-    assert scene.light_files == {"lamp.ies": None}
-    assert carrying == scene
-    assert carrying.in_unit("mm").light_files == {"lamp.ies": b"light"}
-    assert carrying.altered(lens=scene.optic).light_files == {"lamp.ies": b"light"}
-
-
-def test_a_new_photometric_source_needs_a_file_first(make_scene):
-    scene = make_scene()
-    field = next(field for field in Scene.fields() if field.name == "source")
-    kind = next(part for part in field.parts if part.__name__ == "PhotometricSource")
-    kinds = next(mark for mark in field.marks if hasattr(mark, "exchanged"))
-
-    assert kinds.exchanged(scene.source, kind, scene) is None

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from tests.scenes import changed
-from workbench.design.session import task_of
 from workbench.errors import Refused
 from workbench.scene import EllipseRegion, Scene
 
@@ -22,21 +21,6 @@ def test_regions_are_written_as_they_are_read():
     assert Scene.from_data(scene.to_data()) == scene
     assert scene.needed_version == 2
     assert scene.to_data()["regions"][0] == DESK
-
-
-def test_a_scene_without_regions_is_written_without_that_field():
-    assert "regions" not in Scene.from_data(changed({})).to_data()
-    two_faces = changed({"lens.entrance": {"shape": "freeform"}})
-    assert "regions" not in Scene.from_data(two_faces).to_data()
-
-
-def test_another_unit_leaves_regions_where_they_are():
-    scene = with_regions(DESK)
-    assert scene.in_unit("mm").regions == scene.regions
-
-
-def test_regions_are_no_part_of_the_task():
-    assert task_of(with_regions(DESK)) == task_of(with_regions(SPOT, ARROW))
 
 
 def test_outlines_are_parts_of_width_and_height():
@@ -67,8 +51,3 @@ def test_impossible_regions_are_refused(region, path, reason):
     with pytest.raises(Refused, match=reason) as refused:
         with_regions(SPOT, region)
     assert refused.value.path.startswith(f"regions[1].{path}".rstrip("."))
-
-
-def test_more_regions_than_a_person_reads_are_refused():
-    with pytest.raises(Refused, match="33 are given; at most 32"):
-        with_regions(*[SPOT] * 33)

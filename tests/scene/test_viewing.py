@@ -11,7 +11,7 @@ from workbench.analysis.validation import validate
 from workbench.design.task import begin, with_task
 from workbench.design.transport import transport_start
 from workbench.scene import Lens, Scene
-from workbench.scene.viewing import as_viewed, pixel_side, side_in_words, viewed_from
+from workbench.scene.viewing import as_viewed, pixel_side, viewed_from
 from workbench.targets import load_target
 
 F = np.array(
@@ -95,17 +95,6 @@ def test_without_a_side_column_0_lies_at_the_left_of_the_receivers_coordinates(p
     np.testing.assert_allclose(seen(scene, light, viewed_from(scene)), light)
 
 
-@pytest.mark.parametrize(("turn", "quarters"), [("left", 1), ("around", 2), ("right", 3)])
-def test_a_picture_is_turned_as_its_viewer_sees_it(turn, quarters, tmp_path):
-    for side in ("front", "back"):
-        scene = scene_of("lens", tmp_path, viewed_from=side, turn=turn, crop=[0.25, 0, 0, 0])
-        plain = scene_of("lens", tmp_path, viewed_from="back", turn=turn, crop=[0.25, 0, 0, 0])
-        light, wanted = load_target(scene, tmp_path), load_target(plain, tmp_path)
-        np.testing.assert_allclose(seen(scene, light, side), wanted, atol=1e-12)
-        assert np.rot90(F[:, 1:], quarters).shape[0] == (3 if quarters % 2 else 5)
-        assert not np.allclose(wanted, wanted[:, ::-1])
-
-
 @pytest.mark.parametrize("place", ["lens", "lens, tilted about y", "mirror, tilted"])
 @pytest.mark.parametrize("side", ["front", "back"])
 def test_light_of_a_designed_face_reads_right_from_the_named_side(place, side, tmp_path):
@@ -121,43 +110,12 @@ def test_light_of_a_designed_face_reads_right_from_the_named_side(place, side, t
     assert right > wrong + 0.4
 
 
-def test_each_of_several_images_has_viewers_of_its_own(tmp_path):
-    scene = scene_of("lens", tmp_path, viewed_from="front")
-    further = {
-        "screen": {**scene.to_data()["screen"], "z": 6.0},
-        "target": {**scene.to_data()["target"], "viewed_from": "back"},
-    }
-    session = begin(Scene.from_data(scene.to_data() | {"further_images": [further]}), tmp_path)
-    first, second = (image.target for image in session.scene.images(session.target))
-    np.testing.assert_array_equal(first, second[:, ::-1])
-    assert not np.allclose(first, second)
-
-
 def test_targets_are_drawn_anew_for_other_viewers_and_for_light_that_goes_back(tmp_path):
     wall = begin(scene_of("lens", tmp_path, viewed_from="front"), tmp_path)
     behind = with_task(wall, scene_of("lens", tmp_path, viewed_from="back"), tmp_path)
     np.testing.assert_array_equal(behind.target, wall.target[:, ::-1])
     mirror = with_task(wall, scene_of("mirror", tmp_path, viewed_from="front"), tmp_path)
     np.testing.assert_array_equal(mirror.target, wall.target[:, ::-1])
-
-
-def test_a_target_without_a_viewer_stays_as_it_is_for_light_that_goes_back(tmp_path):
-    lens = begin(scene_of("lens", tmp_path), tmp_path)
-    task = scene_of("mirror", tmp_path)
-    (tmp_path / "f.npy").unlink()
-    assert with_task(lens, task, tmp_path).target is lens.target
-
-
-def test_further_images_are_drawn_anew_for_light_that_goes_back(tmp_path):
-    def several(place):
-        data = scene_of(place, tmp_path, viewed_from="front").to_data()
-        image = {"screen": data["screen"], "target": data["target"]}
-        return Scene.from_data(data | {"further_images": [image]})
-
-    lens = begin(several("lens"), tmp_path)
-    mirror = with_task(lens, several("mirror"), tmp_path)
-    before, after = (each.scene.further_images[0].wanted for each in (lens, mirror))
-    np.testing.assert_array_equal(after, before[:, ::-1])
 
 
 def test_the_side_needs_version_2_and_comes_back_from_the_file(tmp_path):
@@ -170,11 +128,3 @@ def test_the_side_needs_version_2_and_comes_back_from_the_file(tmp_path):
         assert scene.to_data()["version"] == 2
         assert scene.to_data()["target"]["viewed_from"] == side
         assert Scene.from_json(scene.to_json()) == scene
-
-
-def test_the_side_is_said_in_words(tmp_path):
-    lens = scene_of("lens", tmp_path, viewed_from="front")
-    assert side_in_words(lens, "front") == "viewed from the side of the light"
-    assert side_in_words(lens, pixel_side(lens)) == "viewed from behind the screen"
-    far = scene_of("lens, far field", tmp_path)
-    assert side_in_words(far, viewed_from(far)) == "viewed from behind the far field"

@@ -17,12 +17,6 @@ from workbench.geometry.outlines import Ellipse
 
 PLATE = (1 - 0.04) ** 2
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
-SOURCES = {
-    "collimated": {"kind": "collimated"},
-    "point": POINT,
-    "lambertian": POINT | {"emission": "lambertian"},
-    "grid": {"kind": "grid", "center": [0.1, 0, -4], "half_width": [0.5, 1], "points": [2, 3]},
-}
 
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):

@@ -128,7 +128,9 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     for z, error in curve.errors[::10]:
         wanted = validate(session.scene, session.target, {"exit": heights}, FEW, screen_z=z)
         assert error == wanted.relative_l2_corrected
-    qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == PLACES)
+    qtbot.waitUntil(
+        lambda: curve._curve is not None and len(curve._curve._curve.get_xdata()) == PLACES
+    )
     np.testing.assert_allclose(
         curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]
     )
