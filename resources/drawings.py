@@ -6,7 +6,7 @@ from matplotlib.textpath import TextPath
 
 from workbench.arrays import Array
 from workbench.scene import Screen
-from workbench.targets.coverage import paint
+from workbench.targets.raster import paint
 
 _LIGHT = np.array([-0.55, 0.65, 0.53])  # towards the lamp: upper left, in front
 # Balls on a table: centre x, height above the table and depth; radius; grey; gloss.

@@ -32,15 +32,16 @@ settings.load_profile("default")
 _WHOLE = Path(__file__).parent
 # Each process takes a gigabyte or more, and its kernels take all cores.
 _MOST_PROCESSES = 4
+_SHARED = ("not slow and not full", "full")  # marks of tests that several processes share
 _XVFB = shutil.which("Xvfb")
 _WINDOW = "tests/ui/"
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config):
-    """Processes for the whole suite; parts of it, and slow tests, have one."""
+    """Return the number of processes: several for all tests, one for a part and for slow tests."""
     parts = [part for part in config.args if Path(part).resolve() not in (_WHOLE, _WHOLE.parent)]
-    if parts or config.option.keyword or config.option.markexpr != "not slow":
+    if parts or config.option.keyword or config.option.markexpr not in _SHARED:
         return 0
     # One more than there are cores: tests of the window wait for more than half of their time.
     return min((os.cpu_count() or 1) + 1, _MOST_PROCESSES)

@@ -10,7 +10,7 @@ import pytest
 
 import workbench
 from resources import EXAMPLES
-from workbench import DesignRun, FaceArrays, Refused, Scene, api, begin, check, export, load, save
+from workbench import DesignRun, FaceArrays, Scene, api, begin, check, export, load, save
 
 ROOT = Path(__file__).parents[1]
 
@@ -56,18 +56,6 @@ def session(make_scene):
 
 
 class TestDesignRun:
-    def test_a_second_loop_goes_on_from_the_best_lens(self, session):
-        run = DesignRun(session, iterations=3)
-        first = [snapshot.iteration for snapshot in run]
-        best = run.session.result
-        again = iter(run)
-        snapshot = next(again)
-        again.close()
-        assert first == [0, 1, 2, 3]
-        assert np.array_equal(snapshot.state.heights["exit"], best.state.heights["exit"])
-        assert run.session.result.iterations == 3
-        assert run.session.result.ended == "stopped"
-
     def test_leaving_the_loop_keeps_the_best_lens_so_far(self, session):
         run = DesignRun(session)
         assert run.session is session
@@ -92,10 +80,6 @@ class TestDesignRun:
         assert (last.state.heights["exit"][:3] == 0.5).all()
         assert (last.state.heights["exit"][3:] != 0.5).any()
 
-    def test_impossible_iterations_are_refused(self, session):
-        with pytest.raises(Refused, match=r"run\.iterations"):
-            DesignRun(session, iterations=-1)
-
 
 def test_api_gives_the_figures_of_the_commands(session, tmp_path, capsys):
     """One implementation: the lens, the check and the files are those of the command line."""
@@ -119,12 +103,6 @@ def test_api_gives_the_figures_of_the_commands(session, tmp_path, capsys):
     capsys.readouterr()
     assert main(["validate", str(other), "--rays", "10000", "--json"]) == 0
     assert f'"relative_l2": {check(load(one), rays=10_000).relative_l2},' in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("work", [check, lambda session: export(session, "lens.step")])
-def test_a_session_without_a_lens_is_refused(session, work):
-    with pytest.raises(Refused, match="holds no lens yet"):
-        work(session)
 
 
 def test_shipped_examples_open():

@@ -1,7 +1,5 @@
-import importlib.util
 import os
 import shutil
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -75,16 +73,6 @@ def test_the_first_start_sets_up_and_the_second_only_opens(commands):
     assert commands == WINDOW
 
 
-def test_libraries_of_the_tests_include_those_of_the_window_but_not_vice_versa(commands):
-    bootstrap.main([])
-    commands.clear()
-    assert bootstrap.main(["test"]) == 0
-    assert commands == setting_up("[test]") + TESTS
-    commands.clear()
-    bootstrap.main([])
-    assert commands == WINDOW
-
-
 def test_a_changed_project_file_asks_for_a_new_set_up(commands, checkout):
     bootstrap.main(["test"])
     (checkout / "pyproject.toml").write_text('[project]\nname = "b"\n')
@@ -122,29 +110,6 @@ def test_without_a_display_the_tests_get_a_virtual_screen(monkeypatch, commands)
     assert commands[-1] == f"xvfb-run -a -s {SCREEN} .venv/bin/python -m pytest"
 
 
-def test_without_a_display_the_example_runs_from_the_command_line(monkeypatch, commands, capsys):
-    monkeypatch.setattr(system_libraries, "has_display", lambda: False)
-    assert bootstrap.main([]) == 0
-    assert commands[3:] == [
-        ".venv/bin/freeform design resources/examples/tophat.json -o out/tophat.freeform",
-        ".venv/bin/freeform pictures out/tophat.freeform out",
-    ]
-    first, *_, last = capsys.readouterr().out.splitlines()
-    assert first.startswith("There is no display: ")
-    for name in ("tophat.freeform", "irradiance.png", "lens.png", "loss.png"):
-        assert f"out/{name}" in last
-
-
-def test_an_interrupted_design_ends_with_its_own_status(monkeypatch, commands):
-    monkeypatch.setattr(system_libraries, "has_display", lambda: False)
-    run = bootstrap._run
-    monkeypatch.setattr(
-        bootstrap, "_run", lambda command: run(command) or (130 if "design" in command else 0)
-    )
-    assert bootstrap.main([]) == 130
-    assert "design" in commands[-1]
-
-
 def test_root_on_debian_gets_missing_packages_installed(monkeypatch, commands, apt_get, capsys):
     monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
     monkeypatch.setattr(system_libraries, "has_display", lambda: False)
@@ -157,16 +122,6 @@ def test_root_on_debian_gets_missing_packages_installed(monkeypatch, commands, a
     assert "Installing Debian packages: libgl1 xauth\n" in capsys.readouterr().out
 
 
-def test_a_failing_apt_get_shows_its_reason(monkeypatch, commands, apt_get, capsys):
-    apt_get.write_text("#!/bin/sh\necho 'E: no network'\nexit 100\n")
-    monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
-    assert bootstrap.main([]) == 1
-    assert commands == []
-    assert capsys.readouterr().err == (
-        "E: no network\napt-get update failed; its reason is above.\n"
-    )
-
-
 def test_without_root_the_command_to_type_is_printed(monkeypatch, commands, apt_get, capsys):
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     monkeypatch.setattr(system_libraries, "missing", lambda _=(): [("libGL.so.1", "libgl1")])
@@ -177,14 +132,6 @@ def test_without_root_the_command_to_type_is_printed(monkeypatch, commands, apt_
     )
 
 
-def test_a_python_without_its_venv_part_names_the_package(monkeypatch, commands, capsys):
-    monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    assert bootstrap.main([]) == 1
-    assert commands == []
-    assert "python3-venv" in capsys.readouterr().err
-
-
 def test_outside_a_checkout_it_refuses_in_one_line(tmp_path):
     (tmp_path / "workbench").mkdir()
     for name in ("__init__.py", "bootstrap.py", "system_libraries.py"):
@@ -193,12 +140,6 @@ def test_outside_a_checkout_it_refuses_in_one_line(tmp_path):
     assert done.returncode == 1
     assert "is no source checkout" in done.stderr
     assert len(done.stderr.splitlines()) == 1
-
-
-def test_an_unknown_word_is_wrong_use():
-    done = ask_a_bare_python(["tset"], ROOT)
-    assert done.returncode == 2
-    assert done.stderr.startswith("'tset' is not known here; usage: ")
 
 
 def test_help_needs_nothing_installed():
@@ -216,32 +157,3 @@ def ask_a_bare_python(arguments, folder):
         text=True,
         check=False,
     )
-
-
-def test_a_command_runs_in_the_checkout_with_idle_threads_asleep(capfd):
-    script = "import os; print(os.getcwd(), os.environ['OMP_WAIT_POLICY'])"
-    assert bootstrap._run([sys.executable, "-c", script]) == 0
-    assert capfd.readouterr().out.split() == [str(ROOT), "PASSIVE"]
-
-
-@pytest.mark.usefixtures("usual_signals")
-def test_ctrl_c_is_left_to_the_command(capfd):
-    script = (
-        "import os, signal\n"
-        "try:\n"
-        "    os.kill(os.getppid(), signal.SIGINT)\n"
-        "    os.kill(os.getpid(), signal.SIGINT)\n"
-        "except KeyboardInterrupt:\n"
-        "    print('saved')\n"
-        "    raise SystemExit(130)\n"
-    )
-    before = signal.getsignal(signal.SIGINT)
-    assert bootstrap._run([sys.executable, "-c", script]) == 130
-    assert signal.getsignal(signal.SIGINT) is before
-    assert capfd.readouterr().out == "saved\n"
-
-
-@pytest.mark.usefixtures("usual_signals")
-def test_a_command_ended_by_a_signal_has_the_status_a_shell_gives_it():
-    script = "import os, signal; os.kill(os.getpid(), signal.SIGTERM)"
-    assert bootstrap._run([sys.executable, "-c", script]) == 143

@@ -7,12 +7,9 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
-from numba.core.event import Event, EventStatus
 
 import workbench
 from workbench import compiled
@@ -121,70 +118,12 @@ def test_processes_that_compile_at_once_do_not_mix_their_code_up(start):
         assert printed(start(kind))[0].endswith("True")
 
 
-def test_functions_whose_copies_could_round_differently_become_part_of_their_callers():
-    options = compiled.jit(allocates=False, fastmath=True)(doubled).targetoptions
-    assert options["forceinline"]
-    assert "forceinline" not in compiled.jit(allocates=False)(doubled).targetoptions
-
-
-def test_the_first_compiling_is_logged(caplog):
-    caplog.set_level("INFO", logger="workbench")
-    announcement = compiled._Announcement()
-    for module in ("elsewhere", "workbench.optics", "workbench.optics"):
-        kernel = compiled.jit()(doubled)
-        kernel.__module__ = module
-        data = {"dispatcher": kernel}
-        announcement.on_start(Event("numba:compile", EventStatus.START, data))
-    (record,) = caplog.records
-    assert record.message == "compiling, once after installing; this takes up to a minute"
-
-
-def test_an_empty_file_as_a_power_failure_leaves_it_is_compiled_again(places):
-    compile_and_call()
-    for file in files_in(places[0]):
-        file.write_bytes(b"")
-        assert compile_and_call() == (False, 42)
-        assert compile_and_call() == (True, 42)
-
-
-def test_the_next_folder_is_used_where_the_first_cannot_be_written_to(places):
-    places[0].parent.write_text("a file where a folder should be")
-    assert compile_and_call() == (False, 42)
-    assert compile_and_call() == (True, 42)
-    assert len(files_in(places[1])) == 2
-    assert not compiled.unkept()
-
-
-def test_code_in_a_folder_that_can_only_be_read_is_copied(places, monkeypatch):
-    """As that of an installation for all users."""
-    compile_and_call()
-    usual = tempfile.TemporaryFile
-
-    def only_second(dir):
-        if dir == places[0]:
-            raise PermissionError(13, "Permission denied")
-        return usual(dir=dir)
-
-    monkeypatch.setattr(compiled.tempfile, "TemporaryFile", only_second)
-    assert compile_and_call() == (True, 42)
-    names = [[file.name for file in files_in(place)] for place in places]
-    assert names[0] == names[1]
-    assert [each.name for each in places[1].parent.iterdir()] == [places[1].name]
-
-
 def test_kernels_run_where_no_folder_can_be_written_to(places):
     for place in places:
         place.parent.write_text("a file where a folder should be")
     assert compile_and_call() == (False, 42)
     assert compile_and_call() == (False, 42)
     assert "Not a directory" in compiled.unkept()
-
-
-def test_kernels_run_on_a_full_disk(places, monkeypatch):
-    monkeypatch.setattr(compiled.shutil, "disk_usage", lambda _: SimpleNamespace(free=1 << 20))
-    assert compile_and_call() == (False, 42)
-    assert "less than 100 MB free" in compiled.unkept()
-    assert not any(files_in(place) for place in places)
 
 
 def test_a_temporary_folder_is_not_trusted_if_others_can_write_to_it(tmp_path, monkeypatch):
@@ -197,15 +136,6 @@ def test_a_temporary_folder_is_not_trusted_if_others_can_write_to_it(tmp_path, m
     assert compiled._private_folder() is None
     folder.rmdir()
     folder.symlink_to(tmp_path)
-    assert compiled._private_folder() is None
-
-
-@pytest.mark.skipif(os.getuid() != 0, reason="only root can give a folder to another user")
-def test_a_temporary_folder_of_another_user_is_not_trusted(tmp_path, monkeypatch):
-    monkeypatch.setattr(compiled.tempfile, "gettempdir", lambda: str(tmp_path))
-    folder = compiled._private_folder()
-    folder.mkdir(0o755)
-    os.chown(folder, 12345, -1)
     assert compiled._private_folder() is None
 
 
@@ -254,8 +184,3 @@ def test_all_that_compiled_functions_use_is_in_files_that_name_the_folder():
             foreign = {each for each in elsewhere if each.startswith("workbench")} - rooms
             assert not foreign, f"{name}.{kernel.py_func.__name__} uses names of {foreign}"
     assert functions > 50
-
-
-def test_nothing_compiles_with_numba_but_by_the_common_decorator():
-    files = [file for file in ROOT.rglob("*.py") if "njit" in file.read_text()]
-    assert [file.name for file in files] == ["compiled.py"]

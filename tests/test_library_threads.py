@@ -1,8 +1,6 @@
 """How threads of numerical libraries behave."""
 
 import os
-import subprocess
-import sys
 
 from workbench.library_threads import calm_library_threads, usable_threads
 
@@ -16,11 +14,6 @@ def test_thread_settings_of_the_user_stay(monkeypatch):
     assert os.environ["OPENBLAS_NUM_THREADS"] == "1"
 
 
-def test_no_library_is_loaded_before_a_command_says_it():
-    script = "import sys, workbench.cli; sys.exit(bool({'numpy', 'torch'} & {*sys.modules}))"
-    assert subprocess.run([sys.executable, "-c", script]).returncode == 0
-
-
 def test_threads_of_numba_limit_all_unless_those_of_openmp_do(monkeypatch):
     monkeypatch.setenv("OMP_NUM_THREADS", "5")
     monkeypatch.setenv("NUMBA_NUM_THREADS", "3")
@@ -30,10 +23,3 @@ def test_threads_of_numba_limit_all_unless_those_of_openmp_do(monkeypatch):
     calm_library_threads()
     assert os.environ["OMP_NUM_THREADS"] == "3"
     assert usable_threads() == 3
-
-
-def test_without_a_limit_the_cores_of_the_process_are_used(monkeypatch):
-    monkeypatch.setattr(os, "sched_getaffinity", lambda pid: {0, 2, 5}, raising=False)
-    for given in ("", "many", "0"):
-        monkeypatch.setenv("OMP_NUM_THREADS", given)
-        assert usable_threads() == 3

@@ -1,7 +1,5 @@
 """What people type for a number."""
 
-from fractions import Fraction
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -110,13 +108,3 @@ def test_any_text_is_read_or_refused(text):
         read_number(text, "mm")
     except ValueError as error:
         assert str(error)
-
-
-@given(st.floats(allow_nan=False, allow_infinity=False))
-def test_shown_numbers_are_read_as_the_same(number):
-    assert float(read_number(repr(number))) == number
-
-
-def test_a_part_may_be_in_percent():
-    assert read_number("12,5 %", "of width") == Fraction(1, 8)
-    assert read_number("0.125", "of width") == Fraction(1, 8)

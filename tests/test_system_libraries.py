@@ -31,18 +31,6 @@ def test_a_library_that_does_not_load_is_missing_with_its_package():
     assert system_libraries.missing(asked) == [("libnowhere.so.7", "libnowhere7")]
 
 
-def test_nothing_is_missing_where_the_system_brings_no_libraries(monkeypatch):
-    monkeypatch.setattr(sys, "platform", "darwin")
-    assert system_libraries.missing([("libnowhere.so.7", "libnowhere7")]) == []
-
-
-def test_a_program_off_the_search_path_is_missing(monkeypatch, tmp_path):
-    (tmp_path / "xauth").touch(mode=0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    missing = system_libraries.missing_programs(system_libraries.VIRTUAL_SCREEN)
-    assert missing == [("xvfb-run", "xvfb"), ("xdotool", "xdotool")]
-
-
 @pytest.mark.parametrize(("user", "command"), [(0, "apt-get"), (1000, "sudo apt-get")])
 def test_the_advice_is_one_line_with_names_and_command(monkeypatch, user, command):
     monkeypatch.setattr(os, "geteuid", lambda: user)
@@ -51,16 +39,6 @@ def test_the_advice_is_one_line_with_names_and_command(monkeypatch, user, comman
         "This machine lacks libGL.so.1, xauth; on Debian or Ubuntu type: "
         f"{command} install libgl1 xauth"
     )
-
-
-@pytest.mark.parametrize(
-    ("platform", "display", "expected"),
-    [("linux", "", False), ("linux", ":0", True), ("darwin", "", True), ("win32", "", True)],
-)
-def test_a_display_is_there(monkeypatch, platform, display, expected):
-    monkeypatch.setattr(sys, "platform", platform)
-    monkeypatch.setenv("DISPLAY", display)
-    assert system_libraries.has_display() is expected
 
 
 @on_linux

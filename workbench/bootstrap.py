@@ -2,7 +2,7 @@
 
 ``python3 -m workbench.bootstrap`` opens the window with the top-hat example and starts its design;
 where there is no display, the same example runs from the command line and leaves its files in
-``out/``. ``python3 -m workbench.bootstrap test`` runs the whole test suite; further arguments go to
+``out/``. ``python3 -m workbench.bootstrap test`` runs the tests; further arguments go to
 pytest. Whatever is there already is not installed again.
 
 Only the standard library is used here: this runs before anything is installed.

@@ -1,6 +1,5 @@
 """The error of a lens by cells, with random rays as the second opinion."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -8,10 +7,9 @@ import pytest
 
 from tests.analysis.lenses import net_of
 from workbench.analysis import by_cells
-from workbench.analysis.cells import image
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import paper_loss, relative_l2
-from workbench.analysis.validation import validate, validating
+from workbench.analysis.validation import validate
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
 GRID = {"kind": "grid", "center": [0.1, 0, -4], "half_width": [0.5, 1], "points": [2, 3]}
@@ -30,11 +28,6 @@ def lens(make_scene):
 @pytest.fixture
 def target(rng):
     return 1 + rng.random((32, 32))
-
-
-def size(image):
-    """Norm of an image that is divided by its sum."""
-    return np.linalg.norm(image / image.sum())
 
 
 @pytest.mark.parametrize("source", [{"kind": "collimated"}, POINT, GRID])
@@ -70,17 +63,6 @@ def test_error_by_cells_does_not_depend_on_the_seed(lens, target):
     assert one.verified.relative_l2_corrected == two.verified.relative_l2_corrected
 
 
-def test_the_interval_is_that_of_the_bound(lens, target, rng):
-    scene, heights = lens({"kind": "collimated"})
-    heights = {"exit": heights["exit"] + 0.05 * rng.random((12, 10))}
-    coarse, fine = (validate(scene, target, heights, 100, accuracy=a).by_cells for a in (0.5, 1e-3))
-    low, high = coarse.relative_l2_corrected_interval
-    assert low < fine.relative_l2_corrected < high
-    half = coarse.bound * size(coarse.irradiance) / size(target)
-    assert (high - low) / 2 == pytest.approx(half)
-    assert fine.bound < coarse.bound / 2
-
-
 def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch):
     """Random rays do not agree with an image that is moved by a tenth of a pixel."""
 
@@ -97,51 +79,3 @@ def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch
     assert found.to_data()["contradiction"] == found.contradiction
     assert off.unscattered.interval[0] > 0.01
     assert off.difference_over_noise > 3
-
-
-def test_without_an_accuracy_and_for_too_many_points_there_are_random_rays_alone(
-    lens, target, monkeypatch
-):
-    scene, heights = lens({"kind": "collimated"})
-    alone = validate(scene, target, heights, 1000)
-    assert alone.by_cells is None
-    assert alone.verified is alone
-    assert alone.to_data()["deterministic"] is None
-    monkeypatch.setattr("workbench.analysis.cells.image._BEGIN", 100)
-    found = validate(scene, target, heights, 1000, accuracy=0.1)
-    assert found.by_cells is None
-    # What is in the way of light is looked for wherever cells are asked for.
-    assert found.shading is not None
-    shading = found.shading.to_data()
-    said = "finer cells would take too long: ask for more rays"
-    others = {"shading": shading, "deterministic_left_out": said}
-    assert found.to_data() == alone.to_data() | others
-
-
-def test_result_states_where_cells_miss_the_wanted_accuracy(lens, target, monkeypatch):
-    scene, heights = lens({"kind": "collimated"})
-    exact = validate(scene, target, heights, 10_000, accuracy=1e-2).by_cells
-    assert exact.less_exact is None
-    monkeypatch.setattr(image, "_MOST", 1 << 16)
-    coarse = validate(scene, target, heights, 10_000, accuracy=1e-6).by_cells
-    assert coarse.bound > 1e-6
-    off = re.match(r"off by up to (\S+) %, not 0.0001 %", coarse.less_exact)
-    assert 1.0 <= float(off[1]) / (100 * coarse.bound) < 1.1
-    assert coarse.to_data()["error_bound_wanted"] == 1e-6
-
-
-@pytest.mark.parametrize(
-    ("bound", "said"), [(0.00104, "0.11"), (0.0014, "0.14"), (0.25, "25"), (np.inf, "inf")]
-)
-def test_what_an_error_is_off_is_never_rounded_to_less(lens, target, bound, said):
-    scene, heights = lens({"kind": "collimated"})
-    exact = validate(scene, target, heights, 10_000, accuracy=1e-2).by_cells
-    coarse = replace(exact, bound=bound, wanted=1e-3)
-    assert coarse.less_exact.startswith(f"off by up to {said} %, not 0.1 %")
-
-
-def test_progress_never_decreases(lens, target):
-    scene, heights = lens(POINT)
-    parts = list(validating(scene, target, heights, 100_000, accuracy=1e-2))
-    assert parts == sorted(parts)
-    assert parts[0] > 0 and parts[-1] == 1

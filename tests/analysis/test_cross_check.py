@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from tests.lamps import crooked_lamp, led
-from workbench import system_libraries
 from workbench.analysis import mitsuba as other
 from workbench.analysis.cross_check import bare_and_clear, cross_check
 from workbench.errors import Refused
@@ -42,13 +41,6 @@ EXTENDED = {
 }
 
 
-def test_a_library_that_is_missing_is_named(make_scene, monkeypatch):
-    monkeypatch.setattr(system_libraries, "_loads", lambda library: False)
-    monkeypatch.setattr(sys, "platform", "linux")
-    with pytest.raises(Refused, match="libatomic1"):
-        other._mitsuba()
-
-
 def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
     monkeypatch.setitem(sys.modules, "mitsuba", None)
     with pytest.raises(Refused, match=r"freeform-lens-workbench\[mitsuba\]"):
@@ -65,12 +57,8 @@ class TestBareAndClear:
         assert left_out == ("faces that reflect nothing",)
         assert scene == make_scene({"lens.reflection": "fresnel"})
 
-    @pytest.mark.parametrize("reflection", ["fresnel", "schlick"])
-    def test_nothing_is_left_out_of_a_bare_and_clear_lens(self, make_scene, reflection):
-        scene = make_scene({"lens.reflection": reflection})
-        assert bare_and_clear(scene) == (scene, ())
 
-
+@pytest.mark.full
 class TestWithMitsuba:
     @pytest.fixture(autouse=True)
     def coarse_mesh(self, monkeypatch):
@@ -184,31 +172,6 @@ class TestWithMitsuba:
         found = cross_check(scene, target, {"exit": lens}, 100_000)
         assert found.difference > 2 * found.noise
         assert found.difference_corrected_interval[0] > found.noise
-
-    def test_the_same_seed_gives_the_same_light(self, make_scene):
-        scene = make_scene()
-        trace = other.MitsubaScene(scene, {"exit": self.lopsided(scene)})
-        once, again, more = trace.flux(10_000, 1), trace.flux(10_000, 1), trace.flux(10_000, 2)
-        assert once == pytest.approx(again, rel=1e-4)  # sums of threads, in any order
-        assert np.abs(once - more).max() > 0.1 * once.max()
-
-    def test_passes_add_up(self, make_scene, monkeypatch):
-        monkeypatch.setattr(other, "_AT_ONCE", 5_000)
-        flux = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}).flux(20_000, 1)
-        assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
-
-    def test_passes_never_trace_more_than_wanted(self, make_scene, monkeypatch):
-        """Each needs a path for every pixel, however many pixels there are."""
-        monkeypatch.setattr(other, "_AT_ONCE", 100)
-        trace, asked = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}), []
-
-        def render(_, spp, seed):
-            asked.append(spp)
-            return np.zeros((32, 32, 1))
-
-        monkeypatch.setattr(trace._mi, "render", render)
-        trace.flux(2 * 32 * 32, 1)
-        assert asked == [1, 1]
 
     def test_a_source_without_a_light_of_mitsuba_is_refused(self, make_scene, monkeypatch):
         monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})

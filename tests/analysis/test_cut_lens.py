@@ -5,9 +5,9 @@ import pytest
 
 from workbench.analysis.cut_lens import tracing_cut
 from workbench.errors import Refused
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 
@@ -18,7 +18,7 @@ def scene(make_scene):
 
 def raster_of(scene, heights, radius, scallop):
     face = CutFace(freeform_nets(scene.optic)["exit"], heights, outline_of(scene.optic))
-    return finished(face.rastering(radius, scallop, 10**6))
+    return finished(face.plan_raster(radius, scallop, 10**6))
 
 
 def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
@@ -54,11 +54,3 @@ def test_the_cut_of_a_mirror_is_not_traced(make_scene, scene):
     other = make_scene({"version": 2, "lens": None, "mirror": mirror, "screen.z": -5})
     with pytest.raises(Refused, match="mirror"):
         next(tracing_cut(other, {"mirror": np.zeros((8, 8))}, np.ones((16, 16)), raster))
-
-
-def test_parts_that_are_done_grow_to_the_whole(scene):
-    heights = np.full((8, 8), 0.5)
-    raster = raster_of(scene, heights, 0.5, 0.05)
-    parts = list(tracing_cut(scene, {"exit": heights}, np.ones((16, 16)), raster, 5_000))
-    assert parts == sorted(parts) and parts[-1] == 1
-    assert len(parts) > 100  # one of 10 s can be left within a moment

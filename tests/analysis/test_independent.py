@@ -8,14 +8,12 @@ from tests.lamps import PLATE, led
 from workbench.analysis import independent
 from workbench.analysis.cells import image
 from workbench.analysis.cells.lattice import CellLattice
-from workbench.analysis.independent import tracing_independently
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
-from workbench.errors import RunFailed
 from workbench.watch import finished
 
 LED = {"kind": "area", "center": [0.1, 0, -0.5], "half_width": [0.1, 0.1]}
@@ -51,38 +49,6 @@ def test_pairs_find_the_distance_and_its_interval(rng):
     assert inside >= 34
     error = np.std(found, ddof=1) / np.sqrt(40)
     assert np.mean(found) == pytest.approx(exact**2, abs=3 * error)
-
-
-def test_a_dark_image_leaves_everything_open(rng):
-    images = rng.random((16, 4, 5))
-    images[3] = 0
-    found = CorrectedDistance.of_pairs(images, np.ones((4, 5)))
-    assert (found.interval, found.off) == ((0, np.inf), np.inf)
-
-
-def test_a_file_of_too_few_rays_is_told(make_scene, tmp_path):
-    scene = make_scene({**PLATE, "source": led(tmp_path, 40)})
-    flat = {"exit": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
-    with pytest.raises(RunFailed, match="the check needs a file of more rays"):
-        validate(scene, np.ones((40, 40)), flat)
-
-
-def test_equal_images_have_their_distance_and_no_doubt(rng):
-    wanted, other = rng.random((2, 6, 5))
-    found = CorrectedDistance.of_pairs([other] * 16, wanted)
-    assert found.distance == pytest.approx(relative_l2(other, wanted))
-    assert found.off == pytest.approx(0, abs=1e-9)
-
-
-def test_more_rays_are_followed_until_the_error_is_exact(lens, target, monkeypatch):
-    monkeypatch.setattr(independent, "_BEGIN", 1 << 15)
-    few, more = (finished(tracing_independently(*lens, target, off)) for off in (1.0, 5e-3))
-    assert few.rays < 1.15 * 2**15 < more.rays
-    assert more.unscattered.off <= 5e-3 < few.unscattered.off
-    monkeypatch.setattr(independent, "_MOST", 1 << 16)
-    least = finished(tracing_independently(*lens, target, 1e-9))
-    assert 2**16 <= least.rays < 1.15 * 2**16
-    assert least.unscattered.off > 1e-9
 
 
 def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(

@@ -6,6 +6,8 @@ import sys
 
 import pytest
 
+pytestmark = pytest.mark.full
+
 # Designs and checks of all kinds in a process of their own; prints all kernels that they need
 # beyond those of set-up, which may come from disk.
 SCRIPT = """

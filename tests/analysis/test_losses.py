@@ -7,7 +7,6 @@ import pytest
 import torch
 
 from workbench.analysis.validation import validate
-from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
@@ -75,13 +74,6 @@ def test_a_coated_plate(make_scene):
         assert account.on_screen == pytest.approx(0.99 * 0.98, rel=1e-12)
 
 
-def test_glass_that_absorbs_nothing_has_no_such_entry(make_scene):
-    scene = make_scene()
-    for account in (checked(scene, PLATE), planned(scene, PLATE)):
-        assert "absorbed" not in account.lost
-    assert "absorbed" not in walked(scene, PLATE)[1]
-
-
 @pytest.mark.parametrize("losses", LOSSES.values(), ids=LOSSES)
 @pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
 def test_design_and_check_lose_the_same_light_and_all_adds_up(make_scene, source, losses):
@@ -115,10 +107,3 @@ def test_steep_light_tells_exact_reflection_from_its_approximation(make_scene):
     head_on = (2.5 / 4.5) ** 2
     assert found["fresnel"] == pytest.approx((across + within) / 2, abs=2e-3)
     assert found["schlick"] == pytest.approx(head_on + (1 - head_on) * (1 - cosine) ** 5, abs=2e-3)
-
-
-def test_glass_that_is_black_for_the_lens_at_hand_is_said(make_scene):
-    """The scene is possible for the undesigned lens; this one is thicker."""
-    scene = make_scene({"lens.absorption": 27.0, "lens.height_range": [0.0, 40.0], "screen.z": 99})
-    with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
-        checked(scene, {"exit": np.full((12, 10), 40.0)})

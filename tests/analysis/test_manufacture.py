@@ -52,17 +52,6 @@ class TestSpheres:
         assert 0 <= found.steepest.bound - found.steepest.value < 1e-3
         assert 0.88 * found.tightest_concave.value < found.tightest_concave.bound <= 4.001
 
-    def test_maps(self, make_scene):
-        maps = surface_maps(*lens_of(make_scene, ball(4.0, -1)), (21, 17))
-        x, y = np.meshgrid(maps.x, maps.y)
-        assert maps.x[[0, -1]] == pytest.approx([-1.0, 1.0])
-        assert maps.y[[0, -1]] == pytest.approx([0.8, -0.8])
-        assert maps.thickness == pytest.approx(ball(4.0, -1)(x, y), abs=1e-6)
-        slope = np.degrees(np.arcsin(np.hypot(x, y) / 4.0))
-        assert maps.slope == pytest.approx(slope, abs=1e-3)
-        assert maps.convex == pytest.approx(0.25, rel=2e-3)
-        assert maps.concave == pytest.approx(-0.25, rel=2e-3)
-
 
 def test_a_cylinder_across_the_axes(make_scene):
     """Bent in one direction, at 30 degrees to x: the cross derivative counts."""
@@ -85,12 +74,6 @@ def test_a_plane_has_no_radius(make_scene):
     slope = math.degrees(math.atan(math.hypot(0.1, 0.05)))
     assert found.steepest.value == pytest.approx(slope, rel=1e-9)
     assert found.steepest.bound == pytest.approx(slope, rel=1e-9)
-
-
-def test_thickness_counts_from_the_entrance_face(make_scene):
-    changes = {"lens.entrance_z": 0.1}
-    lens, heights = lens_of(make_scene, lambda x, y: 0.5 + 0 * x * y, changes)
-    assert manufacture(lens, heights).thinnest.value == pytest.approx(0.4)
 
 
 @pytest.mark.parametrize("degree", [(2, 3), (3, 3), (5, 4)])
@@ -137,11 +120,3 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
         assert extreme.bound == pytest.approx(0.5)
     assert found.steepest.bound == pytest.approx(0)
     assert found.tightest_concave.bound == found.tightest_convex.bound == math.inf
-
-
-def test_maps_of_an_elliptic_lens_are_blank_beside_it(make_scene):
-    lens = make_scene({"lens.outline": "ellipse", "lens.half_width": [1.0, 0.5]}).optic
-    maps = surface_maps(lens, {"exit": np.full((12, 10), 0.5)}, (41, 21))
-    inside = (maps.x / 1.0) ** 2 + (maps.y[:, None] / 0.5) ** 2 <= 1
-    for values in (maps.thickness, maps.slope, maps.concave, maps.convex):
-        np.testing.assert_array_equal(np.isfinite(values), inside)

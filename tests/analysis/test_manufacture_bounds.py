@@ -32,20 +32,3 @@ def test_steep_slopes_count(rng):
     slope, hollow, hump = shape_bounds(net, heights, (64, 64))
     most = attained(net, heights)
     assert [slope, hollow, hump] == pytest.approx(most, rel=0.05)
-
-
-def test_many_parts_are_looked_at_some_at_a_time(rng, monkeypatch):
-    net = ControlNet((9, 8), (3, 2), (1.0, 1.0))
-    heights = 0.2 * rng.random(net.shape)
-    at_once = shape_bounds(net, heights, (3, 5))
-    monkeypatch.setattr("workbench.analysis.manufacture_bounds._AT_ONCE", 100)
-    assert shape_bounds(net, heights, (3, 5)) == pytest.approx(at_once)
-
-
-@pytest.mark.parametrize("degree", [(1, 1), (1, 3)])
-def test_planes_have_no_curvature(degree):
-    net = ControlNet((5, 6), degree, (1.0, 1.0))
-    x, y = net.positions
-    slope, hollow, hump = shape_bounds(net, 0.3 * x[:, None] - 0.4 * y, (2, 2))
-    assert slope == pytest.approx(0.5)
-    assert (hollow, hump) == pytest.approx((0, 0), abs=1e-6)

@@ -61,18 +61,6 @@ def test_a_biconvex_lens_has_humps_on_both_faces_and_no_hollows(lens_of):
         assert face.draft == pytest.approx(90 - angle, abs=1e-3)
 
 
-def test_maps_of_each_face(lens_of):
-    lens, heights = lens_of(ball(3.0, 0.0, 1), ball(5.0, 1.5, -1))
-    maps = {face: surface_maps(lens, heights, (21, 17), face) for face in heights}
-    x, y = np.meshgrid(maps["exit"].x, maps["exit"].y)
-    thickness = ball(5.0, 1.5, -1)(x, y) - ball(3.0, 0.0, 1)(x, y)
-    for face, radius in (("entrance", 3.0), ("exit", 5.0)):
-        assert maps[face].thickness == pytest.approx(thickness, abs=1e-6)
-        slope = np.degrees(np.arcsin(np.hypot(x, y) / radius))
-        assert maps[face].slope == pytest.approx(slope, abs=2e-3)
-        assert maps[face].convex == pytest.approx(1 / radius, rel=3e-3)
-
-
 def test_the_thickness_between_parallel_faces_is_bounded_by_their_distance(lens_of):
     """Bounds of each face by itself would leave room for all of their sag."""
 
@@ -118,9 +106,3 @@ def test_limits_are_judged_at_each_face(lens_of):
         "entrance convex radius": "broken",
     }
     assert [v.wanted("mm") for v in judged if "slope" in v.name] == ["at most 20°"] * 2
-
-
-def test_figures_in_numbers_name_the_entrance_face(lens_of):
-    data = manufacture(*lens_of(ball(3.0, 0.0, 1), ball(5.0, 1.5, -1))).to_data()
-    assert data["entrance"].keys() == data.keys() - {"thinnest", "thickest", "entrance"}
-    assert data["entrance"]["tightest_concave"]["value"] is None

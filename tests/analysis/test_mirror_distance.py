@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.focus import screen_at
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Perturbation
 from workbench.errors import Refused
@@ -20,12 +19,6 @@ def scene():
             "target": {"builtin": "tophat"},
         }
     )
-
-
-def test_a_screen_at_half_the_way_is_between_mirror_and_screen(scene):
-    heights = {"mirror": np.zeros((4, 4))}
-    assert screen_at(scene, heights, 1.0) == pytest.approx(-5.0)
-    assert screen_at(scene, heights, 0.5) == pytest.approx(-2.75)
 
 
 def test_a_screen_that_is_too_far_has_a_smaller_z(scene):

@@ -7,6 +7,8 @@ from workbench.analysis.cross_check import cross_check
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
 
+pytestmark = pytest.mark.full
+
 pytest.importorskip("mitsuba")
 
 

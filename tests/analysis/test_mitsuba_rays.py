@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from tests.lamps import led
-from workbench.analysis import mitsuba_rays
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.mitsuba_rays import _from_area, _from_disc, _from_file
 
@@ -62,6 +61,7 @@ def test_rays_of_a_file_keep_their_flux(make_scene, tmp_path):
     assert light.emitted == pytest.approx(1.0)
 
 
+@pytest.mark.full
 class TestWithMitsuba:
     @pytest.fixture(autouse=True)
     def coarse_mesh(self, monkeypatch):
@@ -75,16 +75,3 @@ class TestWithMitsuba:
         screen = {"z": 4.0, "half_width": [2.0, 2.0], "pixels": [32, 32]}
         flux = MitsubaScene(make_scene(changes | {"screen": screen}), plate).flux(50_000, 1)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.01)
-
-    def test_light_that_passes_by_the_lens_is_none(self, make_scene, monkeypatch):
-        profile = {"kind": "gaussian", "radius": 1.0}
-        scene = make_scene({"source": {"kind": "collimated", "profile": profile}})
-        draw = mitsuba_rays._RAYS[type(scene.source)]
-
-        def beside(*task):
-            light = draw(*task)
-            return light._replace(x=light.x + 100.0)
-
-        monkeypatch.setattr(mitsuba_rays, "_RAYS", {type(scene.source): beside})
-        flux = MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)}).flux(2_000, 1)
-        assert not flux.any()

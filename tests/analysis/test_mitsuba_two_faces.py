@@ -6,6 +6,8 @@ import pytest
 from workbench.analysis.cross_check import cross_check
 from workbench.geometry.surface import freeform_nets
 
+pytestmark = pytest.mark.full
+
 pytest.importorskip("mitsuba")
 
 TILTED = {"kind": "collimated", "direction": [12, -5]}

@@ -5,13 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.tolerance_fields import Tolerances
-from workbench.analysis.tolerances import Perturbation, draw, perturbed
+from workbench.analysis.tolerances import Perturbation
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
-from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 
 INDEX = 1.5
@@ -91,25 +89,3 @@ def test_an_entrance_face_is_as_rough_as_it_was_said(make_scene):
         assert errors.std() == pytest.approx(1e-3, rel=0.02)
         found = validate(off, np.ones((32, 32)), moved, 20_000)
         assert found.account.efficiency + sum(found.account.lost.values()) == pytest.approx(1)
-
-
-def test_exit_faces_are_drawn_within_their_disc_and_other_errors_as_before():
-    within = Tolerances(tilt=0.01, exit_tilt=0.02, exit_decentre=0.3)
-    found = list(draw(within, 500, 1))
-    for name, most in (("exit_tilt", 0.02), ("exit_decentre", 0.3)):
-        sizes = [math.hypot(*getattr(each.pose, name)) for each in found]
-        assert 0.95 * most < max(sizes) <= most
-    without = draw(Tolerances(tilt=0.01), 500, 1)
-    assert [each.pose.tilt for each in found] == [each.pose.tilt for each in without]
-
-
-def test_faces_that_may_touch_are_refused(make_scene):
-    x, _ = ControlNet.of(make_scene().optic).positions
-    wedge = {"exit": np.tile(0.5 + 0.2 * x[:, None], (1, 10))}
-    for within, words in (
-        (Tolerances(exit_tilt=0.2), "exit_tilt: the exit face may come 0.287 nearer"),
-        (Tolerances(exit_decentre=0.8), "exit_decentre: the exit face may come 0.16 nearer"),
-    ):
-        with pytest.raises(Refused) as refused:
-            list(perturbed(make_scene(), np.ones((32, 32)), wedge, within, 1, 1000))
-        assert str(refused.value).startswith(words)

@@ -1,15 +1,11 @@
 """Light of regions against images whose light is known."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from tests.scene.test_further_image import SECOND
 from tests.scenes import changed
 from workbench.analysis.regions import light_of_regions
 from workbench.analysis.validation import validate
-from workbench.design.task import begin
 from workbench.report.figures import region_rows
 from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
 
@@ -46,15 +42,6 @@ def test_mean_least_and_most_follow_a_ramp():
     assert light.uniformity == pytest.approx((1 + 1 / 40) / 1.5)
 
 
-def test_row_0_is_the_upper_side():
-    image = np.zeros((20, 40))
-    image[:10] = 1.0
-    upper = RectangleRegion(center=(0.0, 0.25), size=(1.0, 0.5))
-    lower = RectangleRegion(center=(0.0, -0.25), size=(1.0, 0.5))
-    above, below = light_of_regions([upper, lower], SCREEN, image / SCREEN.total(image))
-    assert (above.share, below.share) == (pytest.approx(1), 0)
-
-
 def test_a_dark_region_and_one_smaller_than_a_pixel_have_no_uniformity():
     dark = light_of_regions([RectangleRegion()], SCREEN, np.zeros((20, 40)))
     assert dark[0].uniformity is None
@@ -72,16 +59,6 @@ def test_flux_per_solid_angle_counts_by_the_solid_angle_of_pixels():
     (light,) = light_of_regions([upper], far, even)
     assert light.mean == pytest.approx(1)
     assert light.share == pytest.approx(far.total(even) / 2)
-
-
-def test_a_check_tells_the_light_of_the_same_regions_of_each_image():
-    changes = {"regions": [{"name": "All", "size": [1, 1]}], "further_images": [SECOND]}
-    session = begin(Scene.from_data(changed(changes)), Path("/"))
-    plate = {"exit": np.full(session.scene.optic.net_shape, 0.5)}
-    found = validate(session.scene, session.target, plate, rays=10_000)
-    for image in found.images:
-        (light,) = image.regions
-        assert light.share == pytest.approx(image.efficiency)
 
 
 def test_a_check_tells_the_light_of_the_regions_of_its_scene():

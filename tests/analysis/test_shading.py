@@ -48,13 +48,6 @@ def test_a_trough_of_a_right_angle_sends_all_light_to_its_other_side(outline):
     assert found.meets_again == pytest.approx(lit, rel=2e-2)
 
 
-def test_a_trough_that_opens_wider_than_a_third_of_a_turn_is_met_once():
-    """Light down its walls, 30 degrees off the level, goes away along the other wall."""
-    scene = mirror({"control_points": [41, 4]})
-    assert shading_of(scene, trough(scene, 0.57), seed=1).meets_again == 0.0
-    assert shading_of(scene, trough(scene, 0.7), seed=1).meets_again > 0.1
-
-
 def test_light_comes_back_where_the_check_says():
     """A wall at x > 0.5, 56 degrees steep, sends its light up to the level rest of the mirror."""
     scene = mirror({"control_points": [41, 4]})
@@ -93,15 +86,6 @@ def _met(scene):
     heights = trough(scene, 0.0)
     found = validate(scene, np.ones((8, 8)), heights, 20_000)
     return 1 - found.account.lost["missed_mirror"]
-
-
-def test_far_fields_and_screens_behind_lenses_shade_nothing(make_scene):
-    field = {"half_angle": [30, 30], "pixels": [8, 8]}
-    scene = mirror(screen=None, far_field=field)
-    assert shading_of(scene, trough(scene, 0.0), seed=1).through_receiver == 0.0
-    lens = make_scene()
-    plate = {"exit": np.full(lens.optic.net_shape, 0.5)}
-    assert shading_of(lens, plate, seed=1).figures == {}
 
 
 def test_the_check_tells_of_shaded_light():

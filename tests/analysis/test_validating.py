@@ -5,11 +5,9 @@ import threading
 import numpy as np
 import pytest
 
-from workbench.analysis.focus import focus_series
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.validation import validate, validating
-from workbench.errors import Refused
 
 RAYS = 20_000
 
@@ -40,22 +38,6 @@ def test_the_steps_lead_to_what_validate_finds(lens, threads):
     assert found.to_data() == validate(*lens, RAYS).to_data()
 
 
-def test_closing_a_check_stops_tracing(lens, monkeypatch):
-    from workbench.analysis.tracing.trace import Trace
-
-    traced, trace = [], Trace._batch
-    monkeypatch.setattr(
-        Trace, "_batch", lambda self, *which: (traced.append(which[0]), trace(self, *which))[1]
-    )
-    before = threading.active_count()
-    steps = validating(*lens, RAYS, threads=1)
-    while len(traced) < 2:
-        next(steps)
-    steps.close()
-    assert traced == [0, 1]
-    assert threading.active_count() == before
-
-
 def test_closing_a_check_stops_within_a_batch(lens):
     before = threading.active_count()
     steps = validating(*lens, MOST_RAYS, threads=1)
@@ -63,18 +45,3 @@ def test_closing_a_check_stops_within_a_batch(lens):
     steps.close()
     assert 0 < done[-1] < 1 / (2 * BATCHES)
     assert threading.active_count() == before
-
-
-def test_too_many_rays_are_refused(lens):
-    with pytest.raises(Refused, match=rf"rays: {MOST_RAYS + 1} are too many; at most {MOST_RAYS}"):
-        validate(*lens, MOST_RAYS + 1)
-
-
-def test_the_watch_is_called_with_the_part_that_is_done(lens):
-    scene, target, heights = lens
-    parts_done = []
-    validate(*lens, RAYS, watch=parts_done.append)
-    assert parts_done == sorted(parts_done) and parts_done[-1] == pytest.approx(1, abs=1e-12)
-    parts_done.clear()
-    list(focus_series(scene, target, heights, (3.0, 5.0), RAYS, parts_done.append))
-    assert parts_done == sorted(parts_done) and parts_done[-1] == pytest.approx(1, abs=1e-12)

@@ -1,17 +1,13 @@
 import math
-import tracemalloc
 
 import numpy as np
 import pytest
 import torch
 
 from tests.analysis.lenses import net_of
-from workbench.analysis.tracing import in_order
-from workbench.analysis.tracing.sources import cells
 from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 from workbench.geometry.surface import ControlNet
-from workbench.library_threads import usable_threads
 from workbench.optics.plan import Plan
 from workbench.scene import BoxFilter
 
@@ -48,12 +44,6 @@ class TestFlatLens:
         assert account.lost["fresnel_exit"] == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
         for name in ("off_screen", "total_reflection", "missed_lens"):
             assert account.lost[name] == 0
-
-    def test_half_of_the_light_beside_a_narrow_screen(self, make_scene):
-        scene = make_scene({"screen.half_width": [0.5, 1.0]})
-        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED)
-        assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2 / 2, rel=1e-12)
-        assert found.account.lost["off_screen"] == pytest.approx(found.account.on_screen, rel=1e-12)
 
     def test_distance_to_a_target_by_hand(self, make_scene):
         scene = make_scene({"screen.pixels": [4, 2]})
@@ -180,23 +170,6 @@ def test_the_optimisers_trace_agrees(rough):
 
 
 class TestRays:
-    def test_the_same_seed_gives_the_same_rays(self, rough):
-        scene, heights = rough
-        first, same, other = (
-            validate(scene, uniform(scene), {"exit": heights}, 10_000, seed) for seed in (1, 1, 2)
-        )
-        assert np.array_equal(first.irradiance, same.irradiance)
-        assert first.noise == same.noise
-        assert not np.array_equal(first.irradiance, other.irradiance)
-
-    @pytest.mark.parametrize("half_width", [(1.0, 1.0), (3.0, 0.02), (0.02, 3.0)])
-    @pytest.mark.parametrize("rays", [1, 999, 50_000])
-    def test_at_least_as_many_as_asked_for(self, make_scene, half_width, rays):
-        scene = make_scene({"lens.half_width": half_width, "screen.half_width": half_width})
-        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, rays)
-        assert rays <= found.rays <= 1.2 * rays + 1000
-        assert found.efficiency == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
-
     def test_noise_is_an_upper_estimate_of_the_scatter_between_seeds(self, rough):
         scene, heights = rough
         runs = [
@@ -219,36 +192,3 @@ class TestRays:
         )
         assert many < few / 3.5
         assert many > few / 16
-
-    def test_memory_does_not_grow_with_the_rays(self, make_scene, monkeypatch):
-        monkeypatch.setattr(cells, "_AT_ONCE", 2048)
-        monkeypatch.setattr(in_order, "_MOST_THREADS", 1)  # as many overlap each time
-        scene = make_scene()
-        validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1)  # imports
-        peaks = []
-        for rays in (100_000, 500_000):
-            tracemalloc.start()
-            validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, rays)
-            peaks.append(tracemalloc.get_traced_memory()[1])
-            tracemalloc.stop()
-        assert peaks[1] < 1.2 * peaks[0] < 2e6
-
-    def test_large_images_are_held_few_times(self, make_scene):
-        scene = make_scene({"screen.pixels": [1024, 1024]})
-        target = uniform(scene)
-        validate(scene, target, {"exit": np.full((12, 10), 0.5)}, 1)  # imports
-        tracemalloc.start()
-        validate(scene, target, {"exit": np.full((12, 10), 0.5)}, 1)
-        peak = tracemalloc.get_traced_memory()[1]
-        tracemalloc.stop()
-        threads = min(usable_threads(), in_order._MOST_THREADS)
-        assert peak < (threads + 2) * target.nbytes + 30e6  # those of a batch each, their sum
-
-    def test_few_threads_hold_images_that_are_very_large(self, make_scene, monkeypatch):
-        monkeypatch.setattr(in_order, "_LARGEST", 32 * 32 * 8)
-        asked = []
-        pool = in_order.ThreadPoolExecutor
-        monkeypatch.setattr(in_order, "ThreadPoolExecutor", lambda n: asked.append(n) or pool(n))
-        scene = make_scene()
-        validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, 1)
-        assert asked == [1, 1]

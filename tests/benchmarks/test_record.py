@@ -37,32 +37,11 @@ def test_every_scene_loads_and_is_small(name: str, tmp_path: Path) -> None:
     assert all((tmp_path / file).is_file() for file in session.scene.light_files)
 
 
-def test_scenes_span_all_kinds() -> None:
-    kinds = {scene["source"]["kind"] for scene in SCENES.values()}
-    assert kinds == {"collimated", "point", "grid", "area", "photometric", "ray_file"}
-    for field in ("lens", "mirror", "screen", "far_field"):
-        assert any(scene.get(field) for scene in SCENES.values())
-
-
 def test_what_is_worse_than_noise_is_marked() -> None:
     assert worse(error=0.0205, step=0.106) == ["error", "step"]
     assert worse(memory=530.0, efficiency=0.87) == ["memory", "efficiency"]
     assert worse(error=0.0203, step=0.104, efficiency=0.89, iterations=60, seconds=9.0) == []
     assert worse(error=0.01, step=0.05, memory=300.0, efficiency=0.95) == []
-
-
-def test_a_scene_that_fails_after_a_change_is_worse() -> None:
-    changes = record.compare({"sun": BEFORE}, {"sun": {"failed": "no light"}, "point": BEFORE})
-    assert {change.scene for change in changes} == {"sun"}
-    assert next(change for change in changes if change.figure == "error").worse
-
-
-def test_the_table_shows_old_new_ratio_and_mark() -> None:
-    changes = record.compare({"sun": BEFORE}, {"sun": {**BEFORE, "error": 0.03}})
-    lines = list(record.table(changes))
-    assert lines[1].split() == ["sun", "verified", "error", "0.02000", "0.03000", "1.500", "worse"]
-    assert lines[2].split() == ["sun", "iterations", "30", "30", "1.000"]
-    assert lines[-1] == "1 of 6 figures are worse by more than noise"
 
 
 def test_a_record_is_written_and_compared(

@@ -77,27 +77,12 @@ def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
     assert (tmp_path / "led.png").exists()
 
 
-def test_ctrl_c_before_anything_is_finished(freeform, fake_suite, tmp_path):
-    fake_suite(KeyboardInterrupt())
-    status, _, stderr = freeform("benchmark", "led", "--output", tmp_path)
-    assert status == 130 and "nothing was finished" in stderr
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_an_unknown_name_is_refused_with_those_there_are(freeform, tmp_path):
     folder = tmp_path / "untouched"
     status, stdout, stderr = freeform("benchmark", "led", "speed", "--output", folder)
     assert (status, stdout) == (2, "")
     assert stderr == f"freeform: speed: is no benchmark; there are {', '.join(BENCHMARKS)}\n"
     assert not folder.exists()
-
-
-def test_a_file_in_the_way_is_refused(freeform, fake_suite, tmp_path):
-    limits = fake_suite(*ROWS)
-    (tmp_path / "taken").write_text("")
-    status, _, stderr = freeform("benchmark", "led", "--output", tmp_path / "taken")
-    assert status == 2 and "cannot be made" in stderr
-    assert limits == []
 
 
 def test_help_lists_every_benchmark(capsys):
@@ -108,16 +93,6 @@ def test_help_lists_every_benchmark(capsys):
     stdout = " ".join(capsys.readouterr().out.split())
     for name, does in BENCHMARKS.items():
         assert f" {name} {does} " in stdout
-
-
-def test_without_a_name_the_quick_one_runs(monkeypatch):
-    from workbench.cli import main
-
-    asked = []
-    monkeypatch.setattr("workbench.cli.benchmark.benchmark", lambda *given: asked.append(given))
-    assert main(["benchmark"]) == 0
-    ((names, folder, *others),) = asked
-    assert (names, folder.name, others) == (["quick"], "benchmark", [None, None, False])
 
 
 @pytest.fixture
@@ -150,34 +125,6 @@ def test_curves_of_an_earlier_result_are_drawn_beside_the_new_ones(freeform, bef
     assert [row["method"] for row in kept[frontier.TITLE]] == ["paper"]
 
 
-@pytest.mark.parametrize("text", ["", "{}", '{"Ways": []}', f'{{"{frontier.TITLE}": [{{}}]}}'])
-def test_a_file_without_curves_is_refused(freeform, before, tmp_path, text):
-    file, drawn = before
-    file.write_text(text)
-    status, _, stderr = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path)
-    assert (status, drawn) == (2, [])
-    assert f"{file}: has no curves" in stderr
-
-
-def test_an_earlier_result_is_neither_missing_nor_replaced(freeform, before, tmp_path):
-    file, drawn = before
-    missing, folder = tmp_path / "none.json", file.parent
-    for against, output, said in (
-        (missing, tmp_path, f"{missing}: cannot be read"),
-        (file, folder, "is the earlier result itself"),
-    ):
-        status, _, stderr = freeform(
-            "benchmark", "frontier", "--against", against, "--output", output
-        )
-        assert (status, drawn) == (2, []) and said in stderr
-
-
-def test_a_benchmark_without_curves_takes_no_earlier_result(freeform, before):
-    file, _ = before
-    status, _, stderr = freeform("benchmark", "led", "--against", file)
-    assert status == 2 and stderr.startswith("freeform: led: has no curves")
-
-
 def test_two_results_make_one_picture_and_nothing_is_measured(
     freeform, before, tmp_path, monkeypatch
 ):
@@ -199,13 +146,3 @@ def test_two_results_make_one_picture_and_nothing_is_measured(
     assert (auto.method, paper.method, earlier.method) == ("auto", "paper", "auto, before")
     assert auto.curve == [(1.0, 0.2)] and auto.own_curve == ((0.5, 0.3),)
     assert [path.name for path in folder.iterdir()] == ["frontier.png"]
-
-
-def test_a_result_has_the_curves_of_a_benchmark_that_has_some(freeform, before, tmp_path):
-    file, drawn = before
-    for name, said in (("led", "led: has no curves"), ("speed", "speed: has no curves")):
-        status, _, stderr = freeform(
-            "benchmark", name, "--result", file, "--output", tmp_path / "none"
-        )
-        assert (status, drawn) == (2, []) and said in stderr
-    assert not (tmp_path / "none").exists()

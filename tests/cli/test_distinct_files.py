@@ -14,9 +14,7 @@ from workbench.cli.verbs.parser import Parser, add_verb
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.references import named_twice
-from workbench.files.scene import read_scene
-from workbench.files.session import KeptRun, Session, write_session
+from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
 
@@ -97,25 +95,9 @@ def test_the_session_is_not_replaced(refused, session, command):
     )
 
 
-@pytest.mark.parametrize("command", PLOTS)
-def test_the_session_is_not_replaced_through_a_link(refused, session, command):
-    os.link(session, "hard.png")
-    os.symlink(session, "soft.png")
-    arguments = [part.format(session) for part in command]
-    for link in ("hard.png", "soft.png", "../" + Path.cwd().name + "/soft.png"):
-        assert "is the session itself" in refused(*arguments, link)
-
-
 def test_pictures_do_not_replace_the_session(refused, session):
     shutil.copy(session, "loss.png")
     assert refused("pictures", "loss.png", ".").startswith("loss.png: is the session itself")
-
-
-def test_tables_of_a_sweep_do_not_replace_a_scene(refused, scene):
-    for name in ("table.json", "table.csv"):
-        shutil.copy(scene, name)
-        stderr = refused("sweep", scene, name, "-o", ".")
-        assert stderr == f"{name}: is a scene of the sweep itself; another file is needed"
 
 
 def test_a_design_does_not_replace_its_scene_or_image(refused, scene, picture):
@@ -124,59 +106,12 @@ def test_a_design_does_not_replace_its_scene_or_image(refused, scene, picture):
     assert stderr == f"{picture}: is the target image of {scene}; another file is needed"
 
 
-def test_images_of_a_session_and_of_its_runs_are_not_replaced(
-    refused, session, scene, picture, make_scene
-):
-    with_image, target = read_scene(scene), np.ones((32, 32))
-    write_session(Session(with_image, target, result()), session)
-    assert "is the target image of" in refused("pictures", session, ".")
-    kept = KeptRun("kept", with_image, target, result())
-    write_session(Session(make_scene(), target, result(), runs=(kept,)), session)
-    assert "is the target image of" in refused("manufacture", session, "--plot", picture)
-
-
 @pytest.mark.parametrize("verb, lower", [("export", "stl"), ("report", "pdf")])
 def test_a_file_is_written_once(refused, session, verb, lower):
     os.symlink(f"a.{lower}", f"link.{lower}")
     for other in (f"a.{lower}", f"./a.{lower}", f"link.{lower}"):
         stderr = refused(verb, session, f"a.{lower}", other)
         assert stderr == f"{Path(other)}: is named twice; each file is written once"
-
-
-@pytest.mark.parametrize("names", [("a.stl", "A.STL"), ("caf\u00e9.stl", "cafe\u0301.stl")])
-@pytest.mark.parametrize("there", [0, 1, 2])
-def test_the_file_system_says_whether_two_cases_are_one_file(tmp_path, names, there):
-    folder = tmp_path / "empty"
-    folder.mkdir()
-    (tmp_path / names[0]).touch()
-    one_file = (tmp_path / names[1]).exists()
-    for name in names[:there]:
-        (folder / name).touch()
-    files = [folder / name for name in names]
-    assert named_twice(files) == (files[1] if one_file else None)
-    assert len(list(folder.iterdir())) == (min(there, 1) if one_file else there)
-
-
-@pytest.mark.parametrize("verb, lower", [("export", "stl"), ("report", "pdf")])
-def test_where_cases_are_one_file_a_second_name_is_refused(
-    refused, session, verb, lower, monkeypatch
-):
-    monkeypatch.setattr("workbench.files.references._would_be_one", lambda path, other: True)
-    stderr = refused(verb, session, f"a.{lower}", f"A.{lower.upper()}")
-    assert stderr == f"A.{lower.upper()}: is named twice; each file is written once"
-
-
-def test_a_session_may_take_its_place_again(freeform, scene, fake_run, folder):
-    fake_run({})
-    assert freeform("design", scene, "-o", "out.freeform")[0] == 0
-    os.symlink("out.freeform", "link.freeform")
-    assert freeform("design", "out.freeform", "-o", "link.freeform")[0] == 0
-
-
-def test_a_file_that_is_neither_input_nor_output_cannot_be_declared():
-    parser = Parser(prog="freeform")
-    with pytest.raises(TypeError, match="as inputs or outputs"):
-        parser.add_argument("--file", type=Path)
 
 
 def test_a_new_verb_is_guarded(folder):

@@ -5,8 +5,6 @@ import trimesh
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
-from workbench.errors import RunFailed
-from workbench.files.export.formats import FORMATS
 from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
@@ -53,14 +51,6 @@ def test_meshes_are_in_millimetres_or_in_the_unit_that_is_asked_for(
     assert trimesh.load_mesh(path).extents[0] == pytest.approx(width)
 
 
-def test_a_smaller_chord_error_takes_more_triangles(freeform, lens, tmp_path):
-    sizes = []
-    for chord_error in ("1e-3", "1e-4"):
-        freeform("export", lens, tmp_path / "a.stl", "--chord-error", chord_error)
-        sizes.append((tmp_path / "a.stl").stat().st_size)
-    assert 5 < sizes[1] / sizes[0] < 20
-
-
 @pytest.mark.parametrize(
     "arguments, reason",
     [
@@ -96,24 +86,6 @@ def test_files_that_are_refused_stop_no_other_and_are_named(freeform, lens, tmp_
     assert trimesh.load_mesh(files[1]).is_watertight and files[3].exists()
 
 
-def test_a_library_that_fails_stops_no_other_file(freeform, lens, tmp_path, monkeypatch):
-    def fail(design, file):
-        raise RunFailed("no library")
-
-    (step,) = {found.writer for found in FORMATS if ".step" in found.endings}
-    monkeypatch.setattr(f"workbench.files.export.step.{step}", fail)
-    files = tmp_path / "a.step", tmp_path / "a.stl"
-    status, _, stderr = freeform("export", lens, *files, "--chord-error", "0.01")
-    assert status == 1 and stderr == f"freeform: {files[0]}: no library\n"
-    assert files[1].exists() and not files[0].exists()
-
-
-def test_a_scene_without_a_lens_is_refused(freeform, scene_file, tmp_path):
-    status, _, stderr = freeform("export", scene_file, tmp_path / "a.step")
-    assert status == 2
-    assert "is no session" in stderr
-
-
 def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_path):
     path = tmp_path / "a.nc"
     given = "--tool-radius", "0.05", "--scallop", "1e-3", "--rim", "0.1", "--feed", "250"
@@ -123,24 +95,3 @@ def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_pat
     assert "cutter radius 0.05 cm," in stdout
     assert " F250\n" in path.read_text()
     assert "\nM3 S10000\nG4 P3\n" in path.read_text()
-
-
-@pytest.mark.parametrize(
-    "option, value, allowed",
-    [
-        ("--spindle-speed", "0", "from 1 to 200,000 rpm"),
-        ("--plunge-feed", "1e9", "from 1 to 100,000 mm/min"),
-        ("--dwell", "nan", "from 0 to 600 s"),
-    ],
-)
-def test_what_a_machine_cannot_do_is_refused(freeform, lens, tmp_path, option, value, allowed):
-    status, _, stderr = freeform("export", lens, tmp_path / "a.nc", option, value)
-    assert status == 2
-    assert option in stderr and allowed in stderr
-
-
-def test_help_lists_the_endings(freeform, capsys):
-    with pytest.raises(SystemExit) as stop:
-        freeform("export", "--help")
-    assert stop.value.code == 0
-    assert ".irradiance.tiff" in capsys.readouterr().out

@@ -44,12 +44,6 @@ def test_figures_and_plot(freeform, lens, tmp_path):
     assert plot.read_bytes().startswith(b"\x89PNG")
 
 
-def test_for_people(freeform, lens):
-    stdout = freeform("validate", lens, *FEW, "--through-focus", "4:6:3")[1]
-    assert [line.split()[0] for line in stdout.splitlines()[-3:]] == ["4", "5", "6"]
-    assert "through_focus" not in json.loads(freeform("validate", lens, *FEW, "--json")[1])
-
-
 @pytest.mark.parametrize(
     "arguments, reason",
     [
@@ -65,10 +59,3 @@ def test_refusals(freeform, lens, arguments, reason):
     status, stdout, stderr = freeform("validate", lens, *arguments)
     assert (status, stdout) == (2, "")
     assert stderr.startswith(f"freeform: {reason}")
-
-
-def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
-    focus = ("--through-focus", "4:6:3", "--plot", tmp_path / "missing" / "a.png")
-    status, stdout, stderr = freeform("validate", lens, *focus)
-    assert (status, stdout) == (2, "")
-    assert "its folder does not exist" in stderr

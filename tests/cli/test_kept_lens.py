@@ -4,7 +4,6 @@ import errno
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -15,7 +14,6 @@ from pathlib import Path
 import pytest
 
 from workbench.cli import keeping
-from workbench.errors import Refused
 from workbench.files.session import read_session
 from workbench.interruption import check_interruption
 
@@ -65,27 +63,6 @@ def test_the_time_limit_ends_long_work_within_an_iteration(freeform, scene_file,
 
 
 class TestSignals:
-    def test_the_lens_before_the_first_iteration_is_not_called_the_best(
-        self, freeform, scene_file, out, fake_run
-    ):
-        fake_run({0: sent(signal.SIGINT)})
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 130 and read_session(out).result.iterations == 0
-        last = stderr.splitlines()[-1]
-        assert last == f"freeform: interrupted; the lens before its first iteration is in {out}"
-
-    def test_without_a_lens_no_file_is_named(self, freeform, scene_file, out, monkeypatch):
-        def run(scene, target, start=None, locked=None):
-            os.kill(os.getpid(), signal.SIGINT)
-            yield from ()
-            return "all iterations are done"
-
-        monkeypatch.setattr("workbench.design.run.run", run)
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 130 and not out.exists()
-        last = stderr.splitlines()[-1]
-        assert last == "freeform: interrupted; there was no lens yet, and nothing is written"
-
     @pytest.mark.parametrize("number", SIGNALS)
     def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run, number):
         fake_run({4: sent(number)})
@@ -97,14 +74,6 @@ class TestSignals:
         assert read_session(out).result.iterations == 4
         last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
-
-    @pytest.mark.parametrize("number", SIGNALS)
-    def test_a_signal_before_the_first_lens_waits_for_that_lens(
-        self, freeform, scene_file, out, fake_run, number
-    ):
-        fake_run({0: sent(number)})
-        assert freeform("design", scene_file, "-o", out)[0] == 128 + number
-        assert read_session(out).result.iterations == 0
 
     def test_a_second_ctrl_c_does_not_wait_for_the_iteration(
         self, freeform, scene_file, out, fake_run
@@ -119,20 +88,6 @@ class TestSignals:
         assert read_session(out).result.iterations == 3
         assert stderr.splitlines()[-1] == "freeform: interrupted"
 
-    def test_ctrl_c_ends_long_work_within_an_iteration(self, freeform, scene_file, out, fake_run):
-        def interrupted():
-            sent(signal.SIGINT)()
-            work_until_interrupted()
-
-        fake_run({1: interrupted})
-        assert freeform("design", scene_file, "-o", out)[0] == 130
-        assert read_session(out).result.iterations == 0
-
-    def test_a_second_hangup_waits_for_the_iteration(self, freeform, scene_file, out, fake_run):
-        fake_run({4: sent(signal.SIGHUP, signal.SIGHUP, signal.SIGTERM)})
-        assert freeform("design", scene_file, "-o", out)[0] == 128 + signal.SIGHUP
-        assert read_session(out).result.iterations == 4
-
     def test_nothing_interrupts_the_last_write(
         self, freeform, scene_file, out, fake_run, monkeypatch
     ):
@@ -146,19 +101,6 @@ class TestSignals:
         monkeypatch.setattr(keeping, "write_session", impatient)
         assert freeform("design", scene_file, "-o", out)[0] == 130
         assert read_session(out).result.iterations == 4
-
-    @pytest.mark.parametrize("number", SIGNALS)
-    def test_a_signal_that_the_parent_ignores_is_ignored(
-        self, freeform, scene_file, out, fake_run, number
-    ):
-        fake_run({4: sent(number)})
-        before = signal.signal(number, signal.SIG_IGN)
-        try:
-            status, _, _ = freeform("design", scene_file, "-o", out)
-        finally:
-            signal.signal(number, before)
-        assert status == 0
-        assert read_session(out).result.iterations == 10
 
 
 def full(*_):
@@ -193,35 +135,6 @@ class TestRescue:
         assert out.read_bytes() == b"old"
         assert sorted(os.listdir(out.parent)) == ["elsewhere", "lens.freeform", "scene.json"]
 
-    def test_the_output_folder_is_removed_during_the_run(
-        self, freeform, scene_file, tmp_path, fake_run
-    ):
-        folder = tmp_path / "folder"
-        folder.mkdir()
-        fake_run({6: lambda: shutil.rmtree(folder)})
-        status, stdout, stderr = freeform("design", scene_file, "-o", folder / "lens.freeform")
-        assert (status, stdout) == (2, "")
-        reason, place = self.rescued(stderr)
-        assert reason.endswith("cannot be written: its folder does not exist")
-        assert read_session(place).result.iterations == 10
-
-    def test_the_home_folder_is_taken_where_the_temporary_one_is_full(
-        self, freeform, scene_file, tmp_path, fake_run, elsewhere
-    ):
-        home, folder = tmp_path / "home", tmp_path / "folder"
-        home.mkdir()
-        folder.mkdir()
-
-        def disaster():
-            elsewhere.rmdir()
-            folder.rmdir()
-
-        fake_run({6: disaster})
-        stderr = freeform("design", scene_file, "-o", folder / "lens.freeform")[2]
-        _, place = self.rescued(stderr)
-        assert home in place.parents
-        assert read_session(place).result.iterations == 10
-
     def test_a_lens_that_cannot_be_kept_anywhere_is_reported(
         self, freeform, scene_file, out, fake_run, monkeypatch, often
     ):
@@ -250,44 +163,6 @@ class TestCheckpoint:
         assert [result.iterations for result in seen] == [3]
         assert seen[0].state.loss == 1 / 4
         assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
-
-    def test_no_checkpoint_is_written_before_it_is_due(
-        self, freeform, scene_file, out, fake_run, monkeypatch
-    ):
-        monkeypatch.setattr(keeping, "_SECONDS", 1000.0)
-        seen = []
-        fake_run({9: lambda: seen.extend(os.listdir(out.parent))})
-        assert freeform("design", scene_file, "-o", out)[0] == 0
-        assert seen == ["scene.json"]
-
-    def test_a_checkpoint_of_an_earlier_run_stays_and_is_reported(
-        self, freeform, scene_file, out, fake_run
-    ):
-        left = out.with_name("lens.checkpoint.freeform")
-        left.write_bytes(b"precious")
-        fake_run({4: lambda: read_session(out.with_name("lens.checkpoint-2.freeform"))})
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 0
-        assert stderr.startswith(f"{left} is what a run left that was cut off; ")
-        assert left.read_bytes() == b"precious"
-        assert sorted(os.listdir(out.parent)) == [left.name, "lens.freeform", "scene.json"]
-
-    def test_an_output_may_have_the_longest_possible_name(
-        self, freeform, scene_file, out, fake_run
-    ):
-        out = out.with_name("é" * 123 + ".freeform")  # 255 bytes
-        twin = out.with_name("é" * 122 + "ee.freeform")
-        left = []
-
-        def look():
-            left.extend(out.parent.glob("*.checkpoint*.freeform"))
-
-        for each in (out, twin):
-            fake_run({4: look})
-            assert freeform("design", scene_file, "-o", each)[0] == 0
-            read_session(each)
-        assert len(set(left)) == 2  # names of their own
-        assert not any(each.exists() for each in left)
 
     def test_a_checkpoint_can_be_continued(self, freeform, scene_file, out, fake_run):
         left = out.with_name("lens.checkpoint.freeform")
@@ -333,37 +208,3 @@ def test_sigterm_ends_the_program_with_143_and_the_best_lens(endless, out):
     done = read_session(out).result.iterations
     lens = "the best lens so far" if done else "the lens before its first iteration"
     assert stderr.splitlines()[-1] == f"freeform: interrupted; {lens} is in {out}"
-
-
-@pytest.mark.parametrize("number", SIGNALS)
-def test_other_commands_end_at_once(freeform, out, monkeypatch, number):
-    def terminated(path):
-        sent(number)()
-        raise Refused(str(path), "was read on")
-
-    monkeypatch.setattr("workbench.cli.designed.read_session", terminated)
-    status, stdout, stderr = freeform("validate", out)
-    assert (status, stdout, stderr) == (128 + number, "", "freeform: interrupted\n")
-
-
-def test_ctrl_c_while_a_library_loads_is_not_reported_as_a_missing_library(
-    freeform, scene_file, out, fake_run, tmp_path, monkeypatch
-):
-    (tmp_path / "mitsuba.py").write_text(
-        "import os, signal, time\n"
-        "try:\n"
-        "    os.kill(os.getpid(), signal.SIGINT)\n"
-        "    time.sleep(0.2)\n"
-        "except KeyboardInterrupt:\n"
-        "    raise ImportError('initialization failed')\n"
-        "def set_variant(name):\n"
-        "    time.sleep(60)\n"
-    )
-    monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setitem(sys.modules, "mitsuba", None)
-    del sys.modules["mitsuba"]  # what was there comes back at the end
-    monkeypatch.setattr("workbench.system_libraries.missing", lambda libraries: ())
-    fake_run({})
-    assert freeform("design", scene_file, "-o", out)[0] == 0
-    status, stdout, stderr = freeform("validate", out, "--with", "mitsuba")
-    assert (status, stdout, stderr) == (130, "", "freeform: interrupted\n")

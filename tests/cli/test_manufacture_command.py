@@ -76,14 +76,6 @@ def test_limits(freeform, bowl, tmp_path):
     assert (status, stderr) == (0, "")
 
 
-def test_a_ball_cutter_that_does_not_fit(freeform, bowl):
-    radius = json.loads(freeform("manufacture", bowl, "--json")[1])["tool_radius"]["value"]
-    status, stdout, stderr = freeform("manufacture", bowl, "--min-tool-radius", 1.01 * radius)
-    assert status == 1
-    assert "\nball cutter up to " in stdout
-    assert stderr.startswith(f"freeform: ball cutter {radius:.4g} cm, at least ")
-
-
 @pytest.fixture
 def moved(bowl):
     """Moves the exit face of the bowl along z."""
@@ -97,13 +89,6 @@ def moved(bowl):
         return bowl
 
     return move
-
-
-def test_the_least_thickness_of_the_scene_is_a_limit(freeform, moved):
-    status, stdout, stderr = freeform("manufacture", moved(-0.46))
-    assert status == 1
-    assert "thickness at least 0.05 cm: NOT MET\n" in stdout
-    assert stderr.startswith("freeform: thickness 0.043")
 
 
 @pytest.mark.parametrize(
@@ -124,10 +109,3 @@ def test_a_lens_that_is_no_body_has_figures_but_is_not_checked_or_exported(
         assert stderr.startswith("freeform: lens: its exit face is at z = ")
         assert flaw in stderr
     assert not solid.exists()
-
-
-@pytest.mark.parametrize("value", ["0", "-1", "inf", "thin"])
-def test_impossible_limits_are_refused(freeform, bowl, value):
-    status, _, stderr = freeform("manufacture", bowl, "--min-radius", value)
-    assert status == 2
-    assert stderr.count("\n") == 1

@@ -1,10 +1,7 @@
 import json
 import math
 import os
-import re
 import signal
-import subprocess
-import sys
 
 import pytest
 from PIL import Image
@@ -92,16 +89,6 @@ class TestValidate:
         assert exact["difference_over_noise"] == pytest.approx(1, abs=0.1)
         assert exact["optimiser_difference"] < 0.06
 
-    def test_another_distance(self, freeform, lens):
-        status, stdout, _ = freeform("validate", lens, "--screen-z", 8.0, "--json")
-        assert status == 0
-        figures = json.loads(stdout)
-        assert figures["optimiser_difference"] is None
-        assert "optimiser_difference" not in figures["deterministic"]
-        status, _, stderr = freeform("validate", lens, "--screen-z", 0.6)
-        assert status == 2
-        assert stderr.startswith("freeform: screen.z: 0.6 may touch the lens")
-
     def test_ctrl_c_ends_a_check_that_would_take_an_hour(self, freeform, lens, monkeypatch):
         def press(progress, part):
             os.kill(os.getpid(), signal.SIGINT)
@@ -109,29 +96,6 @@ class TestValidate:
         monkeypatch.setattr("workbench.cli.progress.PartProgress.show", press)
         status, stdout, stderr = freeform("validate", lens, "--rays", MOST_RAYS)
         assert (status, stdout, stderr) == (130, "", "freeform: interrupted\n")
-
-    @pytest.mark.parametrize("verb", ["validate", "report", "tolerances", "sweep"])
-    def test_too_many_rays_are_refused_before_anything_is_read(self, freeform, verb):
-        option = "--validate-rays" if verb == "sweep" else "--rays"
-        status, stdout, stderr = freeform(verb, "missing", option, MOST_RAYS + 1)
-        assert (status, stdout) == (2, "")
-        assert f"argument {option}: '10000000001' are too many; at most 10000000000" in stderr
-        assert stderr.count("\n") == 1
-
-    def test_a_bar_shows_how_far_a_long_check_is(self, freeform, lens, monkeypatch):
-        monkeypatch.setattr("sys.stderr.isatty", lambda: True)
-        monkeypatch.setattr("workbench.cli.progress._DELAY", 0)
-        monkeypatch.setenv("COLUMNS", "80")
-        status, _, stderr = freeform("validate", lens, "--rays", 10_000, "--through-focus", "4:6:2")
-        assert status == 0
-        assert "\rthrough focus  " in stderr
-        assert re.search(r"\rcheck  .*\d+ %  .* left", stderr)
-
-    def test_lines_elsewhere_than_on_a_terminal(self, freeform, lens, monkeypatch):
-        monkeypatch.setattr("workbench.cli.progress._LINES", -1.0)
-        status, _, stderr = freeform("validate", lens, "--rays", 10_000)
-        assert status == 0
-        assert stderr.splitlines()[-1] == "check  100 %"
 
     def test_two_traces_that_contradict_each_other(self, freeform, lens, monkeypatch):
         """The figures are printed, and the check fails: random rays meet another glass."""
@@ -147,15 +111,7 @@ class TestValidate:
         assert said.startswith("the check contradicts itself: 92.16 % of the light on the receiver")
         assert stderr.splitlines()[-1] == f"freeform: {said}"
 
-    def test_for_people(self, freeform, lens):
-        status, stdout, _ = freeform("validate", lens, "--rays", 10_000)
-        assert status == 0
-        assert stdout.startswith("verified error ")
-        assert "cells, without random rays\n" in stdout
-        assert re.search(r"\noff the cells +0\.\d+  \(\d\.\d\d times their noise; ", stdout)
-        assert "\nrelative L2 " in stdout
-        assert "total reflection  0.00000\n" in stdout
-
+    @pytest.mark.full
     def test_with_mitsuba(self, freeform, lens, monkeypatch):
         pytest.importorskip("mitsuba")
         monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
@@ -168,12 +124,6 @@ class TestValidate:
         status, stdout, _ = freeform(*given, "--screen-z", 6.0)
         assert status == 0
         assert "\nMitsuba 3, with " in stdout
-
-    def test_without_mitsuba(self, freeform, lens, monkeypatch):
-        monkeypatch.setitem(sys.modules, "mitsuba", None)
-        status, stdout, stderr = freeform("validate", lens, "--with", "mitsuba")
-        assert (status, stdout) == (2, "")
-        assert stderr.startswith("freeform: --with: 'mitsuba' needs Mitsuba 3, which pip install")
 
 
 def test_pictures(freeform, lens, tmp_path):
@@ -201,21 +151,3 @@ def test_a_predicted_photo(freeform, lens, tmp_path, monkeypatch):
         2,
         "freeform: usage: --light is of the photo; give --photo as well\n",
     )
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="about Mesa")
-def test_pictures_keep_no_shaders_where_a_full_disk_would_end_the_process(lens, tmp_path):
-    caches = tmp_path / "caches"
-    subprocess.run(
-        [sys.executable, "-m", "workbench", "pictures", lens, tmp_path],
-        env={**os.environ, "XDG_CACHE_HOME": str(caches)},
-        check=True,
-    )
-    assert not list(caches.glob("mesa_shader_cache*"))
-
-
-def test_a_picture_that_cannot_be_written_is_reported(freeform, lens, tmp_path):
-    (tmp_path / "irradiance.png").mkdir()
-    status, stdout, stderr = freeform("pictures", lens, tmp_path)
-    assert (status, stdout) == (2, "")
-    assert stderr.endswith("irradiance.png: cannot be written: a folder of that name is there\n")

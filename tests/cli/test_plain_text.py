@@ -22,14 +22,3 @@ from workbench.cli.plain_text import in_encoding
 def test_ascii_is_readable(text, plain):
     assert in_encoding(text, "ascii") == plain
     assert plain.isascii()
-
-
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
-def test_what_an_encoding_has_stays(encoding):
-    assert in_encoding("560 · 10⁻⁶ mm² Maß", encoding) == "560 · 10⁻⁶ mm² Maß"
-
-
-@pytest.mark.parametrize("encoding", ["latin-1", "cp1252"])
-def test_only_what_is_missing_is_replaced(encoding):
-    text = in_encoding("560 · 10⁻⁶ mm², 90°, Maß, λ", encoding)
-    assert text == "5.6e-4 mm², 90°, Maß, lambda"

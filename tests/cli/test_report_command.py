@@ -7,7 +7,6 @@ import math
 import os
 import re
 import shutil
-import sys
 from datetime import datetime
 from html.parser import HTMLParser
 from pathlib import Path
@@ -24,8 +23,6 @@ from workbench.design.session import VerifiedError
 from workbench.design.snapshot import Result
 from workbench.files.session import KeptRun, Session, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.report.content import Fact, PagePicture, Report, Section
-from workbench.report.pdf import write_pdf
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -154,13 +151,7 @@ class TestHtml:
             assert image["alt"]
         assert len(found.images) == 6
 
-    @pytest.mark.skipif(sys.platform != "linux", reason="names of files are bytes on Linux alone")
-    def test_a_name_that_is_no_text_is_shown_as_far_as_it_is(self, freeform, lens, tmp_path):
-        odd = lens.rename(tmp_path / "a\udcff\nb.freeform")
-        files = tmp_path / "out.html", tmp_path / "out.pdf"
-        assert freeform("report", odd, *files, *RAYS) == (0, "", "")
-        assert Page(files[0].read_text()).headings[0] == r"a\udcff\nb"
-
+    @pytest.mark.full
     def test_mitsuba_stands_beside_the_check(self, freeform, lens, tmp_path, monkeypatch):
         pytest.importorskip("mitsuba")
         monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
@@ -228,43 +219,6 @@ class TestPdf:
             assert value.split()[0] in text
         assert all(round(side.width) == 595 for side in (p.mediabox for p in reader.pages))
 
-    def test_the_same_report_is_the_same_bytes(self):
-        def draw(figure):
-            axes = figure.subplots()
-            figure.colorbar(axes.imshow(np.eye(3)), label="irradiance")
-
-        rows = tuple(Fact(f"row {n}", "value") for n in range(40))
-        sections = (Section("All", rows, (PagePicture("An image", draw, 4.0),), note="why " * 50),)
-        written = []
-        for _ in range(3):
-            file = io.BytesIO()
-            write_pdf(Report("Title", "below", DAY, sections), file)
-            written.append(file.getvalue())
-        assert written[1:] == written[:-1]
-        assert b"/CreationDate (D:20010203040506" in written[0]
-
-    def test_long_texts_stay_on_their_pages(self, tmp_path):
-        pypdf = pytest.importorskip("pypdf")
-        rows = tuple(Fact(f"row{n}", f"value{n} " + "long " * 30) for n in range(60))
-        with (tmp_path / "long.pdf").open("wb") as file:
-            write_pdf(
-                Report("Long", "below", DAY, (Section("All", rows, note="why " * 200),)), file
-            )
-        pages = pypdf.PdfReader(tmp_path / "long.pdf").pages
-        assert len(pages) > 2
-        text = "".join(page.extract_text() for page in pages)
-        assert all(f"value{n}" in text for n in range(60))
-        assert f"{len(pages)} / {len(pages)}" in text
-
-
-@pytest.mark.slow
-def test_the_lens_in_three_dimensions(freeform, lens, tmp_path):
-    assert freeform("report", lens, tmp_path / "a.htm", *RAYS)[0] == 0
-    image = Page((tmp_path / "a.htm").read_text()).images[0]
-    with Image.open(io.BytesIO(base64.b64decode(image["src"].split(",")[1]))) as picture:
-        colours = np.asarray(picture.convert("RGB")).reshape(-1, 3)
-    assert len(np.unique(colours, axis=0)) > 500
-
 
 @pytest.mark.usefixtures("no_3d")
 def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkeypatch):
@@ -274,7 +228,7 @@ def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkey
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("workbench.report.html.to_png", full)
+    monkeypatch.setattr("workbench.report.write.to_png", full)
     status, _, stderr = freeform("report", lens, old, *RAYS)
     assert status == 2
     assert "No space left on device" in stderr

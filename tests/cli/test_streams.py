@@ -1,6 +1,5 @@
 """Standard output and error that are closed, broken or full: work is done, one line tells."""
 
-import json
 import os
 import subprocess
 import sys
@@ -12,7 +11,7 @@ import pytest
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
-from workbench.files.session import Session, read_session, write_session
+from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
 FREEFORM = Path(sys.executable).with_name("freeform")
@@ -63,17 +62,6 @@ def test_a_reader_that_leaves_is_no_failure(command, reader):
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_a_refusal_is_one_also_when_nobody_reads(tmp_path):
-    done = shell(f'"$1" validate missing {BROKEN}', tmp_path)
-    assert done.returncode == 2 and done.stderr.startswith("freeform: missing: does not exist")
-
-
-@pytest.mark.parametrize("command", ['"$1" --help', '"$1" --version'])
-def test_closed_output_is_no_failure(command):
-    done = shell(f"{command} >&-")
-    assert (done.returncode, done.stderr) == (0, "")
-
-
 def test_closed_streams_do_not_keep_files_from_being_written(lens, tmp_path):
     expected = shell(f'"$1" export {lens} c.stl d.obj', tmp_path)
     assert expected.returncode == 0
@@ -87,24 +75,6 @@ def test_closed_streams_do_not_keep_files_from_being_written(lens, tmp_path):
             written.unlink()
 
 
-def test_a_refusal_without_standard_error_is_not_printed_elsewhere(tmp_path):
-    done = shell('"$1" validate missing 2>&-', tmp_path)
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", "")
-
-
-def test_all_files_are_exported_when_output_is_closed(lens, tmp_path):
-    done = shell(f'"$1" export {lens} a.stl b.obj c.ply {BROKEN}', tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert all((tmp_path / name).stat().st_size > 1000 for name in ("a.stl", "b.obj", "c.ply"))
-
-
-def test_a_run_continues_when_its_progress_is_not_read(scene_file, tmp_path):
-    done = shell(f'"$1" design {scene_file} -o out --json 2>&1 > figures {BROKEN}', tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
-    figures = json.loads((tmp_path / "figures").read_text())
-    assert figures["iterations"] == read_session(tmp_path / "out").result.iterations == 10
-
-
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-16"])
 def test_characters_missing_in_the_output_encoding_are_replaced(lens, encoding):
     done = subprocess.run(
@@ -115,19 +85,3 @@ def test_characters_missing_in_the_output_encoding_are_replaced(lens, encoding):
     assert (done.returncode, done.stderr) == (0, b"")
     degree = " deg" if encoding == "ascii" else "°"
     assert f"90{degree}\n" in done.stdout.decode(encoding)
-
-
-@pytest.mark.skipif(os.name != "posix", reason="elsewhere names of files are in UTF-8")
-def test_a_locale_without_utf_8_finds_files_and_is_told_in_plain_characters(lens, tmp_path):
-    (tmp_path / "Maß.freeform").write_bytes(lens.read_bytes())
-    locale = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-    done = subprocess.run(
-        [FREEFORM, "export", "Maß.freeform", "Öl.stl", "--chord-error", "1e-3"],
-        capture_output=True,
-        env={name: value for name, value in os.environ.items() if name != "PYTHONIOENCODING"}
-        | locale,
-        cwd=tmp_path,
-    )
-    assert (done.returncode, done.stderr) == (0, b"")
-    assert done.stdout.startswith(rb"\xd6l.stl: STL mesh, chord error ") and b"e-" in done.stdout
-    assert (tmp_path / "Öl.stl").exists()

@@ -3,12 +3,9 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
-
-from workbench.sweep.store import Store
 
 FREEFORM = Path(sys.executable).with_name("freeform")
 FEW = ("--validate-rays", 10_000)
@@ -30,7 +27,7 @@ def folder(tmp_path):
 @pytest.fixture
 def here(monkeypatch):
     """Works in this process."""
-    from workbench.sweep.work import attempt
+    from workbench.sweep.processes import attempt
 
     class Here:
         def __enter__(self):
@@ -65,40 +62,6 @@ class TestTable:
         check = json.loads(freeform("validate", session, "--rays", FEW[1], "--json")[1])
         for name in ("loss", "relative_l2", "relative_l2_corrected", "efficiency"):
             assert point["figures"][name] == check[name]
-
-    def test_for_people(self, freeform, scene_file, folder):
-        other = scene_file.with_name("cap.json")
-        other.write_text(scene_file.read_text())
-        status, stdout, _ = freeform("sweep", scene_file, other, "-o", folder, *FEW)
-        head, *lines = stdout.splitlines()
-        assert status == 0
-        assert head.split()[:2] == ["scene", "error"]
-        assert [line.split()[0] for line in lines] == ["hat", "cap"]
-
-    def test_an_error_below_the_noise_is_printed_as_a_bound(
-        self, freeform, scene_file, folder, monkeypatch
-    ):
-        from workbench.analysis.validation import validate
-
-        def noisy(*arguments, **named):
-            found = validate(*arguments, **named)
-            return replace(
-                found, relative_l2_corrected=0.0, relative_l2_corrected_interval=(0.0, 0.0035)
-            )
-
-        monkeypatch.setattr("workbench.analysis.validation.validate", noisy)
-        status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *FEW)
-        assert status == 0
-        assert stderr.splitlines()[0] == "1/1  hat: error < 0.35 %"
-        assert "< 0.35 %" in stdout
-        assert "0.00" not in stdout
-
-    def test_another_sweep_in_the_folder_is_refused(self, freeform, scene_file, folder):
-        with Store(folder).locked():
-            status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *FEW)
-        assert (status, stdout) == (2, "")
-        assert stderr.startswith(f"freeform: {folder}: another sweep is at work in this folder; ")
-        assert freeform("sweep", scene_file, "-o", folder, *FEW)[0] == 0
 
     def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
         vary = ("--vary", "lens.control_points=3,12")
@@ -190,19 +153,3 @@ def test_a_killed_sweep_resumes_where_it_was(scene_file, folder):
     assert len(json.loads(stdout)["points"]) == 4
     assert before.items() <= finished(folder).items()
     assert len(list(folder.glob("*.freeform"))) == 4
-
-
-@linux
-@pytest.mark.slow
-def test_ctrl_c_ends_its_processes_and_keeps_what_is_finished(scene_file, folder):
-    with start(scene_file, folder) as process:
-        process.stderr.readline()
-        workers = children(process)
-        process.send_signal(signal.SIGINT)
-        stdout, stderr = process.communicate(timeout=60)
-    assert workers
-    assert ends(workers)
-    assert process.returncode == 130
-    points = json.loads(stdout)["points"]
-    assert 1 <= len(points) == len(finished(folder)) < 4
-    assert f"interrupted; {len(points)} of 4 points are finished and kept in" in stderr

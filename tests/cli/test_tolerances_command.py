@@ -2,7 +2,6 @@ import json
 
 import pytest
 
-from workbench.analysis.tolerances import perturbed
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.session import Session, write_session
@@ -49,48 +48,6 @@ def test_figures_and_plot(freeform, lens, tmp_path):
     assert plot.read_bytes().startswith(b"\x89PNG")
 
 
-def test_the_source_is_off_too(freeform, lens):
-    status, stdout, stderr = freeform(
-        "tolerances", lens, *FEW, "--source-tilt", 2, "--decentre", 0.1, "--json"
-    )
-    assert (status, stderr) == (0, "")
-    off = [each["source_tilt"] for each in json.loads(stdout)["samples"]]
-    assert all(0 < sum(x * x for x in each) <= 4 for each in off)
-    status, _, stderr = freeform("tolerances", lens, *FEW, "--source-shift", 0.1)
-    assert status == 2
-    assert "source_shift: 0.1 changes nothing" in stderr
-
-
-def test_for_people(freeform, lens):
-    status, stdout, stderr = freeform("tolerances", lens, *FEW, "--surface", 0.01, 0.3)
-    assert (status, stderr) == (0, "")
-    lines = stdout.splitlines()
-    assert lines[0] == "relative L2 without ray noise"
-    assert [line[:18].rstrip() for line in lines[1:]] == [
-        "as designed",
-        "mean",
-        "5 % of lenses",
-        "50 % of lenses",
-        "95 % of lenses",
-        "worst",
-        "lenses",
-    ]
-
-
-def test_ctrl_c_keeps_what_is_finished(freeform, lens, monkeypatch):
-    def interrupted(*arguments):
-        for number, each in enumerate(perturbed(*arguments)):
-            if number == 3:
-                raise KeyboardInterrupt
-            yield each
-
-    monkeypatch.setattr("workbench.cli.tolerances.perturbed", interrupted)
-    status, stdout, stderr = freeform("tolerances", lens, *FEW, "--index", 0.01, "--json")
-    assert status == 130
-    assert len(json.loads(stdout)["samples"]) == 2
-    assert stderr == "freeform: interrupted; 2 of 4 lenses were traced\n"
-
-
 @pytest.mark.parametrize(
     "arguments, reason",
     [
@@ -105,11 +62,3 @@ def test_refusals(freeform, lens, arguments, reason):
     status, stdout, stderr = freeform("tolerances", lens, *arguments)
     assert (status, stdout) == (2, "")
     assert stderr.startswith(f"freeform: {reason}")
-
-
-def test_a_plot_that_cannot_be_written_is_refused_at_once(freeform, lens, tmp_path):
-    status, stdout, stderr = freeform(
-        "tolerances", lens, "--tilt", 1, "--plot", tmp_path / "missing" / "errors.png"
-    )
-    assert (status, stdout) == (2, "")
-    assert "cannot be written" in stderr

@@ -44,21 +44,6 @@ def test_light_of_each_part_is_spread_by_the_kernels_of_its_part(
     np.testing.assert_allclose(image, wanted, atol=1e-12)
 
 
-def test_without_changes_light_is_blurred_alone(blurring, kernels, changes, factors, rng):
-    plain = LightBlurring(*map(torch.as_tensor, (kernels, changes[:0], factors[:0])))
-    light = torch.as_tensor(rng.random((PARTS * SHAPE[0], PARTS * SHAPE[1])))
-    still = LightBlurring(*map(torch.as_tensor, (kernels, changes, 0 * factors)))
-    torch.testing.assert_close(plain.image(light), still.image(light))
-    assert torch.autograd.gradcheck(plain.image, (light.requires_grad_(),))
-
-
-def test_light_beside_the_image_does_not_come_in_from_its_other_end(blurring):
-    light = torch.zeros(PARTS * SHAPE[0], PARTS * SHAPE[1], dtype=torch.float64)
-    light[0, 0] = 1.0
-    image = blurring.image(light).numpy()
-    assert np.abs(image[3:]).max() < 1e-12 and np.abs(image[:, 2:]).max() < 1e-12
-
-
 def test_gradient_is_that_of_finite_differences(blurring, rng):
     shape = PARTS * SHAPE[0], PARTS * SHAPE[1]
     light = torch.as_tensor(rng.random(shape)).requires_grad_()

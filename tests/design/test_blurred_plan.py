@@ -1,14 +1,11 @@
 """Light of the middle of a source, blurred, stands for that of all of it."""
 
-import math
-
-import numpy as np
 import pytest
 import torch
 
 from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.lens_blur import LensBlur
-from workbench.design.levels import finest_image, lens_blur_of
+from workbench.design.levels import lens_blur_of
 from workbench.extended.blur import Blur
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
@@ -22,7 +19,6 @@ SUN = {
     "screen.half_width": [1.2, 1.2],
     "screen.pixels": [40, 32],
 }
-NEAR = {"kind": "area", "center": [0, 0, -1.5], "half_width": [0.4, 0.4]}
 
 
 @pytest.fixture
@@ -90,14 +86,6 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights
     assert (gradient * way).sum().item() == pytest.approx(slope, rel=0.01)
 
 
-def test_the_blur_of_the_sun_is_even_and_that_of_a_near_light_is_not(make_scene, sun, heights):
-    found = lens_blur_of(sun, heights)
-    assert found is not None
-    assert found.mean.widths == pytest.approx(Blur.of(sun, sun.optic.base.height).widths, rel=0.01)
-    assert lens_blur_of(make_scene({**SUN, "source": NEAR}), heights) is None
-    assert lens_blur_of(make_scene({**SUN, "source": {"kind": "collimated"}}), heights) is None
-
-
 def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
     scene = make_scene(SUN | {"screen.half_width": [2.4, 2.4], "screen.pixels": [80, 80]})
     x, _ = ControlNet.of(scene.optic).positions
@@ -112,13 +100,3 @@ def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
         for blur in (plate, found)
     )
     assert of_found < 0.8 * of_plate
-
-
-def test_the_image_of_a_run_tells_how_wide_its_blur_is(sun, heights, make_scene):
-    widths = {}
-    for name, source in (("sun", SUN["source"]), ("near", NEAR)):
-        scene = make_scene({**SUN, "source": source})
-        widths[name] = finest_image(scene, np.ones((32, 40)), heights).blur_widths
-    disc = 2 * (5.0 - heights["exit"].mean().item()) * math.tan(math.radians(1.5))
-    assert widths["sun"] == pytest.approx((disc / 2.4, disc / 2.4), rel=0.05)
-    assert widths["near"] == (0.0, 0.0)

@@ -19,15 +19,6 @@ def flat():
     return np.full((12, 10), 0.5)
 
 
-def test_without_a_radius_a_single_point_moves(lens, flat):
-    stroke = Stroke(lens, "exit", flat, None, (3, 4), 0.0)
-    raised = stroke.raised(0.1)
-    assert raised[3, 4] == pytest.approx(0.6)
-    raised[3, 4] = 0.5
-    np.testing.assert_array_equal(raised, flat)
-    np.testing.assert_array_equal(stroke.raised(0.0), flat)
-
-
 def test_the_bump_is_the_formula_and_nothing_beyond_the_radius(lens):
     net, radius = ControlNet.of(lens), 0.55
     block, weights = bump(net, (5, 0), radius)
@@ -58,13 +49,6 @@ def test_heights_stay_in_their_range(index, by, radius):
     heights = Stroke(lens, "exit", np.full((12, 10), 0.5), None, index, radius).raised(by)
     assert heights.min() >= 0.3  # the minimal thickness ends before the height range
     assert heights.max() <= 0.8
-
-
-def test_heights_beyond_the_range_do_not_jump_into_it(lens, flat):
-    flat[2, 2] = 0.9
-    stroke = Stroke(lens, "exit", flat, None, (2, 2), 0.0)
-    assert stroke.raised(1.0)[2, 2] == 0.9
-    assert stroke.raised(-0.05)[2, 2] == pytest.approx(0.85)
 
 
 def test_locked_points_stay(lens, flat):

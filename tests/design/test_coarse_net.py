@@ -1,13 +1,10 @@
 """A net too coarse for its target is named as the reason of a high error, and nothing else is."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from workbench.design.coarse_net import coarse_net
 from workbench.design.run import run
-from workbench.design.shortfall import Shortfall
 from workbench.design.snapshot import History
 
 
@@ -35,23 +32,6 @@ def test_a_coarse_net_is_named_with_what_can_show_the_target(scene, stripes):
     found = coarse_net(scene, stripes, result)
     assert found.shape == (6, 6) and min(found.finer) > 12 and found.error > 0.05
     assert "6 × 6 control points are too few" in found.sentence
-
-
-def test_a_run_that_was_cut_off_says_nothing_of_its_net(scene, stripes):
-    result = replace(designed(scene, stripes), ended="stopped")
-    assert coarse_net(scene, stripes, result) is None
-
-
-def test_other_limits_come_first(scene, stripes):
-    short = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
-    result = designed(scene, stripes).with_state(shortfall=short)
-    assert coarse_net(scene, stripes, result) is None
-
-
-def test_a_net_as_the_program_takes_it_is_not_too_coarse(scene, make_scene, stripes):
-    result = designed(scene, stripes)
-    fine = make_scene({"lens.control_points": [60, 60], "run.iterations": 300})
-    assert coarse_net(fine, stripes, result) is None
 
 
 def test_light_of_some_size_may_be_the_reason_too(scene, make_scene, stripes):

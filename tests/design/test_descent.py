@@ -68,21 +68,6 @@ def test_long_waves_come_first_then_all(wanted):
     assert ended.startswith("converged")
 
 
-def test_a_descent_is_left_out_where_the_error_is_small_enough_already(wanted):
-    nets, _ = _descended(wanted, LONG._replace(above=1.5), ALL)
-    alone, _ = _descended(wanted, ALL)
-    assert len(nets) == len(alone)
-    for found, expected in zip(nets, alone, strict=True):
-        np.testing.assert_allclose(found, expected, atol=1e-12)
-
-
-@pytest.mark.parametrize("left", [1, 2, 7, 20])
-def test_all_descents_together_take_no_more_steps_than_are_left(wanted, left):
-    nets, _ = _descended(wanted, LONG, ALL, left=left)
-    whole, _ = _descended(wanted, LONG, ALL)
-    assert len(nets) == min(left, len(whole))
-
-
 class _Unbalanced:
     """An objective whose light does not add up beyond some distance, or at some evaluation."""
 

@@ -5,7 +5,6 @@ import re
 import numpy as np
 import pytest
 
-from workbench.design import descent
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import RunFailed
@@ -42,29 +41,6 @@ def test_auto_says_that_it_converged(make_scene, disc):
         "converged: no step makes the image better",
         "converged: error below 0.1 %",
     )
-
-
-def test_auto_ends_where_errors_fall_by_less_than_is_visible(make_scene, disc, monkeypatch):
-    monkeypatch.setattr(descent, "_SHARP", (descent._SHARP[0]._replace(points=0.5),))
-    why = ended(run(make_scene({"run.iterations": 1000}), disc))
-    assert why == "converged: error less than 50 percentage points lower in 8 iterations"
-
-
-def test_the_last_stage_says_why(make_scene, disc):
-    stage = {"iterations": 2, "method": "paper"}
-    settings = {"method": "auto", "iterations": 1000, "stages": [stage]}
-    scene = make_scene({"lens.control_points": [5, 5], "run": settings})
-    assert ended(run(scene, disc)).startswith("converged: ")
-
-
-def test_locked_everywhere(make_scene, disc):
-    scene = make_scene({"lens.control_points": [5, 5]})
-    locked = np.ones((5, 5), bool)
-    assert ended(run(scene, disc, None, {"exit": locked})) == "all control points are locked"
-
-
-def test_leaving_a_run_is_recorded_as_stopped(make_scene, disc):
-    assert ended(run(make_scene({}), disc), most=2) == "stopped"
 
 
 def test_a_failure_is_recorded_and_raised(make_scene, disc):

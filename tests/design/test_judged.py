@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.design.levels import FINE, JUDGED, cells_of, judging_image
 from workbench.design.live import LiveDesign
 from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History
-from workbench.design.task import begin
 from workbench.optics.beam_plan import BeamPlan
 
 # More control points than pixels: beams run between the places that a descent can make good.
@@ -58,60 +56,6 @@ def test_that_light_is_nearer_to_what_the_lens_does(shown, make_scene, bars):
     seen, judged = (relative_error(state, bars) for state in (best.state, last.state))
     assert seen < true
     assert abs(judged - true) < 0.4 * abs(seen - true)
-
-
-def test_a_history_has_as_many_losses_as_iterations(shown):
-    *steps, last = shown[0]
-    result = shown[1].result()
-    assert result.state is last.state
-    assert result.iterations == steps[-1].iteration
-    np.testing.assert_array_equal(result.losses, [step.state.loss for step in steps[1:]])
-    assert "no iteration" not in result.ended
-
-
-def test_a_run_that_was_in_vain_still_says_so(shown):
-    first, second, *_, last = shown[0]
-
-    def in_vain():
-        yield first
-        yield replace(second, best=False)
-        yield replace(last, iteration=second.iteration)
-        return "done"
-
-    history = History()
-    list(history.follow(in_vain()))
-    assert history.result().ended == "done; no iteration made the lens better"
-    assert history.result().state is last.state
-
-
-def test_where_a_run_has_as_many_beams_nothing_follows(make_scene, bars):
-    for changes in ({"lens.control_points": [24, 24]}, {**FINE_NET, "run.method": "paper"}):
-        scene = make_scene({**changes, "run.iterations": 2})
-        assert not any(step.judged for step in run(scene, bars))
-
-
-def test_lenses_of_several_images_are_judged_by_twice_as_many(make_scene, bars):
-    further = {
-        "screen": {"z": 6.0, "half_width": [1.0, 1.0], "pixels": [32, 32]},
-        "target": {"builtin": "tophat"},
-    }
-    alone = make_scene(FINE_NET)
-    both = make_scene({**FINE_NET, "version": 2, "further_images": [further]})
-    lens = {"exit": torch.full(alone.optic.net_shape, 0.5, dtype=torch.float64)}
-    of_one = judging_image(alone, bars, lens)
-    session = begin(both, None)
-    of_both = judging_image(session.scene, session.target, lens)
-    per_axis = JUDGED.per_control_point * 64
-    assert of_one.effort == pytest.approx(per_axis**2, rel=0.03)
-    assert of_both.effort == pytest.approx(2 * (2 * per_axis) ** 2, rel=0.03)
-    assert cells_of(JUDGED, alone) != cells_of(FINE, alone)
-
-
-def test_light_of_many_origins_is_judged_by_four_times_as_many(make_scene):
-    slanted = {"kind": "area", "center": [0.0, 0.0, -0.4], "half_width": [0.2, 0.2]}
-    scene = make_scene({"version": 2, "source": slanted})
-    assert cells_of(JUDGED, scene).origins == 4 * cells_of(FINE, scene).origins > 4
-    assert cells_of(JUDGED, make_scene({})).origins == 1
 
 
 def test_an_edit_keeps_the_better_lens_that_was_there(make_scene, bars):

@@ -86,22 +86,6 @@ def test_a_changing_blur_neither_adds_nor_loses_light(sun):
     assert with_it.account.arrived == pytest.approx(without.account.arrived, abs=1e-9)
 
 
-def test_a_mirrored_lens_has_a_mirrored_changing_blur(sun):
-    heights = lens_of(sun, -0.12)
-    found = lens_blur_of(sun, heights)
-    x, y, leans = found.change.at((50, 40), (0, 0))
-    assert np.abs(leans).max() > 0.01
-    for flip in (np.fliplr, np.flipud):
-        for even in (x, y):
-            np.testing.assert_allclose(flip(even), even, atol=1e-4)
-        np.testing.assert_allclose(flip(leans), -leans, atol=1e-4)
-    one, all_of_it = (
-        BlurredPlan(sun, (64, 64), found, mirrored).trace(heights, (3, 3)).flux
-        for mirrored in ((True, True), (False, False))
-    )
-    torch.testing.assert_close(one, all_of_it, atol=1e-8, rtol=1e-4)
-
-
 def test_gradient_of_a_changing_blur_is_that_of_central_differences(sun, rng):
     heights = lens_of(sun, 0.1, 0.004, rng)["exit"]
     plan = BlurredPlan(sun, (64, 64), lens_blur_of(sun, {"exit": heights}))
@@ -117,14 +101,3 @@ def test_gradient_of_a_changing_blur_is_that_of_central_differences(sun, rng):
         ahead, back = (value(heights + s * step * way) for s in (1, -1))
     slope = ((ahead - back) / (2 * step)).item()
     assert (gradient * way).sum().item() == pytest.approx(slope, rel=0.01)
-
-
-def test_a_lens_whose_light_lands_nowhere_changes_nothing(make_scene):
-    total = make_scene(SUN | {"lens.base.height": 1.0})
-    x, _ = ControlNet.of(total.optic).positions
-    heights = {"exit": torch.as_tensor(np.broadcast_to(1.0 + 3.0 * x[:, None], (12, 12)).copy())}
-    assert BlurChange.of(total, heights) is None
-
-
-def test_a_focus_says_nothing_of_where_blurs_differ(sun, rng):
-    assert BlurChange.of(sun, lens_of(sun, -0.2, 0.004, rng)) is None

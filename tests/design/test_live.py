@@ -7,17 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.design.live import LiveDesign, asks_for_another_lens
 from workbench.design.loss import relative_error
 from workbench.design.run import run
-from workbench.design.session import Session
 from workbench.design.snapshot import History
 from workbench.design.task import begin
 from workbench.geometry.faces import FaceArrays
-from workbench.scene import Scene, Stage
-
-EVEN = {"version": 2, "target": {"builtin": "rectangle", "width": 1, "height": 1}}
+from workbench.scene import Scene
 
 
 @pytest.fixture(scope="module")
@@ -85,25 +81,6 @@ def test_a_large_edit_sends_the_light_anew_by_transport(designed):
     assert present.best and first.best
 
 
-def test_a_lens_by_transport_that_is_worse_than_the_present_one_is_not_the_best(designed):
-    live = LiveDesign()
-    worst = lenses(live, replace(designed, result=None), 2)[1]
-    live._by_transport = designed.target, 0.0  # nothing is near enough
-    _, first = lenses(live, designed, 2)
-    assert first.state.loss == pytest.approx(worst.state.loss)
-    assert not first.best
-
-
-def test_the_undesigned_lens_does_not_compete_with_lenses_of_transport(designed):
-    # All of the screen evenly lit is what the flat plate does; its error is 0.
-    task = begin(Scene.from_data(designed.scene.to_data() | EVEN), Path())
-    edited = designed.with_scene(task.scene, task.target)
-    present, first = lenses(LiveDesign(), edited, 2)
-    assert relative_error(present.state, edited.target) > 1
-    assert relative_error(first.state, edited.target) < 0.01
-    assert first.best
-
-
 def test_the_best_lens_is_chosen_by_all_that_the_scene_asks_for(designed):
     settings = designed.scene.run.model_copy(update={"smoothness": 3.0})
     task = designed.scene.model_copy(update={"run": settings})
@@ -114,24 +91,6 @@ def test_the_best_lens_is_chosen_by_all_that_the_scene_asks_for(designed):
         assert snapshot.best is (snapshot.merit < lowest)
         lowest = min(lowest, snapshot.merit)
     assert any(each.best for each in snapshots[1:])
-
-
-def test_value_of_transport_is_estimated_from_its_last_lens(designed):
-    live = LiveDesign(Spy())
-    _, by_transport = lenses(live, replace(designed, result=None), 2)
-    target, error = live._by_transport
-    assert target is designed.target
-    assert error == relative_error(by_transport.state, target)
-
-
-def test_a_design_can_continue_from_the_last_lens(designed):
-    live = LiveDesign(refit=lambda *_: None)
-    lenses(live, moved(designed, 5.01), 3)
-    last = live._last
-    edited = moved(designed, 5.02)
-    assert lenses(live, edited, 1, goes_on=True)[0].state.heights == last.result.state.heights
-    (present,) = lenses(live, edited, 1)
-    assert present.state.heights == designed.result.state.heights
 
 
 def test_light_goes_where_it_went_when_all_but_the_target_is_edited(designed):
@@ -148,25 +107,6 @@ def test_light_goes_where_it_went_when_all_but_the_target_is_edited(designed):
     assert 0 < first.seconds < second.seconds
 
 
-def test_a_face_that_is_not_good_is_not_taken(designed):
-    spy, bad = Spy(), designed.result.state.heights["exit"] + 0.05 * np.eye(16)
-    steps = LiveDesign(spy, refit=lambda *_: bad).snapshots(moved(designed, 5.01), before=designed)
-    first, second = next(steps), next(steps)
-    steps.close()
-    assert np.array_equal(spy.asked[0][1]["exit"], bad)
-    assert (first.iteration, second.iteration) == (0, 1)
-    assert first.state.heights == designed.result.state.heights
-
-
-def test_another_target_is_no_reason_to_send_light_where_it_went(designed):
-    spy = Spy()
-    other = replace(designed, target=designed.target[::-1] + 0.1, result=None)
-    for _ in zip(LiveDesign(spy).snapshots(other, before=designed), range(3), strict=False):
-        pass
-    asked = [start for _, start, _ in spy.asked]
-    assert asked == [other.heights, None] or asked == [None]
-
-
 def test_locked_control_points_stay_however_large_the_edit_is(designed):
     locked = np.zeros((16, 16), dtype=bool)
     locked[:3] = True
@@ -175,16 +115,6 @@ def test_locked_control_points_stay_however_large_the_edit_is(designed):
     before, after = edited.heights["exit"], last.state.heights["exit"]
     assert np.array_equal(before[locked], after[locked])
     assert not np.array_equal(before, after)
-
-
-def test_stages_are_left_out(designed):
-    spy = Spy()
-    stages = (Stage(iterations=5, control_points=(8, 8)),)
-    settings = designed.scene.run.model_copy(update={"stages": stages})
-    scene = designed.scene.model_copy(update={"run": settings})
-    for snapshot in lenses(LiveDesign(spy), Session(scene, designed.target), 2):
-        assert snapshot.stages == 1
-    assert spy.asked[0][0].run.stages == ()
 
 
 def test_a_lens_whose_light_misses_the_screen_gives_way_to_transport(designed):
@@ -197,23 +127,12 @@ def test_a_lens_whose_light_misses_the_screen_gives_way_to_transport(designed):
     assert relative_error(last.state, designed.target) < 0.2
 
 
-def test_time_counts_from_the_first_look_at_the_present_lens(designed):
-    seconds = [each.seconds for each in lenses(LiveDesign(), moved(designed, 9), 4)]
-    assert seconds == sorted(seconds)
-
-
 def test_a_design_ends_as_the_run_does(designed):
     steps = LiveDesign().snapshots(moved(designed, 5.01))
     with pytest.raises(StopIteration) as end:
         while True:
             next(steps)
     assert end.value.value
-
-
-def test_the_error_of_a_lens_is_that_of_the_image_that_its_loss_is_of(designed):
-    state, target = designed.result.state, designed.target
-    state = replace(state, loss=paper_loss(state.irradiance, target))
-    assert relative_error(state, target) == pytest.approx(relative_l2(state.irradiance, target))
 
 
 @pytest.mark.parametrize(
@@ -234,9 +153,3 @@ def test_change_of_the_task_needs_another_lens(changes, asks, designed):
         data[part] |= values
     after = designed.with_scene(Scene.from_data(data), designed.target)
     assert asks_for_another_lens(designed, after) is asks
-
-
-def test_another_unit_asks_for_no_other_lens_and_another_image_does(designed):
-    assert not asks_for_another_lens(designed, designed.in_unit("mm"))
-    image = designed.target[::-1] + np.arange(32)
-    assert asks_for_another_lens(designed, designed.with_scene(designed.scene, image))

@@ -1,9 +1,6 @@
 """Memory of a run, computed before it and measured."""
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +12,7 @@ from workbench.analysis.benchmark.examples import wavy
 from workbench.design import memory
 from workbench.design.lens_blur import BlurChange, LensBlur
 from workbench.design.levels import FINE, cells_of, image_of
-from workbench.design.memory import auto_memory, check_auto, memory_notes
+from workbench.design.memory import auto_memory, check_auto
 from workbench.design.near_sources import source_cells
 from workbench.design.run import run
 from workbench.errors import Refused
@@ -83,35 +80,6 @@ def evaluation_peak(scene):
     return max(peak_of(evaluate) for _ in range(5))
 
 
-@pytest.fixture(scope="module")
-def peaks():
-    """Peaks of all scenes, from a process in which each array is mapped by itself.
-
-    The kernel counts what is in use there. In a heap, where freed pieces stay between others, the
-    same evaluation took 5 to 28 % more, which depended on the turns of threads.
-    """
-    file = Path(__file__)
-    settings = os.environ | {
-        "GLIBC_TUNABLES": "glibc.malloc.mmap_threshold=65536",
-        "PYTHONPATH": str(file.parents[2]),
-    }
-    done = subprocess.run([sys.executable, file], env=settings, capture_output=True, check=True)
-    return json.loads(done.stdout)
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="needs the account of Linux's kernel")
-@pytest.mark.parametrize("name", SCENES)
-def test_an_evaluation_takes_the_memory_that_was_computed(peaks, name):
-    scene, blur = scene_of(name), blur_of(scene_of(name))
-    computed = memory._of_image(scene)
-    if blur:
-        computed = memory._of_nodes(scene, cells_of(FINE, scene, sharp=True), blur.mean.parts)
-    elif cells := source_cells(scene):
-        computed = memory._of_nodes(scene, cells)
-    # It counts pieces of the heap, too.
-    assert 1.05 * peaks[name] < computed < 1.4 * peaks[name]
-
-
 @pytest.fixture
 def large(make_scene):
     """The smallest task with a net whose runs take 1 GB or more."""
@@ -131,21 +99,6 @@ def test_a_run_that_does_not_fit_is_refused_before_anything_is_made(large, monke
     )
     monkeypatch.setattr(memory, "available_memory", lambda: needed)
     check_auto(large)
-
-
-def test_a_run_says_its_memory_where_it_is_large(large, make_scene):
-    assert memory_notes(large) == (f"memory: about {as_bytes(auto_memory(large))}",)
-    small = make_scene()
-    assert memory_notes(small) == ()
-    assert not any("memory" in note for note in next(run(small, load_target(small, None))).notes)
-
-
-def test_memory_grows_with_pixels_control_points_and_images(make_scene, large):
-    fewer = make_scene({"screen.pixels": [512, 512], "lens.control_points": [64, 64]})
-    # Nodes and pixels alone count there: four times as many, and what the program itself needs.
-    assert auto_memory(large) / auto_memory(fewer) == pytest.approx(3.5, abs=0.5)
-    finer = make_scene({"screen.pixels": [512, 512], "lens.control_points": [512, 512]})
-    assert auto_memory(finer) > 1.5 * auto_memory(fewer)
 
 
 if __name__ == "__main__":

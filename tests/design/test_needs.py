@@ -15,19 +15,6 @@ def test_a_lamp_that_shines_away_from_the_lens_is_refused(make_scene, tmp_path):
         check_stages(scene.stage_scenes(), 0, None, {})
 
 
-def test_a_lamp_that_shines_at_the_rim_of_the_lens_alone_is_not_refused(make_scene, tmp_path):
-    aside = downlight(tmp_path) | {"rotation": [130.0, 0.0, 0.0]}
-    check_stages(make_scene(PLATE | {"source": aside}).stage_scenes(), 0, None, {})
-
-
-def test_light_of_a_stage_is_refused_by_the_path_of_the_stage(make_scene, tmp_path):
-    away = downlight(tmp_path) | {"rotation": [180.0, 0.0, 0.0]}
-    run = {"iterations": 10, "stages": [{"iterations": 5, "source": away}]}
-    scene = make_scene(PLATE | {"run": run})
-    with pytest.raises(Refused, match=r"^run\.stages\[0\]\.source: none of its light"):
-        check_stages(scene.stage_scenes(), 0, None, {})
-
-
 def test_a_screen_that_light_grazes_is_said_with_what_helps(make_scene):
     wall = {
         "version": 2,

@@ -46,37 +46,9 @@ def test_a_lens_of_a_run_is_designed_for_the_task_of_the_run(designed):
     assert origin(designed) == "designed for this task"
 
 
-def test_run_settings_are_no_other_task(designed):
-    assert origin(moved(designed, "run", seed=7)) == "designed for this task"
-
-
 def test_the_other_task_is_named_with_what_differs(designed):
     other = moved(designed, z=7.0)
     assert other.result is None
     assert origin(other) == "designed for another task (Run 1): screen.z 5.0, now 7.0"
     traced = replace(other, result=replace(designed.result, losses=np.empty(0)))
     assert origin(traced) == origin(other)
-
-
-def test_only_some_differences_are_named(designed):
-    message = origin(moved(moved(designed, z=7.0, half_width=(2.0, 2.0)), "filter", alpha=2.0))
-    assert "screen.z" in message and "screen.half_width" in message
-    other = moved(moved(designed, z=7.0), "source", rays=(9, 9))
-    other = moved(moved(other, half_width=(2.0, 2.0)), "target", padding=0.1)
-    assert origin(other).endswith(", …")
-
-
-def test_another_picture_in_the_same_file_is_another_task(designed):
-    other = replace(designed, target=2 * designed.target)
-    assert origin(other) == "designed for another task (Run 1): another target image"
-
-
-def test_a_lens_that_no_kept_run_found(designed, task):
-    assert origin(replace(designed, runs=())) == "designed for this task"  # its result says so
-    by_hand = replace(
-        task,
-        start=FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.4)}),
-        runs=designed.runs,
-    )
-    assert origin(by_hand) == "not designed for this task"
-    assert origin(task) == "not designed yet"

@@ -44,11 +44,3 @@ def test_a_design_of_an_elliptic_lens_comes_near_the_target(make_scene, tmp_path
     assert (
         second_differences[:, 0].max() < 3 * second_differences[:, 16].max()
     )  # no wild heights beside the lens
-
-
-def test_the_result_of_a_symmetric_task_is_symmetric(make_scene, tmp_path):
-    scene = make_scene(ROUND | {"target": {"builtin": "tophat"}, "run.iterations": 5})
-    *_, last = run(scene, load_target(scene, tmp_path))
-    heights = last.state.heights["exit"]
-    for axis in (0, 1):
-        np.testing.assert_allclose(heights, np.flip(heights, axis), atol=1e-9)

@@ -1,16 +1,13 @@
 """The picture of a target that a session keeps, and when its file is read."""
 
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from workbench.design import picture as picture_module
-from workbench.design.picture import changed_on_disk, picture_of, why_not_kept
+from workbench.design.picture import changed_on_disk
 from workbench.design.task import begin, with_file, with_task
-from workbench.errors import Refused
 from workbench.scene import Scene
 
 LETTER = np.array([[255, 255, 0], [255, 0, 0], [255, 0, 0]], dtype=np.uint8)
@@ -34,11 +31,6 @@ def edited(session, **target):
     return with_task(session, Scene.from_data(data), Path(session.scene.image).parent)
 
 
-def test_a_session_keeps_the_file_as_it_is(session, image):
-    assert session.picture == image.read_bytes()
-    assert why_not_kept(session.scene, session.picture) == ""
-
-
 def test_the_target_is_drawn_anew_without_the_file(session, image):
     expected = edited(session, blur=1.5, padding=0.1, invert=True).target
     image.unlink()
@@ -58,24 +50,6 @@ def test_the_kept_picture_counts_until_the_file_is_read_again(session, image):
     assert np.abs(again.target - kept.target).max() > 0.9
 
 
-def test_a_pipe_in_place_of_the_file_is_not_waited_for(session, image):
-    image.unlink()
-    os.mkfifo(image)
-    assert picture_of(session.scene, image.parent) is None
-    assert not changed_on_disk(session.scene, session.picture)
-
-
-def test_a_name_that_no_file_can_have_gives_no_picture(make_scene, tmp_path):
-    assert picture_of(make_scene({"target": {"image": "a\0b.png"}}), tmp_path) is None
-
-
-def test_a_deleted_image_file_does_not_count_as_changed(session, image):
-    image.unlink()
-    assert not changed_on_disk(session.scene, session.picture)
-    with pytest.raises(Refused, match="is not an existing file"):
-        with_file(session, image.parent)
-
-
 def test_another_image_brings_its_own_picture(session, image):
     other = image.with_name("other.png")
     Image.fromarray(LETTER.T.copy()).save(other)
@@ -83,23 +57,3 @@ def test_another_image_brings_its_own_picture(session, image):
     assert found.picture == other.read_bytes()
     data = found.scene.to_data() | {"target": {"builtin": "ball"}}
     assert with_task(found, Scene.from_data(data), image.parent).picture is None
-
-
-def test_picture_too_large_to_keep_is_read_from_its_file_each_time(make_scene, image, monkeypatch):
-    monkeypatch.setattr(picture_module, "LARGEST_PICTURE", image.stat().st_size - 1)
-    scene = make_scene({"target": {"image": str(image)}})
-    assert picture_of(scene, image.parent) is None
-    session = begin(scene, image.parent)
-    assert session.picture is None
-    assert "letter.png, which has more than" in why_not_kept(scene, session.picture)
-    assert edited(session, padding=0.1).picture is None
-    image.unlink()
-    with pytest.raises(Refused, match="is not an existing file"):
-        edited(session, padding=0.2)
-
-
-def test_a_builtin_shape_has_no_picture(make_scene, tmp_path):
-    session = begin(make_scene(), tmp_path)
-    assert session.picture is None
-    assert why_not_kept(session.scene, None) == ""
-    assert not changed_on_disk(session.scene, None)

@@ -1,14 +1,11 @@
 """A design run as its consumers see it."""
 
-import dataclasses
 import re
-from itertools import islice
 
 import numpy as np
 import pytest
 import torch
 
-from workbench.design.methods import method_of
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
@@ -34,10 +31,6 @@ def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     assert first.state.heights["exit"] == pytest.approx(0.5, abs=1e-14)
     assert first.state.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
-
-
-def test_snapshots_note_how_they_are_traced(scene, disc):
-    assert next(run(scene, disc)).notes[0].startswith("fused kernels")
 
 
 def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc, monkeypatch):
@@ -79,32 +72,6 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)
 
 
-def test_snapshots_cannot_be_changed(scene, disc):
-    snapshot = next(run(scene, disc))
-    with pytest.raises(ValueError, match="read-only"):
-        snapshot.state.heights["exit"][0, 0] = 1
-    with pytest.raises(ValueError, match="read-only"):
-        snapshot.state.irradiance[0, 0] = 1
-
-
-@pytest.mark.parametrize("method", METHODS, ids=["auto", "paper"])
-def test_irradiance_is_flux_per_area(make_scene, disc, method):
-    # A dark rim, beyond which no filter spreads light.
-    scene = make_scene({"run": method, "screen.half_width": [2.0, 2.0]})
-    snapshot = next(run(scene, disc))
-    flux = snapshot.state.irradiance.sum() * scene.receiver.pixel_measure
-    assert flux == pytest.approx(snapshot.state.account.on_screen, rel=1e-6)
-
-
-def test_the_same_seed_repeats(make_scene, disc):
-    def heights(seed):
-        settings = {"method": "paper", "start": "random", "seed": seed, "iterations": 3}
-        return [s.state.heights["exit"] for s in run(make_scene({"run": settings}), disc)]
-
-    assert all((a == b).all() for a, b in zip(heights(1), heights(1), strict=True))
-    assert (heights(1)[0] != heights(2)[0]).any()
-
-
 def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
     def spread(start):
         settings = {"method": "paper", "start": start}
@@ -113,19 +80,6 @@ def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
     assert spread("zeros") < 1e-12
     assert 1e-5 < spread("uniform") < 1e-3
     assert spread("random") > 1e-3
-
-
-def test_a_run_goes_on_from_given_heights(scene, disc):
-    earlier = [s for s in run(scene, disc) if s.best][-1]
-    again = run(scene, disc, start=earlier.state.heights)
-    first = next(again)
-    assert first.state.heights["exit"] == pytest.approx(earlier.state.heights["exit"], abs=1e-9)
-    assert first.state.loss == pytest.approx(earlier.state.loss, rel=1e-3)
-    assert min(s.state.loss for s in again) <= first.state.loss
-
-
-def test_no_iterations_show_the_undesigned_lens(make_scene, disc):
-    assert len(list(run(make_scene({"run.iterations": 0}), disc))) == 1
 
 
 def test_a_run_without_light_fails_with_its_light_account(make_scene, disc):
@@ -150,22 +104,6 @@ ASIDE = {
 }
 
 
-def test_auto_judges_the_first_lens_of_transport_and_not_the_undesigned_one(make_scene, disc):
-    # The plate sends no light to the screen.
-    dark, *rest = run(make_scene(ASIDE | {"lens.height_range": None}), disc)
-    assert dark.state.account.on_screen == 0 and not dark.state.irradiance.any()
-    assert dark.best and np.isfinite(dark.state.loss)
-    assert rest[0].best and rest[0].state.account.on_screen > 0.3
-    assert rest[-1].state.loss < 0.2 * dark.state.loss
-
-
-def test_auto_restarts_by_transport_from_a_lens_without_light(make_scene, disc):
-    scene = make_scene(ASIDE | {"lens.height_range": None})
-    dark, then, *_ = run(scene, disc, start={"exit": np.full((20, 20), 0.6)})
-    assert dark.state.account.on_screen == 0 and (dark.state.heights["exit"] == 0.6).all()
-    assert then.state.account.on_screen > 0.3
-
-
 def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_needed(
     make_scene, disc
 ):
@@ -173,12 +111,6 @@ def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_need
     scene = make_scene(ASIDE | aside | {"lens.height_range": [-1e-4, 1e-4]})
     with pytest.raises(RunFailed, match=r"no light .*\. The lens needs .* is allowed: widen"):
         list(run(scene, disc))
-
-
-def test_a_box_filter_gives_the_papers_method_no_gradient(make_scene, disc):
-    scene = make_scene({"run": {"method": "paper"}, "filter": {"kind": "box"}})
-    with pytest.raises(Refused, match=r"filter\.kind: 'box' is constant"):
-        next(run(scene, disc))
 
 
 def test_auto_designs_behind_a_box_filter_all_the_same(make_scene, disc):
@@ -191,29 +123,6 @@ def test_a_gpu_that_is_not_there_is_refused(make_scene, disc):
     for method in METHODS:
         with pytest.raises(Refused, match=r"run\.device: 'cuda' needs an NVIDIA GPU"):
             next(run(make_scene({"run": method | {"device": "cuda"}}), disc))
-
-
-def test_a_full_graphics_card_ends_a_run_with_what_to_do(scene, disc, monkeypatch):
-    def full(*_):
-        raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate 670.00 MiB.")
-        yield
-
-    method = method_of(scene)._replace(steps=full)
-    monkeypatch.setattr("workbench.design.run.method_of", lambda scene: method)
-    with pytest.raises(RunFailed, match="too little free memory; compute on the processor"):
-        next(run(scene, disc))
-
-
-def test_a_card_that_is_full_in_the_last_look_ends_a_run_with_what_to_do(scene, disc, monkeypatch):
-    def full(*_):
-        raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate 670.00 MiB.")
-
-    method = method_of(scene)._replace(judged=full)
-    monkeypatch.setattr("workbench.design.run.method_of", lambda scene: method)
-    seen = []
-    with pytest.raises(RunFailed, match="too little free memory; compute on the processor"):
-        seen.extend(run(scene, disc))
-    assert seen[-1].iteration > 0  # lenses up to then stay good
 
 
 def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
@@ -237,14 +146,6 @@ def test_history_gathers_the_best_lens_and_all_losses(scene, disc):
     assert both.iterations > result.iterations
     assert both.seconds > result.seconds
     assert (np.diff(both.times()) > 0).all() and both.times()[-1] == both.seconds
-
-
-def test_times_that_were_not_kept_are_spread_evenly(scene, disc):
-    history = History()
-    for snapshot in islice(run(scene, disc), 5):
-        history.add(snapshot)
-    result = dataclasses.replace(history.result(), seconds=2.0, seconds_at=None)
-    assert result.times().tolist() == [0.5, 1.0, 1.5, 2.0]
 
 
 def test_auto_moves_light_beside_the_screen_onto_it(make_scene, disc):

@@ -75,15 +75,6 @@ def test_another_net_makes_the_nearest_lens_a_start(session):
     assert again.start["exit"].shape == (9, 9)
 
 
-def test_another_degree_makes_the_nearest_lens_a_start(session):
-    other = edited(session, lens__degree=[4, 4])
-    assert (
-        other.result is None
-        and other.start["exit"].shape == session.result.state.heights["exit"].shape
-    )
-    assert 1e-6 < off(session, other) < 0.02
-
-
 @pytest.mark.parametrize(
     "values",
     [
@@ -99,11 +90,6 @@ def test_another_task_takes_the_lens_for_a_start(session, values):
     assert other.result is None
     assert other.start is session.result.state.heights
     assert other.heights is other.start
-
-
-def test_another_image_takes_the_lens_for_a_start(session):
-    other = edited(session, target=2 * session.target)
-    assert other.result is None and other.start is session.result.state.heights
 
 
 @pytest.mark.parametrize(
@@ -125,18 +111,6 @@ def test_limits_that_the_lens_is_within_keep_the_result(session, values):
     assert other.start is None
 
 
-@pytest.mark.parametrize(
-    "values",
-    [
-        {"lens__entrance_z": -0.01},
-        {"lens__base": {"shape": "flat", "height": 0.51}},
-    ],
-)
-def test_a_lens_within_its_new_limits_is_a_start(session, values):
-    other = edited(session, **values)
-    assert other.result is None and other.start is session.result.state.heights
-
-
 def test_limits_that_the_lens_exceeds_cut_it_off(session):
     heights = session.result.state.heights["exit"]
     half = 0.7 * np.abs(heights - 0.5).max()
@@ -155,11 +129,6 @@ def test_a_lens_moves_along_z_where_that_is_enough_to_be_within_its_limits(sessi
     assert other.start["exit"].max() < heights.max() - 0.01
 
 
-def test_another_outline_removes_the_lens(session):
-    other = edited(session, lens__half_width=[1.0, 1.1])
-    assert other.result is None and other.start is None and other.heights is None
-
-
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
     locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     session = replace(session, locked=locked)
@@ -167,19 +136,6 @@ def test_locks_stay_with_their_control_points_wherever_these_are(session):
     assert edited(session, screen__z=7.0).locked is locked
     finer_net = finer(session.scene.optic, 2)
     assert edited(session, lens__control_points=finer_net).locked == NO_LOCKS
-
-
-def test_undoing_an_edit_by_hand_leaves_the_lens_a_start(session):
-    moved = edited(session, screen__z=7.0)
-    back = edited(moved, screen__z=session.scene.receiver.z)
-    assert back.result is None
-    assert back.start is session.result.state.heights
-
-
-def test_an_undesigned_lens_stays_undesigned(session):
-    bare = Session(session.scene, session.target)
-    other = edited(bare, lens__control_points=[20, 20])
-    assert other.heights is None
 
 
 def test_another_unit_keeps_the_lens_and_its_light(session):

@@ -11,7 +11,6 @@ from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.validation import validate
 from workbench.design.evaluation import Evaluator
 from workbench.design.levels import finest_image
-from workbench.design.limits import bounded
 from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
@@ -101,41 +100,11 @@ def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path
     )
 
 
-def test_the_lens_stays_before_the_nearest_screen(make_scene, tmp_path):
-    near = {**SECOND, "screen": {**SECOND["screen"], "z": 2.0}}
-    scene = make_scene({"further_images": [near], "lens.height_range": None})
-    assert bounded(scene).ceiling < 2.0 < bounded(scene.single[0]).ceiling
-
-
 def test_the_first_lens_goes_along_lines_through_all_images(at_two_distances):
     shots = list(run(at_two_distances.scene, at_two_distances.target))
     notes = [note for note in shots[1].notes if note.startswith("first lens: ")]
     assert notes[0].endswith("it begins with both faces along lines through all images")
     assert shots[-1].state.loss < 0.8 * shots[1].state.loss
-
-
-def test_a_first_lens_with_a_locked_exit_face_suits_the_image_that_it_makes_best(at_two_distances):
-    scene, target = at_two_distances.scene, at_two_distances.target
-    locked = {"exit": np.ones(scene.optic.net_shape, dtype=bool)}
-    undesigned, first, *_ = run(scene, target, locked=locked)
-    exits = (each.state.heights["exit"] for each in (undesigned, first))
-    np.testing.assert_array_equal(*exits)
-    (note,) = (note for note in first.notes if note.startswith("first lens: "))
-    assert "it begins with the entrance face for image" in note
-    assert first.state.loss < 0.5 * undesigned.state.loss
-
-
-def test_an_automatic_entrance_range_does_as_well_as_one_that_is_given(
-    at_two_distances, make_scene, tmp_path
-):
-    data = at_two_distances.scene.to_data()
-    del data["lens"]["entrance"]["height_range"]
-    automatic = last_of(begin(type(at_two_distances.scene).from_data(data), tmp_path)).state
-    given = last_of(at_two_distances).state
-    assert automatic.loss < 1.1 * given.loss
-    # The exit face rises with the entrance face, and the glass stays about as thick as it was.
-    apart = automatic.heights["exit"].mean() - automatic.heights["entrance"].mean()
-    assert apart > 0.9 * BOTH["lens.base"]["height"]
 
 
 def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
@@ -175,20 +144,6 @@ def test_the_check_looks_at_each_image_by_itself(make_scene, tmp_path):
     assert "further_images" not in found.further[0].to_data()
 
 
-def test_a_session_of_one_image_has_its_light_alone(make_scene, tmp_path):
-    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    shot = next(run(session.scene, session.target))
-    session = Session(session.scene, session.target, Result(shot.state, np.array([1.0]), 1.0))
-    first, second = session.of_image(0), session.of_image(1)
-    np.testing.assert_array_equal(second.target, session.scene.images[1].wanted)
-    np.testing.assert_array_equal(second.result.state.irradiance, shot.state.further[0].irradiance)
-    assert second.result.state.loss == pytest.approx(shot.state.further[0].loss, rel=1e-5)
-    weighted = (relative_error(first.result.state, first.target) ** 2) + 2 * (
-        relative_error(second.result.state, second.target) ** 2
-    )
-    assert relative_error(shot.state, session.target) ** 2 == pytest.approx(weighted / 3, rel=1e-4)
-
-
 def test_single_image_tools_refuse_several_images(make_scene, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     scene, target = session.scene, session.target
@@ -206,11 +161,3 @@ def test_single_image_tools_refuse_several_images(make_scene, tmp_path):
         with pytest.raises(Refused, match=r"^further_images: 1 given, which .* cannot take"):
             task()
     assert not Bound(scene, target).known
-
-
-def test_a_lens_of_several_images_is_judged_by_hand_as_by_a_run(make_scene, tmp_path):
-    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    state = next(run(session.scene, session.target)).state
-    judged = Evaluator(session.scene, session.target, state.heights).snapshot(state.heights).state
-    assert judged.loss == pytest.approx(state.loss, rel=1e-6)
-    assert len(judged.further) == 1

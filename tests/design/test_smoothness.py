@@ -1,20 +1,12 @@
 """The price of bends: right in itself, the same in any unit, and obeyed by both methods."""
 
-import math
-
 import numpy as np
 import pytest
 import torch
 
-import workbench.design.run as run_module
-from tests.accounts import account_of
-from workbench.analysis.manufacture import manufacture, surface_maps
-from workbench.design.lens_state import LensState
-from workbench.design.methods import method_of
+from workbench.analysis.manufacture import manufacture
 from workbench.design.run import run
 from workbench.design.smoothness import Smoothness
-from workbench.design.step import Step
-from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 
 CPU = torch.device("cpu")
@@ -56,10 +48,6 @@ def quadratic(scene, r, s, t):
     return torch.as_tensor(height + curved)
 
 
-def test_there_is_no_smoothness_term_by_default(make_scene):
-    assert Smoothness.of(make_scene(), DISC, CPU) is None
-
-
 @pytest.mark.parametrize("degree", [(2, 2), (3, 3), (4, 2)])
 def test_bending_energy_of_a_quadratic_face(make_scene, degree):
     changes = {"lens.half_width": [1.0, 0.7], "lens.degree": list(degree)}
@@ -67,14 +55,6 @@ def test_bending_energy_of_a_quadratic_face(make_scene, degree):
     r, s, t = 0.03, -0.02, 0.05
     energy = smoothness_of(scene).faces["exit"].bending(quadratic(scene, r, s, t))
     assert energy.item() == pytest.approx((r**2 + 2 * s**2 + t**2) * 4 * 1.0 * 0.7, rel=1e-10)
-
-
-def test_the_base_itself_has_no_bending_energy(make_scene):
-    base = {"shape": "sphere", "height": 0.5, "radius": 8.0}
-    scene = make_scene({"lens.base": base, "run.smoothness": 1.0})
-    x, y = ControlNet.of(scene.optic).positions
-    heights = torch.as_tensor(scene.optic.base.height_at(x[:, None], y) + 0.1)
-    assert smoothness_of(scene).faces["exit"].bending(heights).item() == pytest.approx(0, abs=1e-13)
 
 
 def test_curvature_violation_of_a_quadratic_face(make_scene):
@@ -90,17 +70,6 @@ def test_curvature_violation_of_a_quadratic_face(make_scene):
         2 * scene.optic.base.height - heights, 2.0
     ).item() == pytest.approx(1.0, rel=1e-4)
     assert found.faces["exit"].curvature_violation(heights, 0.99).item() == 0
-
-
-def test_curvature_violation_begins_where_the_maps_say(make_scene, rng):
-    scene = make_scene({"run.min_radius": 1.0})
-    heights = 0.5 + 0.02 * rng.random(scene.optic.net_shape)
-    u, v = (2 * (n - p) + 1 for n, p in zip((12, 10), (3, 3), strict=True))
-    maps = surface_maps(scene.optic, {"exit": heights}, (u, v))
-    radius = 1 / max(maps.concave.max(), maps.convex.max())
-    found, heights = smoothness_of(scene), torch.as_tensor(heights)
-    assert found.faces["exit"].curvature_violation(heights, 0.99 * radius).item() == 0
-    assert found.faces["exit"].curvature_violation(heights, 1.01 * radius).item() > 0
 
 
 @pytest.mark.parametrize("face", ["exit", "entrance"])
@@ -165,13 +134,6 @@ def test_penalty_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
 class TestRuns:
     NET = {"lens.control_points": [16, 16]}  # noqa: RUF012
 
-    @pytest.mark.parametrize("method", ["auto", "paper"])
-    def test_a_weight_of_next_to_nothing_changes_nothing(self, make_scene, method):
-        task = self.NET | {"run": {"method": method, "iterations": 4}}
-        plain = [s.state.loss for s in run(make_scene(task), DISC)]
-        task["run"]["smoothness"] = 1e-30
-        assert [s.state.loss for s in run(make_scene(task), DISC)] == pytest.approx(plain, rel=1e-3)
-
     @pytest.mark.parametrize(("method", "iterations"), [("auto", 24), ("paper", 100)])
     def test_a_lens_keeps_to_the_smallest_radius(self, make_scene, method, iterations):
         task = self.NET | {"run": {"method": method, "iterations": iterations}}
@@ -203,34 +165,3 @@ class TestRuns:
             heights = torch.as_tensor(best(scene).state.heights["exit"].copy())
             energies.append(smoothness_of(scene).faces["exit"].bending(heights).item())
         assert energies[1] < 0.8 * energies[0]
-
-    def test_the_best_lens_is_chosen_by_its_merit(self, make_scene, monkeypatch):
-        """A sharper lens with a smaller loss is not the best."""
-        heights, flux = {"exit": torch.zeros(12, 10)}, torch.ones(32, 32)
-        account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-        steps = [
-            Step(
-                LensState.traced(heights, flux, 1.0, torch.tensor(loss), account),
-                merit=merit,
-            )
-            for loss, merit in ((3.0, 3.0), (1.0, 9.0), (2.0, 2.5))
-        ]
-        method = method_of(make_scene())._replace(steps=lambda room: iter(steps))
-        monkeypatch.setattr(run_module, "method_of", lambda scene: method)
-        assert [s.best for s in run(make_scene(), DISC)] == [True, False, True]
-
-
-@pytest.mark.parametrize("field", ["smoothness", "min_radius", "min_tool_radius"])
-class TestFields:
-    @pytest.mark.parametrize("value", [0, -1.0, math.inf, "1", True])
-    def test_impossible_values_are_refused(self, make_scene, field, value):
-        with pytest.raises(Refused, match=rf"^run\.{field}: "):
-            make_scene({f"run.{field}": value})
-
-    def test_faces_of_degree_1_have_no_curvature(self, make_scene, field):
-        with pytest.raises(Refused, match=rf"^run\.{field}: .* at least 2"):
-            make_scene({f"run.{field}": 1.0, "lens.degree": [3, 1]})
-
-    def test_scenes_without_are_written_as_before(self, make_scene, field):
-        assert field not in make_scene().to_data()["run"]
-        assert make_scene({f"run.{field}": 0.5}).to_data()["run"][field] == 0.5

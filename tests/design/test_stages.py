@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
-from workbench.design import parametrisation
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused
-from workbench.scene import GaussianFilter, PointSource
 
 POINT = {"kind": "point", "position": [0, 0, -5], "rays": 5000}
 GRID = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.2, 0.2], "points": [3, 3]}
@@ -17,34 +15,6 @@ GRID = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.2, 0.2], "points"
 def disc():
     across = np.linspace(-1, 1, 32)
     return (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
-
-
-def test_a_scene_without_stages_is_one_part(make_scene):
-    scene = make_scene()
-    assert scene.stage_scenes() == (scene,)
-
-
-def test_the_last_part_is_the_scene_itself(make_scene):
-    stages = [
-        {"iterations": 4, "source": POINT},
-        {"iterations": 3, "source": POINT, "filter": {"size": [5, 5]}, "control_points": [6, 6]},
-    ]
-    scene = make_scene({"source": GRID, "run": {"iterations": 10, "stages": stages}})
-    first, second, last = scene.stage_scenes()
-    assert isinstance(first.source, PointSource)
-    assert [p.run.iterations for p in (first, second, last)] == [4, 3, 3]
-    assert second.filter == GaussianFilter(size=(5, 5))
-    assert second.optic.control_points == (6, 6)
-    assert last.source == scene.source and last.optic == scene.optic
-    assert not last.run.stages
-    assert type(scene).from_json(scene.to_json()) == scene
-
-
-def test_a_stage_can_change_method_and_learning_rate(make_scene):
-    stages = [{"iterations": 2, "method": "paper", "learning_rate": 0.01}]
-    first, last = make_scene({"run": {"iterations": 5, "stages": stages}}).stage_scenes()
-    assert (first.run.method, first.run.learning_rate) == ("paper", 0.01)
-    assert last.run.method == "auto"
 
 
 @pytest.mark.parametrize(
@@ -82,34 +52,6 @@ def test_stages_that_are_not_possible_are_refused(make_scene, stages, sentence):
     assert str(refused.value).startswith(sentence)
 
 
-@pytest.mark.parametrize(
-    ("stages", "changes", "path"),
-    [
-        ([{}, {"filter": {"kind": "box"}}], {"run.method": "paper"}, "run.stages[1].filter.kind"),
-        ([{}, {"method": "paper"}], {"filter": {"kind": "box"}}, "run.stages[1].filter.kind"),
-        (
-            [{"filter": {"kind": "gaussian"}}],
-            {"run.method": "paper", "filter": {"kind": "box"}},
-            "filter.kind",
-        ),
-        (
-            [{}, {"control_points": [90, 90]}],
-            {"run.method": "paper", "run.parametrisation": "dense"},
-            "run.stages[1].parametrisation",
-        ),
-    ],
-)
-def test_impossible_later_stage_is_refused_before_the_first(
-    make_scene, disc, monkeypatch, stages, changes, path
-):
-    monkeypatch.setattr(parametrisation, "available_memory", lambda _: 100_000_000)
-    monkeypatch.setattr("workbench.design.run.Room", lambda *_: pytest.fail("a stage began"))
-    scene = make_scene({"run.stages": [{"iterations": 1} | stage for stage in stages]} | changes)
-    with pytest.raises(Refused) as refused:
-        next(run(scene, disc))
-    assert refused.value.path == path
-
-
 def test_each_stage_begins_with_the_best_lens_before(make_scene, disc):
     stages = [{"iterations": 8, "control_points": [6, 6]}, {"iterations": 6, "source": POINT}]
     scene = make_scene({"run": {"iterations": 20, "stages": stages}, "lens.control_points": [9, 9]})
@@ -139,27 +81,3 @@ def test_history_records_where_stages_began(make_scene, disc):
         assert snapshot.stage == 1  # given heights stand behind all stages
         continued.add(snapshot)
     assert continued.result().stage_starts == (3, 6)
-
-
-def test_a_result_counts_the_stages_that_are_left(make_scene, disc):
-    stages = [{"iterations": 2}, {"iterations": 2}]
-    scene = make_scene({"run": {"iterations": 6, "stages": stages}})
-    history, left = History(), []
-    for snapshot in run(scene, disc):
-        history.add(snapshot)
-        left.append(history.result().stages_left)
-    assert left == [2, 2, 2, 1, 1, 0, 0]
-
-
-def test_the_papers_extended_source_is_a_scene(make_scene, disc):
-    stages = [{"iterations": 15, "source": POINT}]
-    scene = make_scene(
-        {
-            "source": GRID | {"rays": 500},
-            "run": {"method": "paper", "learning_rate": 3e-3, "iterations": 30, "stages": stages},
-        }
-    )
-    snapshots = list(run(scene, disc))
-    for stage in (0, 1):
-        losses = [s.state.loss for s in snapshots if s.stage == stage]
-        assert min(losses) < losses[0]

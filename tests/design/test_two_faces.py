@@ -6,29 +6,22 @@ from itertools import islice
 
 import numpy as np
 import pytest
-import torch
 
 from resources import path
 from tests.scenes import changed
 from workbench.analysis.validation import validate
-from workbench.design.levels import asked_light_of
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History
 from workbench.design.transport import behind_flat_entrance, first_of
-from workbench.design.wide_image import WideImage
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.interruption import interrupted_when
-from workbench.optics.beam_plan import BeamPlan
 from workbench.scene import Scene
 from workbench.targets import load_target
 
 FREEFORM = {"lens.entrance": {"shape": "freeform"}, "lens.height_range": None}
-PAPER = {"method": "paper", "iterations": 4}
-NETWORKS = [("none", "zeros"), ("sparse", "uniform"), ("dense", "random")]
 
 
 @pytest.fixture
@@ -97,52 +90,6 @@ def test_the_log_compares_the_lens_with_that_of_one_face_at_the_end(make_scene, 
     assert float(found[2]) == pytest.approx(min(losses[: count + 1]) / min(alone), rel=0.05)
 
 
-def test_a_run_is_interrupted_within_its_first_lens(make_scene, uneven):
-    asked = 0
-
-    def fourth():
-        nonlocal asked
-        asked += 1
-        return asked == 4
-
-    history = History()
-    with interrupted_when(fourth):
-        shown = list(history.follow(run(make_scene(FREEFORM), uneven)))
-    assert [each.iteration for each in shown] == [0]
-    assert asked == 4
-    assert history.result().ended == "stopped"
-
-
-def test_the_log_compares_the_first_lens_with_that_of_one_face(make_scene, uneven):
-    *_, last = run(make_scene({**FREEFORM, "run.iterations": 1}), uneven)
-    assert any(note.startswith("first lens: ") for note in last.notes)
-
-
-def test_an_entrance_face_without_room_bends_less(make_scene, uneven):
-    narrow = {"shape": "freeform", "height_range": [0, 0.02]}
-    scene = make_scene({**FREEFORM, "lens.entrance": narrow})
-    first = first_of(scene, uneven)
-    assert 0.01 < np.ptp(first.heights["entrance"]) <= 0.02
-    assert np.ptp(first.heights["exit"]) > 0.1
-
-
-@pytest.mark.parametrize("height_range", [None, [-0.3, 0.3]])
-@pytest.mark.parametrize("parametrisation, start", NETWORKS)
-def test_the_paper_method_shapes_both_faces(
-    make_scene, uneven, parametrisation, start, height_range
-):
-    settings = {**PAPER, "parametrisation": parametrisation, "start": start}
-    scene = make_scene({**FREEFORM, "lens.height_range": height_range, "run": settings})
-    shots = list(run(scene, uneven))
-    assert shots[-1].state.loss < shots[0].state.loss
-    assert_apart(scene, shots[-1].state.heights)
-    entrance, exit = (
-        np.abs(z - shots[0].state.heights[face]).max()
-        for face, z in shots[-1].state.heights.items()
-    )
-    assert entrance > 0.1 * exit > 1e-6
-
-
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     scene = make_scene({**FREEFORM, "run.iterations": 2})
     start = {
@@ -157,14 +104,6 @@ def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     assert moved[~mask].all()
 
 
-def test_a_run_goes_on_from_both_faces(make_scene, uneven):
-    scene = make_scene({**FREEFORM, "run.iterations": 2})
-    *_, last = run(scene, uneven)
-    first, *_ = run(scene, uneven, last.state.heights)
-    for face, z in last.state.heights.items():
-        np.testing.assert_array_equal(first.state.heights[face], z)
-
-
 def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_path):
     scene = make_scene(
         {**FREEFORM, "lens.entrance": {"shape": "freeform", "control_points": [7, 9]}}
@@ -177,37 +116,6 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
     assert again.start == start
     assert again.locked == session.locked
     assert again.scene == scene
-
-
-def test_a_lens_becomes_two_faced_and_one_faced_again(make_scene, uneven):
-    flat = make_scene({"lens.height_range": None})
-    curved = np.linspace(0.4, 0.6, 120).reshape(12, 10)
-    session = Session(flat, uneven, start=FaceArrays({"exit": curved}))
-    two = session.with_scene(make_scene(FREEFORM), uneven)
-    assert list(two.start) == ["entrance", "exit"]
-    np.testing.assert_array_equal(two.start["exit"], curved)
-    assert np.ptp(two.start["entrance"]) == 0
-    one = two.with_scene(flat, uneven)
-    assert list(one.start) == ["exit"]
-    np.testing.assert_array_equal(one.start["exit"], curved)
-
-
-def test_another_entrance_net_carries_the_face(make_scene, uneven):
-    def scene(count):
-        return Scene.from_data(make_scene({**FREEFORM, "lens.entrance": {**_net(count)}}).to_data())
-
-    coarse = scene(8)
-    curved = 0.1 + 0.05 * np.random.default_rng(2).random((8, 8))
-    start = FaceArrays({"entrance": curved, "exit": np.full((12, 10), 0.5)})
-    session = Session(coarse, uneven, start=start)
-    finer = session.with_scene(scene(13), uneven)
-    assert finer.start["entrance"].shape == (13, 13)
-    again = finer.with_scene(coarse, uneven)
-    np.testing.assert_allclose(again.start["entrance"], curved, atol=1e-12)
-
-
-def _net(count):
-    return {"shape": "freeform", "control_points": [count, count]}
 
 
 def test_the_entrance_face_keeps_light_of_a_near_point_from_the_side(make_scene):
@@ -256,21 +164,3 @@ def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
     )
     assert two_at_most < one_at_least / 1.5
     assert two.efficiency > one.efficiency
-
-
-def test_two_faces_close_to_a_source_are_asked_for_more_light_than_the_first_lens_sends(make_scene):
-    near = make_scene({**FREEFORM, "source": {"kind": "point", "position": [0, 0, -0.5]}})
-    far = make_scene({**FREEFORM, "source": {"kind": "point", "position": [0, 0, -4.0]}})
-    heights = {face: torch.tensor(z) for face, z in undesigned(bounded(near)).items()}
-    arrived = BeamPlan(near, (128, 128)).trace(heights).account.arrived
-    asked = asked_light_of(near, heights)
-    assert asked > 1.01 * arrived
-    assert asked_light_of(far, heights) is None
-    assert asked_light_of(near, {"exit": heights["exit"]}) is None
-    target = np.ones((32, 32))
-    least, more = (
-        WideImage(near, target, (32, 32), (1.0, 1.0), asked_light=light).compare(heights)[0]
-        for light in (arrived, 2 * arrived)
-    )
-    # Compared with twice the light, an image is half as bright: what it lacks is the wanted one.
-    assert (least - 2 * more).norm().item() == pytest.approx(1, abs=1e-5)

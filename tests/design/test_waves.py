@@ -7,7 +7,7 @@ import pytest
 import torch
 from scipy.fft import dctn, idctn
 
-from workbench.design.waves import FaceWaves, Waves
+from workbench.design.waves import Waves
 
 SHAPE = 9, 6
 
@@ -41,34 +41,6 @@ def test_only_even_waves_are_left_of_a_mirrored_net(mirrored, rng):
         assert torch.allclose(made, made.flip(axis), atol=1e-12) == each
         even = (even + even.flip(axis)) / 2 if each else even
     assert torch.allclose(made, even, rtol=0, atol=1e-13)
-
-
-def test_only_the_longest_waves_are_left_of_a_part(rng):
-    some = torch.as_tensor(rng.normal(size=SHAPE))
-    made, every = (
-        dctn(Waves(SHAPE, 1.25, (False, False), longest=part).eased(some).numpy(), norm="ortho")
-        for part in (0.3, 1.0)
-    )
-    # 3 of 9 along u, and 2 of 6 along v.
-    np.testing.assert_allclose(made[:3, :2], every[:3, :2], rtol=1e-12)
-    assert np.abs(made[3:]).max() < 1e-14
-    assert np.abs(made[:, 2:]).max() < 1e-14
-
-
-def test_heights_of_two_faces_change_as_easily(rng):
-    nets = {"entrance": torch.zeros(4, 5).double(), "exit": torch.zeros(SHAPE).double()}
-    widths = {"entrance": 0.5, "exit": 2.0}
-    waves = FaceWaves(nets, 1.25, (False, False), widths)
-    values = torch.as_tensor(rng.normal(size=20 + 54))
-    found = waves.nets(values)
-    assert {face: each.shape for face, each in found.items()} == {"entrance": (4, 5), "exit": SHAPE}
-    assert torch.equal(waves.values(found), values)
-    # A parameter of a face changes its heights by a width: so does a descent along its gradient.
-    gradient = waves.values({face: widths[face] * torch.ones_like(nets[face]) for face in nets})
-    change = waves.nets(waves.eased(gradient))
-    moved = {face: widths[face] * each for face, each in change.items()}
-    assert torch.allclose(moved["entrance"], torch.full((4, 5), 4.0).double())
-    assert torch.allclose(moved["exit"], torch.full(SHAPE, 4.0).double())
 
 
 def test_waves_that_a_blur_damps_are_of_one_size():

@@ -6,7 +6,6 @@ import torch
 from workbench.design.wide_image import WideImage
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.samples import Corners
 from workbench.targets import load_target
 
 
@@ -33,17 +32,3 @@ def test_pixels_that_no_light_reaches_change_nothing(source, make_scene, tmp_pat
     assert wide.norm().item() == pytest.approx(narrow.norm().item(), rel=1e-5)
     assert far.state.loss == pytest.approx(near.state.loss, rel=1e-5)
     assert (same - gradient).norm() < 3e-3 * gradient.norm()
-
-
-def test_boxes_take_less_effort_than_beams(make_scene, tmp_path):
-    led = {"kind": "area", "center": [0, 0, -2.0], "half_width": [0.2, 0.2]}
-    scene = make_scene({"version": 2, "source": led})
-    target = load_target(scene, tmp_path)
-    effort = {
-        cells: WideImage(scene, target, cells, (1.0, 1.0)).effort
-        for cells in (Corners(20, 24), Corners(20, 24, 8), Corners.and_of_source(20, 24, (2, 3)))
-    }
-    one, boxes, between = effort.values()
-    assert one == 20 * 24
-    assert 2 * one < boxes < 4 * one
-    assert between == 20 * 24 * 6

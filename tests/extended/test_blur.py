@@ -1,12 +1,9 @@
 """Blur of a source on pixels: exact integrals, and enough places in a pixel."""
 
-import math
-
 import numpy as np
 import pytest
 
 from workbench.extended.blur import Blur
-from workbench.extended.blurring import Blurring
 
 BLURS = [
     Blur((3.0, 5.0)),
@@ -57,13 +54,6 @@ def test_few_places_stand_for_a_rectangle_anywhere_in_a_pixel():
         np.testing.assert_allclose(((1 - part) * left + part * right)[2], across / 3, atol=1e-12)
 
 
-def test_light_of_points_is_in_the_pixels_that_they_are_in():
-    (kernel,) = Blur((4.0, 0.0), points=(3, 1)).kernels()
-    np.testing.assert_allclose(
-        kernel, np.array([[0, 0, 0, 0, 0, 0, 0], [0, 1, 0, 1, 0, 1, 0], [0] * 7]) / 3
-    )
-
-
 def test_blur_of_a_scene_is_that_behind_a_pinhole(make_scene):
     source = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.2, 0.1], "points": [5, 3]}
     scene = make_scene({"source": source, "screen.z": 9})
@@ -74,13 +64,6 @@ def test_blur_of_a_scene_is_that_behind_a_pinhole(make_scene):
         (0.4 * farther * n_x / (2 * r_x), 0.2 * farther * n_y / (2 * r_y))
     )
     assert blur.points == (5, 3)
-
-
-def test_sources_without_an_extent_hide_nothing(make_scene):
-    point = {"kind": "point", "position": [0, 0, -4]}
-    single = {"kind": "grid", "center": [0, 0, -4], "half_width": [1, 1], "points": [1, 1]}
-    for changes in ({}, {"source": point}, {"source": single}):
-        assert Blur.of(make_scene(changes)).within_a_pixel
 
 
 def test_blur_is_narrower_from_an_exit_face_nearer_to_the_screen(make_scene):
@@ -101,13 +84,6 @@ def test_light_spread_over_a_pixel_is_blurred_to_the_mean_of_all_places_in_it():
     np.testing.assert_allclose(spread[1], [1 / 24, 7 / 24, 1 / 3, 7 / 24, 1 / 24], atol=1e-9)
 
 
-def test_a_wide_blur_is_known_from_few_places_of_a_pixel():
-    wide = Blur((140.0, 66.0), "ellipse")
-    few, all_places = wide.spread()[0], wide.at((np.arange(8) + 0.5) / 8 - 0.5)
-    assert few.sum() == pytest.approx(1, abs=1e-12)
-    assert np.abs(few - all_places.mean(axis=0)).sum() < 2e-3
-
-
 def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     blur = Blur((3.4, 2.1), "ellipse")
     whole, parts = blur.spread(), blur.spread(4)
@@ -116,18 +92,6 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     left, right = parts[4], parts[7]  # in the second row
     x = np.arange(whole.shape[2]) - blur.margin[0]
     assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)
-
-
-def test_light_spread_about_parts_is_the_mean_of_parts_as_wide():
-    """Over all of three parts about the middle one, it is that of the pixel; wider, it goes on."""
-    blur = Blur((3.4, 2.1), "ellipse")
-    (m_x, m_y), whole = blur.margin, blur.spread()[0]
-    about = blur.spread(3, 3.0)
-    assert about.shape == (9, 2 * m_y + 3, 2 * m_x + 3)
-    np.testing.assert_allclose(about.sum(axis=(1, 2)), 1, atol=1e-12)
-    np.testing.assert_allclose(about[4, 1:-1, 1:-1], whole, atol=2e-3)
-    x = np.arange(2 * m_x + 3) - m_x - 1
-    assert about[3].sum(0) @ x == pytest.approx(-1 / 3, abs=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -141,22 +105,3 @@ def test_light_spread_about_parts_is_the_mean_of_parts_as_wide():
 )
 def test_more_of_a_blur_than_an_image_can_show_is_left_out(blur, seen):
     assert blur.seen_in((12, 16)) == seen
-
-
-@pytest.mark.parametrize("widths", [(70.0, 30.0), (9.0, 50.0)])
-def test_a_wide_blur_makes_the_same_images_as_what_is_seen_of_it(widths):
-    blur, shape = Blur(widths), (10, 12)
-    seen = blur.seen_in((12, 10))
-    assert seen != blur
-    images = []  # with two edges of the blur in them
-    for each in (blur, seen):
-        blurring = Blurring(each.kernels()[:1], shape)
-        m_x, m_y = each.margin
-        light = np.zeros((1, *blurring.grid))
-        left, low = (math.floor(width / 2) for width in each.widths)
-        light[0, m_y + 5 + low, m_x + 4 + left] = 1
-        images.append(blurring.image(light))
-    np.testing.assert_allclose(
-        images[0] / images[0].sum(), images[1] / images[1].sum(), atol=1e-3 * images[1].max()
-    )
-    assert blur.part_in(seen) == pytest.approx(images[0].max() / images[1].max())

@@ -25,13 +25,6 @@ def test_changes_by_width_are_those_of_the_exact_kernels(blur):
         np.testing.assert_allclose(change, (ahead - back) / (2 * step), atol=1e-6)
 
 
-@pytest.mark.parametrize("blur", BLURS)
-def test_a_change_adds_no_light(blur):
-    changes = changes_at(blur, THIRDS)
-    assert changes.shape == (3, *blur.at(THIRDS).shape)
-    np.testing.assert_allclose(changes.sum((2, 3)), 0, atol=1e-14)
-
-
 def sheared(blur, correlation):
     """The kernel of a blur whose x moves with y, from many thin rows of it."""
     (m_x, m_y), (r_x, r_y) = blur.margin, np.array(blur.widths) / 2
@@ -59,8 +52,3 @@ def test_a_shear_of_a_disc_moves_light_as_quarters_of_it_say():
     np.testing.assert_allclose(leaning, leaning.T, atol=1e-15)
     np.testing.assert_allclose(leaning, -leaning[::-1], atol=1e-15)
     assert leaning[6:, 6:].sum() > 0.05  # where x and y have the same sign
-
-
-def test_light_of_points_has_no_smooth_change():
-    with pytest.raises(TypeError, match="jumps from pixel to pixel"):
-        changes_at(Blur((8.0, 6.0), points=(5, 3)), np.zeros(1))

@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.lamps import led
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
-from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
 from workbench.geometry.faces import FaceArrays
 
@@ -48,11 +46,6 @@ def test_image_of_the_source_that_is_larger_than_the_receiver_limits_the_light(m
         f"At most {100 * found.on_receiver:.0f} % of the light can land on the receiver" in each
         for each in found.sentences
     )
-
-
-def test_points_closer_than_a_pixel_are_even_light(make_scene):
-    assert Blur.of(make_scene({"source": GRID | {"points": [100, 100]}})).points is None
-    assert Blur.of(make_scene({"source": GRID | {"points": [2, 100]}})).points == (2, 100)
 
 
 def test_no_lens_of_some_shapes_is_below_the_bound(make_scene, rng):
@@ -98,24 +91,3 @@ def test_no_bound_is_certified_for_a_source_nearer_than_twice_the_width_of_the_l
     assert "no bound is known" in sentence
     assert near.to_data()["relative_l2_bound"] is None
     assert far.to_data()["relative_l2_bound"] > 0
-
-
-def test_no_bound_is_said_of_rays_of_a_file(make_scene, tmp_path):
-    scene = make_scene({"source": led(tmp_path, 20_000)})
-    bound = Bound(scene, np.ones((scene.receiver.pixels[1], scene.receiver.pixels[0])))
-
-    assert max(bound.blur.widths) > 1
-    assert not bound.known and not bound.certified
-    assert bound.sentences == (
-        "Rays of a file need not come evenly from one place: no bound is known.",
-    )
-    assert bound.to_data()["relative_l2_bound"] is None
-
-
-def test_a_source_that_is_much_larger_than_the_receiver_takes_no_more_memory(make_scene):
-    # Ten thousand times as wide as the screen: transforms of all of that would take terabytes.
-    source = {"kind": "area", "center": [0, 0, -1.2], "half_width": [2e3, 2e3]}
-    found = Bound(make_scene({"source": source}), square(32))
-    assert min(found.blur.widths) > 1e4
-    assert 0 < found.relative_l2 < 1
-    assert 0 < found.on_receiver < 1e-4

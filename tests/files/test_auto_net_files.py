@@ -9,7 +9,6 @@ import pytest
 
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
-from workbench.design.session import KeptRun
 from workbench.design.snapshot import Result
 from workbench.files.scene import read_scene, write_scene
 from workbench.files.session import Session, read_session, write_session
@@ -38,17 +37,6 @@ def header_of(path):
         return json.loads(archive.read("session.json"))
 
 
-def with_header(path, **changes):
-    with zipfile.ZipFile(path) as archive:
-        entries = {name: archive.read(name) for name in archive.namelist()}
-    header = {**json.loads(entries["session.json"]), **changes}
-    kept = {name: value for name, value in header.items() if value is not None}
-    entries["session.json"] = json.dumps(kept).encode()
-    with zipfile.ZipFile(path, "w") as archive:
-        for name, content in entries.items():
-            archive.writestr(name, content)
-
-
 def test_a_session_says_what_the_program_took(session, path):
     write_session(session, path)
     header = header_of(path)
@@ -58,13 +46,6 @@ def test_a_session_says_what_the_program_took(session, path):
     assert read_session(path).scene == session.scene
 
 
-def test_a_session_with_numbers_stays_version_1(make_scene, rng, path):
-    write_session(Session(make_scene(), rng.random((32, 32))), path)
-    header = header_of(path)
-    assert header["version"] == header["scene"]["version"] == 1
-    assert "control_points" not in header
-
-
 def test_a_lens_keeps_the_net_that_was_chosen_for_it(session, path, rng):
     """Another program, or a later one, may choose another net for the same task."""
     other = replace(session, scene=session.scene.with_net((10, 7)), result=result_on((10, 7), rng))
@@ -72,20 +53,6 @@ def test_a_lens_keeps_the_net_that_was_chosen_for_it(session, path, rng):
     again = read_session(path)
     assert again.scene.optic.net_shape == (10, 7)
     np.testing.assert_array_equal(again.heights["exit"], other.heights["exit"])
-
-
-def test_kept_runs_keep_theirs(session, path, rng):
-    scene, result = session.scene.with_net((10, 7)), result_on((10, 7), rng)
-    write_session(replace(session, runs=(KeptRun("first", scene, session.target, result),)), path)
-    again = read_session(path)
-    assert again.scene.optic.net_shape == (20, 15)
-    assert again.runs[0].scene == scene
-
-
-def test_a_file_that_does_not_say_what_was_taken_gets_a_choice(session, path):
-    write_session(session, path)
-    with_header(path, control_points=None)
-    assert read_session(path).scene == session.scene
 
 
 def test_scene_files_hold_auto_and_nothing_else(session, tmp_path):

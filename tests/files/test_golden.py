@@ -17,7 +17,6 @@ import pytest
 from workbench.analysis.validation import validate
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS
-from workbench.targets import load_target
 
 GOLDEN = Path(__file__).parent / "golden"
 NAMES = sorted(path.name for path in GOLDEN.iterdir())
@@ -50,11 +49,6 @@ def assert_result(result, figures, arrays):
         assert getattr(result, name) == figures[name]
     message = result.state.account.to_data()
     assert {name: message[name] for name in figures["ledger"]} == figures["ledger"]
-
-
-def test_all_golden_files_are_there():
-    names = ["checked", "compared", "drawn", "first", "mirror", "staged", "started", "two-faces"]
-    assert [f"{name}.freeform" for name in names] == NAMES
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -95,25 +89,6 @@ def test_figures_of_the_first_program():
     assert (session.locked, session.runs, session.view, session.start) == (NO_LOCKS, (), None, None)
 
 
-def test_figures_of_a_run_in_stages():
-    session = read_session(GOLDEN / "staged.freeform")
-    assert session.result.stage_starts == (3,)
-    assert session.scene.run.stages[0].control_points == (4, 4)
-
-
-def test_what_belongs_to_the_window():
-    session = read_session(GOLDEN / "compared.freeform")
-    np.testing.assert_array_equal(session.locked["exit"], np.arange(6)[:, None] < [2] * 5)
-    assert [run.name for run in session.runs] == ["coarse, then fine"]
-    assert session.runs[0].result.stage_starts == (3,)
-    assert session.view == {"camera": [0.5, None, True], "colour map": "viridis"}
-
-
-def test_figures_of_a_check():
-    (run,) = read_session(GOLDEN / "checked.freeform").runs
-    assert run.verified == (0.0125, (0.011, 0.014))
-
-
 @pytest.mark.parametrize(
     ("name", "faces", "error", "efficiency"),
     [
@@ -128,18 +103,3 @@ def test_verified_figures_of_mirrors_and_lenses_of_two_faces(name, faces, error,
     found = validate(session.scene, session.target, session.heights, 10_000, accuracy=1e-3)
     assert found.verified.relative_l2_corrected == pytest.approx(error, abs=1e-3)
     assert found.verified.efficiency == pytest.approx(efficiency, abs=1e-3)
-
-
-def test_a_lens_of_another_task():
-    session = read_session(GOLDEN / "started.freeform")
-    first = read_session(GOLDEN / "first.freeform")
-    assert session.result is None
-    np.testing.assert_array_equal(session.start["exit"], first.result.state.heights["exit"])
-
-
-def test_a_picture_from_which_the_target_is_drawn_anew():
-    session = read_session(GOLDEN / "drawn.freeform")
-    assert session.picture.startswith(b"<svg ") and not Path(session.scene.image).exists()
-    light = load_target(session.scene, GOLDEN, session.picture)
-    np.testing.assert_allclose(light, session.target, atol=0.02)
-    assert read_session(GOLDEN / "first.freeform").picture is None

@@ -26,12 +26,6 @@ def test_a_lock_is_held_by_one_at_a_time_and_leaves_nothing(path):
     assert not path.exists()
 
 
-def test_an_error_within_is_not_taken_for_a_lock(path):
-    with pytest.raises(PermissionError), locked(path, "is taken"):
-        raise PermissionError
-    assert not path.exists()
-
-
 def test_the_lock_of_a_killed_process_is_free(path):
     with subprocess.Popen(
         [sys.executable, "-c", HOLD, path], stdout=subprocess.PIPE, text=True
@@ -45,8 +39,3 @@ def test_the_lock_of_a_killed_process_is_free(path):
         with locked(path, "is taken"):
             pass
     assert not path.exists()
-
-
-def test_a_folder_that_is_missing(tmp_path):
-    with pytest.raises(Refused, match="cannot be written"), locked(tmp_path / "no" / "lock", ""):
-        pytest.fail("held")

@@ -6,14 +6,12 @@ import zipfile
 
 import numpy as np
 import pytest
-import torch
 
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.files.session import Session, read_session, write_session
 from workbench.geometry.faces import FaceArrays
-from workbench.optics.beam_plan import BeamPlan
 from workbench.scene import Scene
 
 
@@ -49,8 +47,3 @@ def test_a_mirror_comes_back_from_its_session(session, tmp_path):
     again = read_session(path)
     assert again.scene == session.scene
     np.testing.assert_array_equal(again.heights["mirror"], heights)
-
-
-def test_the_log_of_a_mirror_says_that_shading_is_ignored(session):
-    plan = BeamPlan(session.scene, (8, 8), dtype=torch.float64, fused=False)
-    assert "shading by the screen and by the mirror itself is ignored" in plan.notes

@@ -9,11 +9,10 @@ import pytest
 
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
-from workbench.design.session import LONGEST_NAME, KeptRun, Session, VerifiedError
+from workbench.design.session import KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files import designs, header
-from workbench.files.figures import Figures
+from workbench.files import header
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
@@ -108,16 +107,6 @@ def test_everything_comes_back(session, path):
     assert found.view == VIEW
 
 
-def test_a_session_without_them_is_written_as_ever(session, path):
-    write_session(Session(session.scene, session.target), path)
-    with zipfile.ZipFile(path) as archive:
-        assert archive.namelist() == ["session.json", "target.npy"]
-        text = json.loads(archive.read("session.json"))
-    assert sorted(text) == ["format", "program", "scene", "version"]
-    found = read_session(path)
-    assert (found.locked, found.runs, found.view) == (NO_LOCKS, (), None)
-
-
 def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
     start = session.result.state.heights
     write_session(replace(session, result=None, start=start), path)
@@ -126,17 +115,6 @@ def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
     assert found.result is None and not found.start["exit"].flags.writeable
     write_session(replace(session, start=FaceArrays({"exit": start["exit"] + 1})), path)
     assert read_session(path).start is None
-
-
-def test_images_of_kept_runs_go_along_with_the_file(session, tmp_path, path):
-    target = {"image": str(tmp_path / "images" / "flame.png")}
-    run = session.runs[0]
-    scene = run.scene.from_data(run.scene.to_data() | {"target": target})
-    write_session(replace(session, runs=(replace(run, scene=scene),)), path)
-    (tmp_path / "elsewhere").mkdir()
-    moved = path.rename(tmp_path / "elsewhere" / "lens.freeform")
-    (found,) = read_session(moved).runs
-    assert found.scene.target.image == str(tmp_path / "elsewhere" / "images" / "flame.png")
 
 
 class TestPicture:
@@ -153,29 +131,6 @@ class TestPicture:
         with zipfile.ZipFile(path) as archive:
             assert archive.read("target_image.png") == drawn.picture
             assert archive.getinfo("target_image.png").compress_type == zipfile.ZIP_STORED
-
-    @pytest.mark.parametrize("name", ["logo", "logo.", "x/logo.ä", "logo.a-b", "logo.longerthan8"])
-    def test_an_odd_file_ending_is_left_out(self, drawn, path, name):
-        scene = drawn.scene.from_data(drawn.scene.to_data() | {"target": {"image": "/" + name}})
-        write_session(replace(drawn, scene=scene), path)
-        assert read_session(path).picture == drawn.picture
-        with zipfile.ZipFile(path) as archive:
-            assert archive.namelist()[-1] == "target_image"
-
-    def test_a_picture_beside_a_builtin_shape_is_refused(self, forge):
-        message = refused(forge({"target_image.png": b"x"}))
-        assert message == ": 'target_image.png': does not belong into this session"
-
-    def test_a_picture_that_is_too_large_is_refused(self, drawn, path, monkeypatch):
-        write_session(drawn, path)
-        monkeypatch.setattr(designs, "LARGEST_PICTURE", len(drawn.picture) - 1)
-        assert refused(path).startswith(": target_image.png: has 15 bytes; at most 14")
-
-
-def test_a_start_beside_a_result_is_refused(forge, path):
-    np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
-    message = refused(forge({"start.npy": path.with_suffix(".npy").read_bytes()}))
-    assert "start.npy" in message
 
 
 class TestWithScene:
@@ -198,19 +153,6 @@ class TestWithScene:
 
 
 class TestNotWritten:
-    def test_too_many_runs(self, session, path):
-        runs = session.runs[:1] * (header.MOST_RUNS + 1)
-        with pytest.raises(Refused, match="would hold 65 kept runs; at most 64"):
-            write_session(replace(session, runs=runs), path)
-        assert not path.exists()
-        write_session(replace(session, runs=runs[1:]), path)
-        assert len(read_session(path).runs) == header.MOST_RUNS
-
-    @pytest.mark.parametrize("name", ["", "x" * (LONGEST_NAME + 1)])
-    def test_a_name_of_the_wrong_length_is_refused(self, session, name):
-        with pytest.raises(Refused, match=f"name: .*{len(name)} characters; 1 to 100"):
-            replace(session.runs[0], name=name)
-
     @pytest.mark.parametrize(
         "view, message",
         [
@@ -229,21 +171,6 @@ class TestNotWritten:
         assert "\n" not in caught.value.reason
         assert not path.exists()
 
-    def test_more_text_than_can_be_read(self, session, path):
-        stages = [{"iterations": 1}] * 100
-        data = session.scene.to_data()
-        data["run"] |= {"stages": stages, "iterations": 1000}
-        data["target"] = {"image": "/" + "x" * 15_000}
-        run = replace(session.runs[0], scene=session.scene.from_data(data))
-        with pytest.raises(Refused, match=r"its text would have \d+ bytes; at most 1048576"):
-            write_session(replace(session, runs=(run,) * 64), path)
-        assert not path.exists()
-
-
-def test_a_view_is_kept_as_json_has_it(session, path):
-    write_session(replace(session, view={1: (2, 3)}), path)
-    assert read_session(path).view == {"1": [2, 3]}
-
 
 class TestRefused:
     def test_locks_of_another_net(self, forge, path):
@@ -251,56 +178,6 @@ class TestRefused:
         np.save(path.with_suffix(".npy"), other)
         message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
         assert message == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
-
-    def test_locks_that_are_numbers(self, forge, path):
-        np.save(path.with_suffix(".npy"), np.zeros((5, 4)))
-        message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
-        assert message == ": locked.npy: holds float64; bool is needed"
-
-    def test_a_lock_that_is_neither_0_nor_1_is_refused(self, session, forge, path):
-        np.save(path.with_suffix(".npy"), session.locked["exit"])
-        content = path.with_suffix(".npy").read_bytes()
-        message = refused(forge({"locked.npy": content[:-1] + b"\2"}))
-        assert message.startswith(": locked.npy: holds a value that is neither 0 nor 1")
-
-    @pytest.mark.parametrize("interval", [[0.1], [-0.1, 0.2], [0.1, None]])
-    def test_an_impossible_verified_error_is_refused(self, forge, session, path, interval):
-        write_session(session, path)
-        with zipfile.ZipFile(path) as archive:
-            runs = json.loads(archive.read("session.json"))["runs"]
-        runs[0]["verified"]["relative_l2_corrected_interval"] = interval
-        message = refused(forge(runs=runs))
-        assert message.startswith(": session.json: runs[0].verified.relative_l2_corrected_interval")
-
-    @pytest.mark.parametrize("starts", [[9], [-1], [3, 2], [10**30]])
-    def test_stages_that_began_outside_the_run_are_refused(self, forge, session, starts):
-        figures = Figures.of(session.result).model_dump(exclude_none=True)
-        message = refused(forge(result=figures | {"stage_starts": starts}))
-        assert message.startswith(": loss.npy: has 8 losses; stages cannot have begun after (")
-
-    def test_a_run_without_its_arrays(self, forge):
-        assert refused(forge({"runs/1/loss.npy": None})).startswith(": runs/1/loss.npy: is missing")
-
-    def test_arrays_without_their_run(self, forge):
-        assert refused(forge({"runs/2/target.npy": b""})).startswith(
-            ": 'runs/2/target.npy': does not belong"
-        )
-
-    def test_an_impossible_scene_of_a_run(self, session, forge):
-        text = [
-            {"name": "x", "scene": {"lens": 3}, "result": {}},
-        ]
-        assert refused(forge(runs=text)).startswith(": session.json: runs[0].result.loss: missing")
-
-    def test_too_many_runs(self, forge, session):
-        data = session.scene.to_data()
-        figures = Figures.of(session.result).model_dump(exclude_none=True)
-        message = refused(forge(runs=[{"name": "x", "scene": data, "result": figures}] * 65))
-        assert message == ": session.json: runs: 65 are given; at most 64 are kept"
-
-    @pytest.mark.parametrize("view", [3, [], "x"])
-    def test_a_view_that_is_no_object(self, forge, view):
-        assert refused(forge(view=view)).startswith(": session.json: view: ")
 
     def test_entries_that_share_their_bytes(self, forge):
         path = forge()

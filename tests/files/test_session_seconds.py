@@ -1,19 +1,15 @@
 """Sessions keep when each iteration and why the run ended, which earlier ones did not."""
 
-import json
-import zipfile
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.accounts import account_of
-from workbench.design.endings import IN_VAIN, LOWEST, SLOW, SMALL, has_converged
+from workbench.design.endings import IN_VAIN, SLOW, has_converged
 from workbench.design.lens_state import LensState
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
-from workbench.errors import Refused
-from workbench.files.figures import Figures
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.said import Said
@@ -52,13 +48,6 @@ def test_seconds_come_back(session, tmp_path):
     assert earlier.times().tolist() == pytest.approx([2 / 3, 4 / 3, 2])
 
 
-def test_a_long_reason_is_cut_short(session, tmp_path):
-    path = tmp_path / "lens.freeform"
-    ended = "failed: " + 2000 * "x"
-    write_session(replace(session, result=replace(session.result, ended=ended)), path)
-    assert read_session(path).result.ended == ended[:1000]
-
-
 def test_why_a_run_ended_comes_back_with_its_values(session, tmp_path):
     path = tmp_path / "lens.freeform"
     ended = Said(IN_VAIN, ended=Said(SLOW, gain=0.25, patience=5))
@@ -68,34 +57,3 @@ def test_why_a_run_ended_comes_back_with_its_values(session, tmp_path):
     assert found.values["ended"].words == SLOW
     assert found.values["ended"].values == {"gain": 0.25, "patience": 5}
     assert has_converged(found)
-
-
-@pytest.mark.parametrize(
-    "ending",
-    [
-        None,  # of an earlier program
-        {"words": SMALL, "values": {}},
-        {"words": SMALL, "values": {"error": {"words": LOWEST, "values": {}}}},
-        {"words": SMALL, "values": {"error": 0.2}},
-        {"words": "{error.__class__}", "values": {"error": 0.1}},
-    ],
-)
-def test_an_ending_whose_values_do_not_fit_its_text_is_read_as_text(session, ending):
-    result = replace(session.result, ended="converged: error below 0.1 %")
-    data = Figures.of(result).model_dump(mode="json") | {"ending": ending}
-    found = Figures.model_validate_json(json.dumps(data)).to_ended()
-    assert found == "converged: error below 0.1 %"
-    assert not isinstance(found, Said)
-
-
-def test_seconds_of_another_number_of_iterations_are_refused(session, tmp_path):
-    path = tmp_path / "lens.freeform"
-    write_session(replace(session, runs=()), path)
-    with zipfile.ZipFile(path) as archive:
-        content = {name: archive.read(name) for name in archive.namelist()}
-    content["seconds.npy"] = content["target.npy"]
-    with zipfile.ZipFile(path, "w") as archive:
-        for name, entry in content.items():
-            archive.writestr(name, entry)
-    with pytest.raises(Refused, match=r"seconds\.npy"):
-        read_session(path)

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.ball_sweep import BallSweep
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))  # in cm: 1e-4 is a micrometre
@@ -50,7 +49,7 @@ def places(rng, count):
 @pytest.mark.parametrize("name", FACES)
 def test_the_cut_is_that_of_the_lowest_of_all_balls(name, radius, scallop, rng):
     """Balls of 3 are much larger than the hollows of waves."""
-    raster = finished(face_of(FACES[name]).rastering(radius, max(scallop, 0.01 * radius), 10**6))
+    raster = finished(face_of(FACES[name]).plan_raster(radius, max(scallop, 0.01 * radius), 10**6))
     x, y = places(rng, 30)
     found, expected = raster.cut_at(x, y), each_ball(raster, x, y)
     assert (found <= expected + 1e-12).all()
@@ -61,7 +60,7 @@ def test_the_cut_is_that_of_the_lowest_of_all_balls(name, radius, scallop, rng):
 @pytest.mark.parametrize("name", FACES)
 def test_no_ball_cuts_into_the_face(name, radius, rng):
     face = face_of(FACES[name])
-    raster = finished(face.rastering(radius, 0.1 * radius, 10**6))
+    raster = finished(face.plan_raster(radius, 0.1 * radius, 10**6))
     t = np.linspace(-1, 1, 401)
     x, y = np.meshgrid(t, 0.8 * t, indexing="ij")
     z = face.net.at(x, y, face.heights)[0]
@@ -69,30 +68,3 @@ def test_no_ball_cuts_into_the_face(name, radius, rng):
         under = radius**2 - (x - raster.x[i]) ** 2 - (y - raster.y[j]) ** 2
         held_up = np.where(under > 0, z + np.sqrt(under.clip(0)), -np.inf).max() - radius
         assert raster.tip[i, j] > held_up - 1e-9
-
-
-def test_a_single_ball(rng):
-    """Centres far above the other ones leave nothing that counts."""
-    centre = np.full((7, 5), 9.0)
-    centre[3, 2] = 1.0
-    sweep = BallSweep(np.arange(7.0), np.arange(5.0), centre, 0.5)
-    offset = rng.uniform(-0.3, 0.3, (2, 50))
-    height, normal = sweep.lowest(3 + 0 * offset[0], 2 + offset[1])
-    assert height == pytest.approx(1 - np.sqrt(0.25 - offset[1] ** 2), abs=0.07)
-    assert np.linalg.norm(normal, axis=1) == pytest.approx(1)
-    assert (height <= 1 - np.sqrt(0.25 - offset[1] ** 2) + 1e-12).all()
-
-
-def test_rounded_places_do_not_drift(rng):
-    """Steps of 0.0034 are rounded to 0.003 and 0.004: the mean counts, up to the last one."""
-    x, y = np.round(np.arange(500) * 0.0034, 3), np.arange(4) * 0.01
-    centre = 1 + 0.2 * x[:, None] + 0 * y
-    height, _ = BallSweep(x, y, centre, 0.5).lowest(x[400:450], np.full(50, 0.01))
-    assert height == pytest.approx(1 + 0.2 * x[400:450] - 0.5 * np.sqrt(1.04), abs=3e-4)
-
-
-def test_nothing_is_cut_where_no_ball_is_above():
-    sweep = BallSweep(np.arange(3.0), np.arange(2.0), np.zeros((3, 2)), 0.4)
-    height, normal = sweep.lowest(np.array([0.5, 0.5, 5.0]), np.array([0.0, 0.5, 0.0]))
-    assert height == pytest.approx([-0.4, np.inf, np.inf])
-    assert normal == pytest.approx(np.array([[0, 0, 1], [0, 0, 0], [0, 0, 0]]))

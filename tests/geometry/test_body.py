@@ -38,9 +38,3 @@ def test_the_face_counts_and_not_its_control_points(make_scene, plate):
     plate[5, 5] = -2.0
     with pytest.raises(Refused, match="no body"):
         check_body(make_scene(), {"exit": plate})
-
-
-def test_a_screen_elsewhere_counts_in_place_of_the_own(make_scene, plate):
-    check_body(make_scene(), {"exit": plate}, [make_scene().receiver.moved_to(0.6)])
-    with pytest.raises(Refused, match=r"not before the screen at z = 0\.4"):
-        check_body(make_scene(), {"exit": plate}, [make_scene().receiver.moved_to(0.4)])

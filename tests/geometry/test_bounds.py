@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline, NdBSpline
 
-from workbench.geometry.bounds import derivative_range
+from workbench.geometry.curvature import derivative_range
 from workbench.geometry.surface import ControlNet
 
 NETS = [((9, 7), (3, 3)), ((6, 8), (1, 2)), ((12, 9), (7, 4)), ((4, 4), (3, 3)), ((5, 2), (2, 1))]
@@ -48,27 +48,6 @@ class TestRange:
         assert low.shape == values.shape[:2]
         assert (low <= values.min(axis=2) + slack).all()
         assert (high >= values.max(axis=2) - slack).all()
-
-    def test_the_bounds_tighten_with_the_square_of_the_parts(self, rng, shape, degree, order):
-        net = ControlNet(shape, degree, (1.5, 0.7))
-        heights = rng.normal(size=shape)
-        gaps = []
-        for k in (1, 8):
-            low, high = derivative_range(net, heights, order, (k, k))
-            # Corners of parts count among the Bernstein coefficients: attained, or nearly.
-            values = self.dense(net, heights, order, (4 * k, 4 * k))
-            gaps.append(high.max() - values.max() + values.min() - low.min())
-        assert gaps[1] <= 0.04 * gaps[0] + 0.02 * np.ptp(values)
-
-
-def test_exact_for_planes():
-    net = ControlNet((7, 6), (3, 2), (2.0, 1.0))
-    x, y = net.positions
-    heights = 1 + 0.25 * x[:, None] - 0.5 * y[None, :]
-    for order, value in {(1, 0): 0.25, (0, 1): -0.5, (2, 0): 0.0, (1, 1): 0.0}.items():
-        low, high = derivative_range(net, heights, order)
-        assert low == pytest.approx(value, abs=1e-13)
-        assert high == pytest.approx(value, abs=1e-13)
 
 
 def test_reference_agrees_with_the_tensor_spline(rng):

@@ -1,9 +1,8 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.basis import basis_matrix
+from workbench.geometry.basis import basis_matrix, greville
 from workbench.geometry.curvature import local_shape
-from workbench.geometry.knots import greville
 from workbench.geometry.surface import ControlNet
 
 HALF = (1.0, 0.8)
@@ -61,20 +60,3 @@ def test_a_cylinder_across_the_axes():
     np.testing.assert_allclose(found.smallest, 0, atol=1e-5)
     np.testing.assert_allclose(found.gaussian, 0, atol=1e-5)
     np.testing.assert_allclose(found.mean, 0.5 / radius, rtol=1e-5)
-
-
-@pytest.mark.parametrize("degree", [(1, 1), (3, 3)])
-def test_a_plane(degree):
-    found = shape_of(lambda x, y: 0.5 + 0.1 * x + 0.05 * y, (7, 6), degree)
-    np.testing.assert_allclose(found.slope, np.hypot(0.1, 0.05), rtol=1e-12)
-    for curvature in (found.mean, found.gaussian, found.smallest, found.largest):
-        np.testing.assert_allclose(curvature, 0, atol=1e-11)
-
-
-def test_a_scaled_lens_bends_less(rng):
-    net, heights = ControlNet((7, 6), (3, 3), HALF), 0.1 * rng.random((7, 6))
-    large = ControlNet((7, 6), (3, 3), (10 * HALF[0], 10 * HALF[1]))
-    one, ten = (local_shape(n, k * heights, SIDE, SIDE) for n, k in ((net, 1), (large, 10)))
-    np.testing.assert_allclose(ten.slope, one.slope, rtol=1e-9, atol=1e-12)
-    np.testing.assert_allclose(10 * ten.mean, one.mean, rtol=1e-9, atol=1e-12)
-    np.testing.assert_allclose(100 * ten.gaussian, one.gaussian, rtol=1e-9, atol=1e-12)

@@ -19,12 +19,6 @@ def test_arrays_of_faces_are_read_only():
         arrays["exit"] = given
 
 
-def test_arrays_that_cannot_be_changed_are_not_copied():
-    one = FaceArrays({"exit": np.zeros((4, 5))})
-    other = FaceArrays({**one, "entrance": np.ones((3, 3))})
-    assert other["exit"] is one["exit"]
-
-
 def test_equal_are_those_of_the_same_faces_and_values():
     one = FaceArrays({"exit": np.zeros((4, 5)), "entrance": np.ones((3, 3))})
     same = FaceArrays({"entrance": np.ones((3, 3)), "exit": np.zeros((4, 5))})

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.lines import nearest_to_line
+from workbench.pictures.projection import nearest_to_line
 
 
 def test_distances_are_square_to_the_line(rng):
@@ -12,9 +12,3 @@ def test_distances_are_square_to_the_line(rng):
     index, distance = nearest_to_line(points, start, end)
     assert index == np.unravel_index(distances.argmin(), distances.shape)
     assert distance == pytest.approx(distances.min(), rel=1e-12)
-
-
-def test_the_line_goes_on_beyond_its_ends():
-    points = np.array([[0.0, 0.1, 9.0], [0.0, 0.2, 0.5], [0.0, 0.0, -9.0]])
-    found = nearest_to_line(points, np.zeros(3), np.array([0.0, 0.0, 1.0]))
-    assert found == ((2,), 0.0)

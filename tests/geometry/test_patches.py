@@ -47,13 +47,6 @@ def test_points_agree_with_basis_functions_and_scipy(degree, rng):
             assert np.abs(found.numpy() - basis)[clear].max() <= 1e-12 * scale
 
 
-def test_the_far_rim_belongs_to_the_last_patch():
-    patches = Patches(ControlNet((5, 6), (2, 3), (1.0, 2.0)), torch.float64)
-    place = patches.place(torch.tensor([1.0, -1.0, 1.0]), torch.tensor([2.0, -2.0, 0.0]))
-    assert place.row.tolist() == [8, 0, 7]
-    assert place.s.tolist() == [0.5, -0.5, 0.5]
-
-
 @pytest.mark.parametrize("degree", DEGREES)
 def test_no_slope_or_curvature_is_beyond_its_bound(degree, rng):
     for net in nets(degree):
@@ -73,15 +66,6 @@ def test_no_slope_or_curvature_is_beyond_its_bound(degree, rng):
             # A rough net comes near its bounds where neighbours matter: they are not idle.
             if np.isfinite(bound) and max(degree) <= 3:
                 assert most > 0.02 * bound
-
-
-def test_a_degree_of_one_has_kinks_but_between_knots():
-    one_patch = Patches(ControlNet((2, 2), (1, 1), (1.0, 1.0)), torch.float64)
-    saddle = torch.tensor([[0.0, 1.0], [1.0, 0.0]], dtype=torch.float64)
-    assert one_patch.curvature_bounds(saddle) == (0, 0.5, 0)
-    kinked = Patches(ControlNet((3, 2), (1, 1), (1.0, 1.0)), torch.float64)
-    roof = torch.tensor([[0.0, 0.0], [1.0, 1.0], [0.0, 0.0]], dtype=torch.float64)
-    assert kinked.curvature_bounds(roof) == (np.inf, 0, 0)
 
 
 def test_heights_and_places_are_differentiable(rng):

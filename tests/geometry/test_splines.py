@@ -6,8 +6,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline
 
-from workbench.geometry.basis import basis_matrix, local_basis
-from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
+from workbench.geometry.basis import (
+    basis_matrix,
+    clamped_knots,
+    greville,
+    insertion_matrix,
+)
 
 DEGREES = range(1, 8)
 
@@ -38,12 +42,6 @@ def test_basis_is_a_partition_of_unity_clamped_at_both_ends(degree, rng):
         assert matrix[0, 0] == 1 and matrix[-1, -1] == 1
 
 
-def test_the_last_parameter_belongs_to_the_last_span():
-    first, values = local_basis(clamped_knots(8, 3), 3, np.array([1.0]))
-    assert first[0] == 4
-    assert values[0].tolist() == [0, 0, 0, 1]
-
-
 @pytest.mark.parametrize("degree", DEGREES)
 def test_greville_abscissae_make_the_spline_the_identity(degree, rng):
     for count in net_sizes(degree):
@@ -67,21 +65,3 @@ def test_knot_insertion_leaves_the_spline_alone(degree, extra, inserted, seed):
     before = BSpline(coarse, heights, degree)(u)
     after = BSpline(fine, insertion_matrix(coarse, fine, degree) @ heights, degree)(u)
     assert np.abs(after - before).max() < 1e-12
-
-
-def test_equispaced_nets_nest_when_their_spans_do():
-    for spans in (3, 5, 7, 61):
-        for factor in (2, 3, 5):
-            coarse = clamped_knots(spans + 3, 3)
-            fine = clamped_knots(factor * spans + 3, 3)
-            assert insertion_matrix(coarse, fine, 3).sum(axis=1) == pytest.approx(1, abs=1e-14)
-
-
-def test_a_missing_knot_is_refused():
-    with pytest.raises(ValueError, match=r"0\.5 of the coarse"):
-        insertion_matrix(clamped_knots(5, 3), clamped_knots(6, 3), 3)
-
-
-def test_too_few_control_points_are_refused():
-    with pytest.raises(ValueError, match="3 control points are too few for degree 3"):
-        clamped_knots(3, 3)

@@ -33,15 +33,6 @@ def test_points_agree_with_scipy(net, rng):
         assert np.abs(ours - theirs).max() <= 1e-12 * max(1, np.abs(theirs).max())
 
 
-def test_grid_agrees_with_points(net, rng):
-    heights = rng.normal(size=net.shape)
-    u, v = rng.random(17), rng.random(11)
-    on_grid = net.grid(u, v).evaluate(heights)
-    at_points = net.points(np.repeat(u, 11), np.tile(v, 17)).evaluate(heights)
-    for grid, points in zip(on_grid, at_points, strict=True):
-        assert np.abs(grid.ravel() - points).max() <= 1e-13 * max(1, np.abs(points).max())
-
-
 def test_a_plane_over_the_positions_is_a_plane(net, rng):
     x, y = net.positions
     heights = 0.3 + 2 * x[:, None] - 5 * y[None, :]
@@ -61,14 +52,6 @@ def test_refinement_is_exact(net, rng):
     before = net.points(u, v).evaluate(heights)[0]
     after = finer.points(u, v).evaluate(net.refine(heights, finer))[0]
     assert np.abs(after - before).max() < 1e-12
-
-
-def test_embedding_of_a_nested_net_is_knot_insertion(net, rng):
-    shape = tuple(2 * (n - p) + p for n, p in zip(net.shape, net.degree, strict=True))
-    finer = ControlNet(shape, net.degree, net.half_width)
-    heights = rng.normal(size=net.shape)
-    into_x, into_y = finer.embedding(net)
-    assert np.abs(into_x @ heights @ into_y.T - net.refine(heights, finer)).max() < 1e-10
 
 
 def test_samples_run_along_x_then_y_and_include_the_rim(make_scene):

@@ -5,7 +5,7 @@ import pytest
 
 from tests.analysis.test_manufacture import ball, lens_of
 from workbench.analysis.manufacture import manufacture
-from workbench.geometry.tool_radius import GridFace, blocked_radius
+from workbench.geometry.ball_cutter import GridFace, blocked_radius
 
 RADIUS = 4.0
 
@@ -19,12 +19,6 @@ def test_a_hollow_sphere_takes_a_cutter_of_its_own_radius(make_scene):
 @pytest.mark.parametrize("height", [ball(RADIUS, -1), lambda x, y: 0.5 + 0.1 * x + 0 * y])
 def test_any_cutter_fits_on_humps_and_planes(make_scene, height):
     assert manufacture(*lens_of(make_scene, height)).tool_radius.value == math.inf
-
-
-def test_hollow_edges_take_none(make_scene):
-    changes = {"lens.degree": [1, 1]}
-    found = manufacture(*lens_of(make_scene, lambda x, y: 0.5 + np.abs(x) + 0 * y, changes))
-    assert found.tool_radius.value == 0
 
 
 def test_each_face_is_seen_from_outside(make_scene):
@@ -71,12 +65,3 @@ def test_a_wall_far_away_is_in_the_way_of_a_large_ball():
     # The floor's last place and the wall's first are the tightest pair: a step apart, three high.
     assert radius == pytest.approx((1 + 3**2) * x[1] / (2 * 3))
     assert blocked_radius(face, 1e-3) is None
-
-
-def test_pairs_beside_the_glass_do_not_count():
-    x = np.linspace(-1, 1, 65)
-    z, slope = x**2, 2 * x
-    z[40:], slope[40:] = np.nan, np.nan
-    radius, place = blocked_radius(profile(z, slope, x), 2.0)
-    assert radius == pytest.approx(0.5, rel=1e-2)
-    assert place[0] == pytest.approx(0, abs=0.04)

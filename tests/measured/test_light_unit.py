@@ -1,22 +1,15 @@
 """In what the light of a scene is told."""
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 import torch
 
-from tests.accounts import account_of
 from tests.lamps import DISTANCE, PLATE, SCREEN, THICKNESS, downlight
 from workbench.analysis.regions import light_of_regions
-from workbench.design.lens_state import LensState
-from workbench.design.live import asks_for_another_lens
-from workbench.design.session import Session
-from workbench.design.snapshot import Result
-from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
-from workbench.measured.light_unit import IN_PARTS, light_unit
+from workbench.measured.lamps import IN_PARTS, light_unit
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 from workbench.pictures.images import shown_error
@@ -27,17 +20,6 @@ LED = {"kind": "area", "center": [0.0, 0.0, -DISTANCE], "half_width": [0.02, 0.0
 # Of light that goes straight through both faces, and how far it seems to come; in metres.
 THROUGH = 0.96**2
 WAY = (DISTANCE + SCREEN - THICKNESS + THICKNESS / 1.5) / 100
-
-
-def flat_lens(scene):
-    """A result that is there."""
-    state = LensState(
-        heights=FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)}),
-        irradiance=np.full((32, 32), 0.25),
-        loss=0.1,
-        account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),
-    )
-    return Result(state, losses=np.array([0.1]), seconds=1.0)
 
 
 def middle(scene):
@@ -66,32 +48,6 @@ def test_an_emitter_with_a_flux_gives_lux_in_any_unit_of_length(make_scene):
     assert in_mm.lumens == 200
     assert in_mm.density == pytest.approx(100 * light_unit(scene).density)
     assert in_mm.flux_in_words(0.5) == "100 lm"
-
-
-def test_light_without_a_flux_is_told_in_parts(make_scene):
-    unit = light_unit(make_scene({**PLATE, "source": LED}))
-    assert (unit.words, unit.density, unit.lumens) == ("flux / cm²", 1.0, None)
-    assert unit.flux_in_words(0.5) == ""
-    gone = {"kind": "photometric", "file": "gone.ies", "position": [0.0, 0.0, -2.0]}
-    assert light_unit(make_scene({**PLATE, "source": gone})).lumens is None
-
-
-def test_light_in_directions_is_told_in_candela(make_scene):
-    far = {"half_angle": [10.0, 10.0], "pixels": [8, 8]}
-    scene = make_scene({**PLATE, "source": LED | {"flux": 200.0}})
-    data = {name: part for name, part in scene.to_data().items() if name != "screen"}
-    unit = light_unit(type(scene).from_data(data | {"far_field": far}))
-    assert (unit.words, unit.density) == ("cd", 200.0)
-
-
-def test_another_flux_asks_for_no_other_lens(make_scene):
-    scene = make_scene({"source": LED})
-    lamp = make_scene({"source": LED | {"flux": 200.0}})
-    designed = Session(scene, np.ones((32, 32)), flat_lens(scene))
-    edited = designed.with_scene(lamp, designed.target)
-    assert edited.result is designed.result and edited.scene.source.flux == 200
-    assert not asks_for_another_lens(designed, edited)
-    assert asks_for_another_lens(designed, replace(edited, target=np.eye(32)))
 
 
 def test_regions_and_differences_are_told_in_lux(make_scene, rng):

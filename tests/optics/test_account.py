@@ -4,8 +4,7 @@ import pytest
 import torch
 
 from tests.accounts import account_of
-from workbench.jobs.mirror import MirrorJob
-from workbench.optics.account import LOSSES, Account, UnbalancedAccount, words_for
+from workbench.optics.account import LOSSES, Account, UnbalancedAccount
 from workbench.optics.plan import Plan
 
 COLLIMATED = {"kind": "collimated", "rays": [64, 48]}
@@ -51,23 +50,6 @@ def test_the_account_does_not_depend_on_the_filter(make_scene, rng, source, samp
     assert accounts[1] == pytest.approx(accounts[0], abs=1e-12)
 
 
-@WAYS
-@TWINS
-def test_scenes_of_version_1_have_the_keys_of_version_1(make_scene, source, samples, fused):
-    plan = Plan(make_scene({"source": source}), fused=fused, samples=samples)
-    account = plan.trace({"exit": torch.full((12, 10), 0.5, dtype=torch.float64)}).account
-    assert list(account.to_data()) == [
-        "emitted",
-        "on_screen",
-        "off_screen",
-        "missed_lens",
-        "left_side",
-        "total_reflection",
-        "fresnel_entrance",
-        "fresnel_exit",
-    ]
-
-
 def test_losses_are_listed_in_one_order_and_none_of_version_1_is_left_out():
     account = Account(0.5, {"fresnel_exit": 0.1, "off_screen": 0.4})
     assert list(account.lost) == [name for name, loss in LOSSES.items() if loss.always]
@@ -78,20 +60,6 @@ def test_losses_are_listed_in_one_order_and_none_of_version_1_is_left_out():
     }
 
 
-def test_a_loss_of_which_nothing_is_said_is_refused():
-    with pytest.raises(KeyError, match="nothing is said in LOSSES of scattered"):
-        Account(0.5, {"scattered": 0.5})
-
-
-def test_parts_are_counted_in_what_was_emitted():
-    account = account_of(4.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.5, 0.5)
-    assert (account.efficiency, account.arrived) == (0.25, 3.0)
-
-
-def test_all_losses_say_what_they_are():
-    assert all(all(loss[:4]) for loss in LOSSES.values())
-
-
 def test_advice_names_the_largest_loss_before_the_screen_and_its_cure(make_scene):
     scene = make_scene()
     account = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1)
@@ -100,59 +68,6 @@ def test_advice_names_the_largest_loss_before_the_screen_and_its_cure(make_scene
         "a source farther away or nearer to the axis, keeps it."
     )
     assert not account_of(2.0, 0.2, 0.9, 0.0, 0.7, 0.0, 0.1, 0.1).advice(scene)
-
-
-@pytest.mark.parametrize("shape", ["flat", "sphere"])
-def test_a_flatter_base_is_no_advice_where_the_base_is_flat(make_scene, shape):
-    round_base = {"shape": "sphere", "height": 0.5, "radius": 4.0, "form": "convex"}
-    flat_base = {"shape": "flat", "height": 0.5}
-    scene = make_scene({"lens.base": flat_base if shape == "flat" else round_base})
-    advice = account_of(1.0, 0.1, 0.1, 0.1, 0.0, 0.6, 0.1, 0.0).advice(scene)
-    assert "60 % is totally reflected" in advice
-    assert ("flatter" in advice) == (shape == "sphere")
-    assert "thicker stock" in advice
-
-
-def test_the_advice_names_the_receiver(make_scene):
-    far = {"half_angle": [20.0, 10.0], "pixels": [8, 4]}
-    scene = make_scene({"screen": None, "far_field": far})
-    advice = account_of(2.0, 0.2, 0.1, 0.1, 1.2, 0.2, 0.1, 0.1).advice(scene)
-    assert advice.startswith("Only 10.0 % of the light lands in the far field; 60 % leaves")
-
-
-def test_light_that_passes_a_far_field_by_is_called_so(make_scene):
-    far = {"half_angle": [20.0, 10.0], "pixels": [8, 4]}
-    words = words_for(make_scene({"screen": None, "far_field": far}).receiver)
-    assert words["on_screen"][0] == "In the far field"
-    assert words["off_screen"][0] == "Missed the far field"
-    assert "the far field by" in words["off_screen"][1]
-    assert list(words) == ["on_screen", *LOSSES]
-    assert not any("{" in text for pair in words.values() for text in pair)
-
-
-def test_parts_of_a_mirror_are_none_of_a_lens(make_scene):
-    account = Account(0.7, {"off_screen": 0.1, "missed_mirror": 0.2})
-    assert "fresnel_entrance" in account.lost  # every account has it
-    mirror = MirrorJob().scene()
-    parts = account.parts_in(mirror)
-    assert parts["on_screen"] == 0.7 and parts["missed_mirror"] == 0.2
-    assert "fresnel_entrance" not in parts and "missed_lens" not in parts
-    assert "fresnel_entrance" in account.parts_in(make_scene())
-
-
-@pytest.mark.parametrize("lost", ["fresnel_entrance", "fresnel_exit"])
-def test_a_coating_is_the_cure_of_reflection_by_a_face(make_scene, lost):
-    account = Account(0.3, {lost: 0.6, "off_screen": 0.1})
-    assert "antireflection coating" in account.advice(make_scene())
-    scene = make_scene({"lens.refractive_index": 4.0, "lens.coating": [0.0, 0.0]})
-    heights = torch.full((12, 10), 0.5, dtype=torch.float64)
-    traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
-    assert traced.account.lost[lost] == 0
-
-
-def test_an_account_that_adds_up_stays_as_it_is():
-    account = Account(0.7, {"off_screen": 0.1, "left_side": 0.2})
-    assert account.settled() is account
 
 
 def test_the_error_of_samples_is_no_loss():

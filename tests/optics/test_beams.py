@@ -11,7 +11,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
 from workbench.optics.plan import Plan
-from workbench.optics.samples import Corners, places_of_points
+from workbench.optics.samples import Corners
 from workbench.scene import BoxFilter, FarField
 
 
@@ -29,31 +29,6 @@ def test_a_turned_square_is_exact_in_each_pixel(fused):
     column, row = np.array([[1.0, 2.0], [0.0, 1.0]]), np.array([[0.0, 1.0], [1.0, 2.0]])
     image, _ = image_of(nodes_of(column, row), (2, 2), fused)
     np.testing.assert_allclose(image, np.full((2, 2), 0.25), atol=1e-15)
-
-
-@BOTH
-def test_all_light_in_one_point_is_in_its_pixel(fused):
-    image, landed = image_of(nodes_of(np.full((3, 3), 1.5), np.full((3, 3), 0.5)), (3, 2), fused)
-    np.testing.assert_allclose(image, [[0, 1, 0], [0, 0, 0]], atol=1e-15)
-    assert landed == pytest.approx(1, abs=1e-15)
-
-
-@pytest.mark.parametrize("width", [1.5e-7, 4e-7, 2e-6])
-def test_rounding_hardly_changes_the_gradient_of_narrow_light(width, rng):
-    cotangent = torch.tensor(rng.standard_normal((40, 40)))
-    for _ in range(100):
-        angle, length = rng.uniform(0, 2 * np.pi), rng.uniform(1, 25)
-        along, across = length * np.array([[-1, 1], [-1, 1]]), width * np.array([[-1, -1], [1, 1]])
-        x, y = rng.uniform(15, 25, 2)
-        column = x + (np.cos(angle) * along - np.sin(angle) * across) / 2
-        row = y + (np.sin(angle) * along + np.cos(angle) * across) / 2
-        gradients = []
-        for moved, fused in ((1, True), (1, False), (1 + 1e-15, False)):
-            nodes = nodes_of(moved * column, moved * row).requires_grad_()
-            image, _ = image_of(nodes, (40, 40), fused)
-            gradients.append(torch.autograd.grad((image * cotangent).sum(), [nodes])[0][:2])
-        one, *others = gradients
-        assert max((other - one).abs().max() for other in others) < 0.003
 
 
 def test_an_image_of_a_bent_map_converges_with_the_square_of_the_cells():
@@ -139,14 +114,6 @@ def test_beams_and_many_rays_give_the_same_image(lit, wavy):
     assert account.on_screen == pytest.approx(others.on_screen, abs=1e-4)
 
 
-def test_grids_of_several_points_lie_between_each_other():
-    part = places_of_points(Corners(4, 1), 0, 3).part.reshape(3, 6)
-    assert (part[:, 0] == 0).all()
-    assert (part[:, -1] == 1).all()
-    inner = np.sort(part[:, 1:-1].ravel())
-    np.testing.assert_allclose(np.diff(inner), 1 / 12)
-
-
 MIRRORED = pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
 
 
@@ -206,16 +173,6 @@ def test_a_part_of_a_grid_of_points_gives_the_whole_image(make_scene, rng, mirro
     # The diagonals of cells of the second point are not mirror images of those of the first.
     assert (part.flux - whole.flux).norm() < 1e-4 * whole.flux.norm()
     assert part.account.to_data() == pytest.approx(whole.account.to_data(), abs=1e-6)
-
-
-def test_notes_name_what_mirror_symmetry_leaves_out(make_scene):
-    def notes(cells, mirrored):
-        return " ".join(BeamPlan(make_scene(), cells, mirrored=mirrored).notes)
-
-    assert "mirror symmetry" not in notes((36, 28), (False, False))
-    assert "mirror symmetry: half of the rays" in notes((36, 28), (True, False))
-    assert "mirror symmetry: a quarter of the rays" in notes((36, 28), (True, True))
-    assert "mirror symmetry: half of the rays" in notes((36, 27), (True, True))
 
 
 def test_totally_reflected_light_is_in_the_account(make_scene):

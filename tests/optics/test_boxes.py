@@ -9,7 +9,6 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
 from workbench.optics.boxes import box_image
-from workbench.optics.kernels.box_cells import NARROWEST
 from workbench.optics.samples import Corners
 
 BOTH = pytest.mark.parametrize("fused", [True, False], ids=["kernel", "reference"])
@@ -44,16 +43,6 @@ def test_a_box_has_the_middle_and_the_spread_of_its_cell(fused, pixels):
         assert light @ (place - mean) ** 2 == pytest.approx(spread, abs=1 / pixels**2)
 
 
-@BOTH
-def test_all_light_in_one_point_is_a_narrow_box_around_it(fused):
-    image, landed = image_of(nodes_of(np.full((3, 3), 1.5), np.full((3, 3), 0.5)), (3, 2), fused)
-    np.testing.assert_allclose(image, [[0, 1, 0], [0, 0, 0]], atol=1e-11)
-    assert landed == pytest.approx(1, abs=1e-15)
-    border = np.full((3, 3), 1 + NARROWEST / 4)
-    image, _ = image_of(nodes_of(border, np.full((3, 3), 0.5)), (3, 2), fused)
-    np.testing.assert_allclose(image, [[0.25, 0.75, 0], [0, 0, 0]], atol=1e-11)
-
-
 def test_a_bent_map_is_that_of_beams_but_for_few_parts():
     t = np.linspace(0, 1, 129)
     u, v = np.meshgrid(t, t)
@@ -79,26 +68,6 @@ def lit(make_scene):
     return scene, torch.as_tensor(scene.optic.base.height - 0.1 * np.add.outer(*along))
 
 
-def test_cells_of_many_origins_of_a_source_are_boxes(lit, rng):
-    scene, curved = lit
-    cotangent = torch.tensor(rng.standard_normal((14 + 2, 16 + 4)))
-    found = []
-    for fused in (True, False):
-        heights = curved.clone().requires_grad_()
-        plan = BeamPlan(scene, Corners(20, 24, 8), dtype=torch.float64, fused=fused)
-        image, account = plan.trace({"exit": heights}, (2, 1))
-        (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
-        assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
-        found.append((image.detach(), gradient))
-    (image, gradient), (twin, twins) = found
-    torch.testing.assert_close(image, twin, rtol=0, atol=1e-11)
-    assert (gradient - twins).norm() < 1e-6 * twins.norm()
-    tracer = plan._tracer
-    nodes = tracer.nodes({"exit": curved}).hits
-    boxes, _ = box_image(nodes, (16, 14), tracer.splits)
-    torch.testing.assert_close(image[1:-1, 2:-2], boxes, rtol=0, atol=1e-11)
-
-
 def test_the_gradient_of_heights_is_that_of_the_image(lit, rng):
     scene, curved = lit
     plan = BeamPlan(scene, Corners(20, 24, 8), dtype=torch.float64)
@@ -110,28 +79,6 @@ def test_the_gradient_of_heights_is_that_of_the_image(lit, rng):
     ahead, back = (plan.trace({"exit": curved + s * way}).flux for s in (step, -step))
     rise = ((ahead - back) * cotangent).sum().item() / (2 * step)
     assert (gradient * way).sum().item() == pytest.approx(rise, rel=1e-5)
-
-
-@pytest.mark.parametrize("mirrored", [(True, False), (False, True), (True, True)])
-def test_a_part_of_the_origins_makes_all_of_a_mirrored_image(lit, mirrored):
-    scene, curved = lit
-    part, whole = (
-        BeamPlan(scene, Corners(20, 24, 8), dtype=torch.float64, mirrored=promise).trace(
-            {"exit": curved}
-        )
-        for promise in (mirrored, (False, False))
-    )
-    torch.testing.assert_close(part.flux, whole.flux, rtol=0, atol=1e-12)
-    assert part.account.to_data() == pytest.approx(whole.account.to_data(), abs=1e-10)
-
-
-def test_boxes_of_few_origins_are_as_near_to_many_as_beams_are(lit):
-    scene, curved = lit
-    plans = [BeamPlan(scene, Corners(40, 40, count)) for count in (16, 256)]
-    few, many = (plan.trace({"exit": curved}).flux for plan in plans)
-    tracer = plans[0]._tracer
-    beams, _ = beam_image(tracer.nodes({"exit": curved}).hits, (16, 14), tracer.splits)
-    assert (few - many).norm() < 1.02 * (beams - many).norm()
 
 
 @pytest.mark.parametrize("width", [0.02, 0.3, 4.0])

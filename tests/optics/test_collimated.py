@@ -4,9 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from tests.optics.gradients import check_both_modes
 from tests.optics.landing import places_of
-from workbench.design.lens_state import frozen
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
@@ -72,29 +70,6 @@ def test_the_walk_follows_snells_law(make_scene, rng):
         assert (place - expected)[out.passes].abs().max() < 1e-11
 
 
-@pytest.mark.parametrize("unit", [1e-6, 1e-3, 1e3, 1e6])
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_scaling_everything_leaves_the_image_alone(make_scene, scene_data, rng, unit, dtype):
-    heights = wavy(make_scene(), rng)
-
-    def image(s):
-        lens, screen = scene_data["lens"], scene_data["screen"]
-        scene = make_scene(
-            {
-                "lens.half_width": [s * r for r in lens["half_width"]],
-                "lens.base.height": s * lens["base"]["height"],
-                "lens.height_range": [s * h for h in lens["height_range"]],
-                "lens.min_thickness": s * lens["min_thickness"],
-                "screen.z": s * screen["z"],
-                "screen.half_width": [s * r for r in screen["half_width"]],
-            }
-        )
-        return Plan(scene, dtype=dtype).trace({"exit": s * heights}).flux
-
-    difference = (image(unit) - image(1.0)).abs().sum().item()
-    assert difference < (1e-4 if dtype == torch.float32 else 1e-10)
-
-
 @pytest.mark.parametrize("amplitude", [0.0, 0.02, 0.2, 5.0])
 @pytest.mark.parametrize("kind", ["box", "gaussian"])
 @pytest.mark.parametrize("dtype", DTYPES)
@@ -141,31 +116,6 @@ def test_gradient_is_that_of_central_differences(make_scene, rng):
     assert (gradient * direction).sum().item() == pytest.approx(central.item(), rel=1e-4)
 
 
-def test_forward_mode_agrees_with_reverse_mode(make_scene, rng):
-    scene = make_scene()
-    plan = Plan(scene, dtype=torch.float64)
-    check_both_modes(plan, wavy(scene, rng), rng)
-
-
-def test_a_mirrored_lens_gives_a_mirrored_image(make_scene, rng):
-    scene = make_scene()
-    heights = wavy(scene, rng)
-    plan = Plan(scene, dtype=torch.float64)
-    image = plan.trace({"exit": heights}).flux
-    assert torch.allclose(plan.trace({"exit": heights.flip(0)}).flux, image.flip(1), atol=1e-14)
-    assert torch.allclose(plan.trace({"exit": heights.flip(1)}).flux, image.flip(0), atol=1e-14)
-
-
-def test_a_wedge_throws_light_to_its_thick_side(make_scene):
-    # The exit face rises towards +x: light bends to +x, the image moves to the right columns.
-    scene = make_scene()
-    x, _ = ControlNet.of(scene.optic).positions
-    heights = torch.as_tensor(np.repeat((0.5 + 0.1 * x)[:, None], 10, axis=1))
-    flux = Plan(scene).trace({"exit": heights}).flux.numpy()
-    columns = flux.sum(axis=0)
-    assert columns[16:].sum() > 1.3 * columns[:16].sum()
-
-
 def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
@@ -180,22 +130,3 @@ def test_paths_end_where_the_trace_does(make_scene, rng):
     assert (paths.weight > 0.9).all()
     expected = (np.abs(paths.points[:, 3, :2]) < 1).all(axis=1)
     assert (paths.on_screen == expected).all()
-
-
-def test_paths_of_a_result_come_without_a_warning(make_scene, recwarn):
-    scene = make_scene()
-    torch.set_warn_always(True)  # else it warns in the first test of a process alone
-    try:
-        ray_paths(scene, {"exit": frozen(flat(scene).numpy())}, (2, 2))
-    finally:
-        torch.set_warn_always(False)
-    assert not recwarn.list
-
-
-def test_reflected_paths_stop_at_the_exit_face(make_scene):
-    scene = make_scene({"lens.control_points": [4, 4], "lens.half_width": [0.1, 0.1]})
-    x, _ = ControlNet.of(scene.optic).positions
-    paths = ray_paths(scene, {"exit": np.repeat((0.5 + 3 * x)[:, None], 4, axis=1)}, (3, 3))
-    assert (paths.points[:, 3] == paths.points[:, 2]).all()
-    assert not paths.weight.any()
-    assert not paths.on_screen.any()

@@ -57,38 +57,6 @@ def test_flux_sums_to_one_and_all_points_have_the_same_intensity(lens, source, e
     assert per_solid_angle == pytest.approx(per_solid_angle[0, 0])
 
 
-def test_a_grid_is_one_batch_of_all_its_points(lens):
-    rays = emit(GRID, lens, seed=0)
-    assert rays.direction.shape == (25 * 25 * 64, 3)
-    # Back from the entrance face to the plane of the source, 64 rays meet in each point.
-    ends = rays.crossing - rays.direction[:, :2] * (5 / rays.direction[:, 2:])
-    places = ends.reshape(25, 25, 64, 2)
-    x, y = np.meshgrid(np.linspace(-0.8, 1.2, 25), np.linspace(-0.5, 0.5, 25), indexing="ij")
-    expected = np.broadcast_to(np.stack([x, y], axis=-1)[:, :, None], places.shape)
-    assert places == pytest.approx(expected, abs=1e-13)
-    # Each point has directions of its own, within its own cap.
-    caps = covering_caps(GRID.positions, lens.half_width, lens.entrance_z)
-    for number in (0, -1):
-        directions = rays.direction.reshape(-1, 64, 3)[number]
-        assert (directions @ caps.axis[number] >= caps.cos_max[number] - 1e-14).all()
-        assert directions.mean(axis=0) == pytest.approx(caps.axis[number], abs=0.05)
-
-
-def test_a_grid_of_one_point_is_that_point(lens):
-    one = GRID.model_copy(update={"points": (1, 1), "rays": 128})
-    point = PointSource(kind="point", position=one.center, rays=128)
-    assert np.array_equal(emit(one, lens, 5).direction, emit(point, lens, 5).direction)
-
-
-@pytest.mark.parametrize("sampling", ["sobol", "random"])
-def test_the_same_seed_repeats_and_another_draw_differs(lens, sampling):
-    source = POINT.model_copy(update={"sampling": sampling, "rays": 100})
-    first = emit(source, lens, seed=1).direction
-    assert np.array_equal(first, emit(source, lens, seed=1).direction)
-    assert not np.isin(first, emit(source, lens, seed=1, draw=1).direction).any()
-    assert not np.isin(first, emit(source, lens, seed=2).direction).any()
-
-
 def path_of(source, lens):
     screen = Screen(position=(0.0, 0.0, 5.0), half_width=(1.0, 1.0), pixels=(8, 8))
     scene = Scene.model_construct(lens=lens, source=source, screen=screen, run=AutoRun())

@@ -68,21 +68,3 @@ def test_derivatives_by_the_depth(distance):
     assert torch.autograd.gradcheck(
         lambda t: tuple(glass.light(radius2, t)), depth.requires_grad_(), eps=1e-7
     )
-
-
-def test_a_deeper_lens_gets_the_steps_that_it_needs():
-    far, near = FlatGlass(5.0, LAW, False), FlatGlass(1e-6, LAW, False)
-    assert far.steps(1.5, 0.5, torch.float32) == 1
-    assert far.steps(1.5, 0.5, torch.float64) == 2
-    assert near.steps(1.5, 0.5, torch.float64) > far.steps(50.0, 50.0, torch.float64) > 2
-
-
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_slopes_alone_are_those_of_the_light(dtype):
-    glass = FlatGlass(0.3, LAW, True)
-    radius2, depth = torch.linspace(0, 2, 50, dtype=dtype), torch.linspace(1, 0, 50, dtype=dtype)
-    light = glass.light(radius2, depth)
-    eps = torch.finfo(dtype).eps
-    torch.testing.assert_close(
-        glass.slope(radius2, depth), light.radius_ratio * light.steepness, rtol=32 * eps, atol=0
-    )

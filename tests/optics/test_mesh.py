@@ -1,20 +1,15 @@
 """The triangle mesh: watertight, exact in its triangles, close to the B-spline as it is refined."""
 
 import itertools
-import math
 
 import numpy as np
 import pytest
 import torch
-from torch.autograd import forward_ad
 
-from workbench.errors import Refused
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
 from workbench.optics.intersection import Bundle, ExactIntersection
 from workbench.optics.mesh import MeshIntersection, TriangleMesh
-from workbench.optics.plan import Plan
-from workbench.scene import ExactMethod
 
 DTYPES = [torch.float32, torch.float64]
 NET = ControlNet((7, 6), (3, 2), (1.0, 0.75))
@@ -157,20 +152,6 @@ def test_the_rim_belongs_to_the_mesh(dtype):
         assert np.abs(met.depth.numpy() - height).max() < 20 * torch.finfo(dtype).eps
 
 
-def test_a_ray_is_lost_just_beyond_the_rim_alone(rng):
-    x, _, z = vertices(wavy(), (2, 2))
-    p_x = rng.uniform(-1, 1, 20_000)
-    p_z = np.interp(p_x, x, z[:, -1])
-    r_y, slope_x, slope_y = NET.half_width[1], 0.125, rng.uniform(0.1, 0.5, len(p_x))
-    ray_x = p_x - slope_x * p_z
-    starts = np.abs(ray_x) <= NET.half_width[0]
-    for beyond, found in ((-1e-9, True), (1e-9, False)):
-        y = r_y + beyond - slope_y * p_z
-        met = meet(bundle(ray_x[starts], y[starts], slope_x, slope_y[starts]), wavy())
-        assert (met.found == found).all()
-        assert torch.isfinite(met.depth).all()
-
-
 def test_rays_through_the_side_meet_nothing_but_have_a_depth():
     # They leave at half the height of a plate 1/2 high, on each of its sides.
     x, y = np.array([0.9375, -0.9375, 0, 0]), np.array([0, 0, 0.6875, -0.6875])
@@ -178,18 +159,6 @@ def test_rays_through_the_side_meet_nothing_but_have_a_depth():
     met = meet(bundle(x, y, slope_x, slope_y), torch.full(NET.shape, 0.5))
     assert not met.found.any()
     assert (met.depth - 0.25).abs().max() < 1e-15
-
-
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_a_flat_face_is_met_everywhere_at_its_height(rng, dtype):
-    rays = random_rays(rng, 20_000, dtype=dtype)
-    heights = torch.full(NET.shape, 0.6, dtype=dtype)
-    met = meet(rays, heights, (2, 3))
-    inside = ((rays.x + 0.6 * rays.slope_x).abs() < 0.999) & (
-        (rays.y + 0.6 * rays.slope_y).abs() < 0.749
-    )
-    assert met.found[inside].all()
-    assert (met.depth[met.found] - 0.6).abs().max() < 4 * torch.finfo(dtype).eps
 
 
 def test_a_tilted_plane_is_exact_with_any_subdivision(rng):
@@ -250,64 +219,3 @@ def test_the_gradient_is_that_of_central_differences(rng):
     with torch.no_grad():
         difference = (total(heights + h * direction) - total(heights - h * direction)) / (2 * h)
     assert (gradient * direction).sum().item() == pytest.approx(difference.item(), rel=1e-5)
-
-
-def test_dual_numbers_and_the_gradient_agree(rng):
-    rays = random_rays(rng, 2_000)
-    direction = torch.as_tensor(rng.standard_normal(NET.shape))
-    with torch.no_grad(), forward_ad.dual_level():
-        dual = meet(rays, forward_ad.make_dual(wavy(), direction)).depth
-        change = forward_ad.unpack_dual(dual).tangent.clone()
-    heights = wavy().requires_grad_()
-    (gradient,) = torch.autograd.grad(meet(rays, heights).depth.sum(), heights)
-    assert change.sum().item() == pytest.approx((gradient * direction).sum().item(), rel=1e-10)
-
-
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_rays_along_triangles_give_numbers(dtype):
-    # A ramp of slope 1/2 along x, above flat land; rays of slope 2 lie in its planes.
-    net = ControlNet((9, 9), (1, 1), (1.0, 1.0))
-    x = torch.linspace(-1, 1, 9, dtype=dtype)
-    heights = (0.25 + 0.5 * (x + 0.5).clamp(0, 1))[:, None].repeat(1, 9).requires_grad_()
-    start = np.linspace(-1, 1, 161)
-    for slope_y in (0.0, 0.25):
-        rays = bundle(start, -0.3, 2.0, slope_y, dtype)
-        met = meet(rays, heights, (1, 1), net)
-        assert torch.isfinite(met.depth).all()
-        (gradient,) = torch.autograd.grad(met.depth.sum(), heights)
-        assert torch.isfinite(gradient).all()
-
-
-def mesh_scene(make_scene, subdivisions, **changes):
-    source = {
-        "kind": "point",
-        "position": [0.0, 0.0, -5.0],
-        "rays": 4096,
-        "intersection": {"method": "mesh", "subdivisions": subdivisions},
-    }
-    return make_scene({"source": source, **changes})
-
-
-def test_a_scene_chooses_its_mesh(make_scene):
-    scene = mesh_scene(make_scene, [2, 3])
-    net = ControlNet.of(scene.optic)
-    heights = wavy(net)
-    mesh = Plan(scene, dtype=torch.float64).trace({"exit": heights})
-    source = scene.source.model_copy(update={"intersection": ExactMethod()})
-    plain_scene = scene.model_copy(update={"source": source})
-    plain = Plan(plain_scene, dtype=torch.float64).trace({"exit": heights})
-    assert not torch.equal(mesh.flux, plain.flux)
-    assert (mesh.flux - plain.flux).abs().max() < 0.05 * plain.flux.max()
-    parts = mesh.account.to_data()
-    assert math.isclose(parts.pop("emitted"), sum(parts.values()), rel_tol=1e-12)
-
-
-@pytest.mark.parametrize("subdivisions", [[0, 1], [1, 65], [2]])
-def test_impossible_subdivisions_are_refused(make_scene, subdivisions):
-    with pytest.raises(Refused, match=r"source\.intersection\.subdivisions\[[01]\]"):
-        mesh_scene(make_scene, subdivisions)
-
-
-def test_meshes_beyond_memory_are_refused(make_scene):
-    with pytest.raises(Refused, match=r"source\.intersection\.subdivisions.*16777216 in all"):
-        mesh_scene(make_scene, [64, 64], **{"lens.control_points": [128, 128]})

@@ -162,18 +162,6 @@ def _at(heights):
     return {"mirror": torch.as_tensor(heights)}
 
 
-def test_directions_of_light_that_goes_back_are_counted_from_minus_z():
-    """H = atan2(d_x, |d_z|): a plane mirror tilted by 10 degrees sends light to H = 20."""
-    far = {"half_angle": [30.0, 30.0], "pixels": [60, 60]}
-    scene = scene_of(screen=None, far_field=far)
-    net = ControlNet.of(scene.optic)
-    x, _ = net.positions
-    heights = np.repeat(math.tan(math.radians(10)) * x[:, None], net.shape[1], axis=1)
-    arrival = walked(scene, heights)
-    assert arrival.column == pytest.approx(50, abs=1e-9)
-    assert arrival.row == pytest.approx(30, abs=1e-9)
-
-
 def test_an_image_keeps_rows_at_plus_y_and_columns_at_minus_x():
     scene = scene_of(screen={"z": -5.0, "half_width": [2.0, 2.0], "pixels": [8, 8]})
     net = ControlNet.of(scene.optic)

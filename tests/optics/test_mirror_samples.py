@@ -5,9 +5,7 @@ import pytest
 import torch
 
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Passed, Reflection
 from workbench.optics.path import Path
-from workbench.optics.reference import Reference
 from workbench.optics.sampled import SampledTrain, SampledWalk
 from workbench.optics.samples import Corners
 from workbench.scene import Scene
@@ -85,20 +83,3 @@ def _through_aperture(scene, slope):
         meets = outline.contains(x, y) & outline.contains(x + s_x * z, y + s_y * z)
         met += (lit.density * meets).sum() * 4 * 0.8 / 801**2
     return met
-
-
-def test_a_mirror_is_sampled_whatever_it_does_to_light(monkeypatch):
-    """A kind of interface that no kernel knows begins with the samples as well."""
-
-    class Dark:
-        def turn(self, rays, meeting):
-            passed = Reflection(1.0, "absorbed_mirror").turn(rays, meeting).rays
-            return Passed(passed._replace(flux=0 * passed.flux), {"absorbed_mirror": passed.flux})
-
-    monkeypatch.setattr("workbench.optics.steps.Reflection", lambda *_: Dark())
-    net = ControlNet((9, 7), (3, 3), (1.0, 0.8))
-    path = Path.of(scene_of("point"), net, torch.float64, samples=Corners(20, 16))
-    arrival = Reference(path).arrival({"mirror": torch.zeros(9, 7, dtype=torch.float64)})
-    assert arrival.rays.flux.shape == (21, 17)
-    lost = sum(part.item() for part in arrival.lost.values())
-    assert lost == pytest.approx(1, abs=1e-9)

@@ -7,15 +7,13 @@ import pytest
 import torch
 
 from tests.analysis.lenses import net_of
-from workbench.errors import Refused
-from workbench.geometry.outlines import Ellipse, Rectangle
+from workbench.geometry.outlines import Ellipse
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.entering import entering
 from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
-from workbench.optics.samples import Corners, parts_inside, places
 from workbench.optics.transmittance import TransmittanceLaw
 
 POINT = {"kind": "point", "position": [0.1, -0.2, -4.0], "rays": 1 << 16}
@@ -84,18 +82,6 @@ def test_slanted_rays_that_meet_the_wall_leave_by_the_side(make_scene):
     assert found["missed_lens"] > whole["missed_lens"] + 0.05
 
 
-def test_no_ray_to_look_at_passes_beside_the_lens(make_scene):
-    scene = make_scene(ROUND)
-    paths = ray_paths(scene, {"exit": np.full(scene.optic.net_shape, 0.5)}, (9, 7))
-    assert len(paths.points) == 9 * 7
-    assert Ellipse((1.0, 0.8)).contains(*paths.points[:, 1, :2].T).all()
-
-
-def test_parts_of_cells_are_whole_for_a_rectangle():
-    along = [places(Corners(5, 4), axis) for axis in (0, 1)]
-    np.testing.assert_allclose(parts_inside(Rectangle((2.0, 1.0)), *along), 1, rtol=1e-14)
-
-
 @pytest.mark.parametrize("source", [{"kind": "collimated"}, POINT])
 def test_the_gradient_at_the_rim_is_that_of_differences(make_scene, source, rng):
     scene = make_scene(ROUND | {"source": source, "lens.control_points": [9, 8]})
@@ -145,8 +131,3 @@ def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
         widest, abs=0.02
     )  # a pixel and a cell
     assert account.lost["off_screen"] == pytest.approx(0, abs=1e-12)
-
-
-def test_an_outline_that_is_none_is_refused(make_scene):
-    with pytest.raises(Refused, match=r"lens.outline.*'hexagon'.*'rectangle'.*'ellipse'"):
-        make_scene({"lens.outline": "hexagon"})

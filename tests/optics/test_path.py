@@ -4,18 +4,16 @@ import numpy as np
 import pytest
 import torch
 
-from tests.optics.landing import places_of
-from tests.optics.points import GRID, INDEX, POINT, smooth
-from tests.optics.rays import Given, bundle
+from tests.optics.points import GRID, POINT, smooth
+from tests.optics.rays import bundle
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.optics.interfaces import Passed, Refraction
+from workbench.optics.interfaces import Passed
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.receivers import PlaneReceiver
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import Plane
-from workbench.optics.transmittance import TransmittanceLaw
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 SOURCES = pytest.mark.parametrize(
@@ -55,28 +53,6 @@ def test_lost_rays_stay_in_the_bundle_without_flux(make_scene):
     assert not arrival.rays.flux[~arrival.rays.alive].any()
     assert torch.isinf(arrival.column[~arrival.rays.alive]).all()
     assert all(part.isfinite().all() for part in arrival.rays.direction)
-
-
-def test_light_beside_the_first_face_is_named_as_that_face_says(make_scene):
-    plate = Plane("front", 0.0, Rectangle((1.0, 1.0)))
-    path = Path(
-        Given(bundle([[0.5, 0, -2], [3, 0, -2]], [[0, 0, 1], [0, 0, 1]], [0.5, 0.5])),
-        [
-            FaceStep(
-                plate, Refraction(TransmittanceLaw.schlick(1 / INDEX), "front_reflection"), "beside"
-            )
-        ],
-        PlaneReceiver(make_scene().receiver, 0.0),
-        datum=0.0,
-        outline=plate.outline,
-        seed=0,
-        dtype=torch.float64,
-    )
-    arrival = path.walk({})
-    assert arrival.lost["beside"].item() == 0.5
-    assert arrival.lost["front_reflection"].item() == pytest.approx(0.5 * 0.04)
-    # The ray that missed is gone before the walk begins.
-    assert places_of(arrival, make_scene().receiver)[0].tolist() == [0.5]
 
 
 @SOURCES

@@ -1,7 +1,5 @@
 """When float32 is enough, and what is done when it is not."""
 
-import math
-
 import numpy as np
 import pytest
 import torch
@@ -60,17 +58,6 @@ def test_the_shift_is_that_of_rounding(make_scene):
     assert shift_of(
         make_scene({"screen.z": 100.0, "lens.control_points": [24, 20]})
     ) == pytest.approx(2 * known)
-
-
-def test_a_screen_that_leans_far_away_is_traced_in_float64(make_scene):
-    """Places along it are differences of the way to it, which is rounded."""
-    far = {"version": 2, "screen.z": 1e5, "screen.half_width": [1.0, 1.0]}
-    upright, leaning = (make_scene(far | {"screen.tilt": [0.0, tilt]}) for tilt in (0.0, 20.0))
-    more = shift_of(leaning) - shift_of(upright)
-    pixels = leaning.receiver.pixels[0] / 2  # for each unit of length
-    eps = torch.finfo(torch.float32).eps
-    assert more > eps * pixels * 1e5 * math.sin(math.radians(20))
-    assert precision_of(leaning) is torch.float64
 
 
 def test_light_of_a_source_that_nearly_touches_the_lens_is_traced_in_float64(make_scene):

@@ -32,13 +32,6 @@ def test_angles_obey_snell(ratio):
     assert torch.allclose(out.cos_out, out.direction[2], atol=1e-13)
 
 
-def test_light_goes_straight_on_where_the_index_does_not_change():
-    direction, _ = incoming(torch.linspace(-1.5, 1.5, 31), torch.float64)
-    out = refract(direction, UP, 1.0)
-    for before, after in zip(direction, out.direction, strict=True):
-        assert torch.equal(before, after)
-
-
 @pytest.mark.parametrize("law", [TransmittanceLaw.schlick(1.5), TransmittanceLaw.fresnel(1.5)])
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_beyond_the_critical_angle_nothing_passes_and_nothing_is_nan(dtype, law):

@@ -8,7 +8,7 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beam_reference import drawn
 from workbench.optics.beams import beam_image
 from workbench.optics.boxes import box_image
-from workbench.optics.kernels.polygons import compile_drawing, compiled_drawn
+from workbench.optics.kernels.polygons import compiled_drawn
 from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners, places, splits_side_by_side
 
@@ -70,34 +70,6 @@ def test_an_oblique_rim_cuts_cells_and_their_corners(draw):
     assert landed == pytest.approx(5 * (4.7 + 3.2) / 2, abs=1e-9)
     assert image[1, 1].item() == pytest.approx(1)
     assert image[3, 5].item() == pytest.approx(0.1**2 / 0.3 / 2)  # of a cell with one corner within
-
-
-def test_whole_cells_are_left_alone():
-    nodes, splits = lit(shear=0.2)
-    rim = rim_light(nodes, torch.ones_like(nodes[0]), PIXELS, splits)
-    assert (rim.landed, rim.counted, rim.flux.abs().max().item()) == (0, 0, 0)
-
-
-def test_cells_of_total_reflection_stay_left_out():
-    nodes, splits = lit()
-    room = 3.5 - (nodes[0] - 1)
-    nodes, room = cut(nodes, room)
-    dark = nodes.clone()
-    dark[:2, 2, 3], dark[2, 2, 3] = torch.inf, 0.0  # within the rim
-    _, landed = whole(nodes, room, splits)
-    _, less = whole(dark, room, splits)
-    # Two whole cells and two halves; but triangles beside the dark corner are drawn.
-    assert 2.0 <= landed - less <= 3.0
-
-
-@EITHER
-def test_cut_cells_get_the_light_of_rays_within_the_rim(draw):
-    nodes, splits = lit()
-    nodes, room = cut(nodes, 3.5 - (nodes[0] - 1))
-    rim = rim_light(nodes, room, PIXELS, splits, triangles=draw is beam_image)
-    _, landed = draw(nodes, PIXELS, splits)
-    assert rim.counted + landed == pytest.approx(nodes[2].sum().item())
-    assert rim.landed + landed == pytest.approx(3.5 * CELLS[1])
 
 
 def test_gradients_are_those_of_central_differences(rng):
@@ -169,14 +141,3 @@ def test_compiled_polygons_are_those_of_the_reference(rng):
     assert torch.allclose(*images, rtol=0, atol=1e-12) and images[0].max() > 1
     for mine, theirs in zip(*gradients, strict=True):
         assert torch.allclose(mine, theirs, rtol=0, atol=1e-11)
-
-
-def test_kernels_of_polygons_are_compiled_also_where_torch_notes_no_gradients():
-    with torch.no_grad():
-        compile_drawing()
-    x = torch.tensor([[0.0, 1.0, 1.0]], dtype=torch.float64, requires_grad=True)
-    y, density = torch.tensor([[1.0, 0.0, 1.0]]).double(), torch.ones(1).double()
-    image = compiled_drawn(x, y, density, (2, 2), 1.0)
-    image.sum().backward()
-    assert float(image.detach().sum()) == 0.5
-    assert x.grad.abs().sum() > 0

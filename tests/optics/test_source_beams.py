@@ -7,7 +7,6 @@ import torch
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
-from workbench.optics.sources.evenly import at_corners
 
 # A source that is seen under a wide angle, and a far screen: its image is wide.
 LED = {"kind": "area", "center": [0, 0, -1.5], "half_width": [0.3, 0.2], "emission": "lambertian"}
@@ -79,34 +78,3 @@ def test_a_part_of_the_source_makes_all_of_a_mirrored_image(make_scene, lens, mi
     # The diagonals of cells turn other ways.
     assert (part - whole).norm().item() < 4e-3 * whole.norm().item()
     assert part.sum().item() == pytest.approx(whole.sum().item(), rel=3e-3)
-
-
-@OUTLINES
-def test_corners_of_a_source_stand_for_its_area(outline):
-    x, y, share = at_corners((8, 6), outline)
-    assert share.sum() == pytest.approx(1)
-    assert share @ x == pytest.approx(0, abs=1e-15)
-    assert share @ y == pytest.approx(0, abs=1e-15)
-    spread = 1 / 3 if outline == "rectangle" else 1 / 4
-    assert share @ x**2 == pytest.approx(spread, rel=0.05)
-    assert share @ y**2 == pytest.approx(spread, rel=0.07)
-    assert {(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)} <= set(zip(x, y, strict=True))
-
-
-@EACH
-def test_samples_are_apart_where_the_image_of_the_source_is_small(make_scene, lens):
-    scene, heights = lit(make_scene, lens)
-    small = scene.model_copy(update={"source": scene.source.shrunk(0.01)})
-    cells = Corners.and_of_source(40, 40, (2, 2))
-    for promise in ((False, False), (True, True)):
-        near, narrow = (
-            BeamPlan(each, cells, mirrored=promise).light_apart(heights) for each in (scene, small)
-        )
-        assert near < 0.02
-        assert narrow > 0.9
-
-
-def test_only_beams_between_origins_know_how_far_samples_are_apart(make_scene):
-    scene, heights = lit(make_scene, {})
-    with pytest.raises(TypeError, match="between samples"):
-        BeamPlan(scene, Corners(8, 8, 4)).light_apart(heights)

@@ -6,8 +6,6 @@ import torch
 
 from tests.optics.kernels.twins import account
 from tests.optics.points import GRID, POINT, smooth
-from tests.optics.rays import Given, bundle
-from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed
 from workbench.optics.kernels.point import FusedPointRays
@@ -15,7 +13,6 @@ from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
-from workbench.optics.surfaces import Plane
 from workbench.optics.tracers import Tracers
 from workbench.optics.train.compiled import CompiledTrain
 
@@ -79,48 +76,6 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     light = Reference(window).image({"exit": smooth(scene)}, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0
     assert sum(account(light).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
-
-
-def test_another_step_before_the_exit_face_needs_no_other_kernel(make_scene):
-    scene = make_scene({"source": POINT})
-    path = path_of(scene)
-    entrance, exit_face = path.steps
-    pane = entrance._replace(
-        surface=Plane("pane", 0.1, Rectangle((0.5, 0.5))), interface=Unchanged()
-    )
-    stopped = changed(path, steps=[entrance, pane, exit_face])
-    assert kind(stopped) is FusedPointRays
-    lights = [
-        tracer(stopped).image({"exit": smooth(scene)}, scene.filter)
-        for tracer in (FusedPointRays, Reference)
-    ]
-    assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
-    assert account(lights[0]) == pytest.approx(account(lights[1]), abs=1e-12)
-    assert lights[0].account.lost["missed_lens"] > path.lost["missed_lens"].item() + 0.1
-
-
-def test_light_of_an_emitter_that_no_kernel_knows_is_traced_by_the_one_that_takes_any_rays(
-    make_scene, rng
-):
-    scene = make_scene({"source": COLLIMATED})
-    places = np.column_stack([*rng.uniform(-0.7, 0.7, (2, 500)), np.full(500, -1.0)])
-    tilted = np.array([0.1, -0.05, 1.0]) / np.linalg.norm([0.1, -0.05, 1.0])
-    rays = bundle(places, np.tile(tilted, (500, 1)), np.full(500, 1 / 500))
-    path = changed(path_of(scene), emitter=Given(rays))
-    assert kind(path) is FusedPointRays
-    lights = [
-        tracer(path).image({"exit": smooth(scene)}, scene.filter)
-        for tracer in (FusedPointRays, Reference)
-    ]
-    assert torch.allclose(lights[0].flux, lights[1].flux, rtol=0, atol=1e-12)
-    assert account(lights[0]) == pytest.approx(account(lights[1]), abs=1e-12)
-
-
-def test_the_compiled_train_refuses_a_path_whose_face_is_not_sampled(make_scene):
-    path = path_of(make_scene({"source": POINT}))
-    assert not CompiledTrain.matches(path)
-    with pytest.raises(TypeError, match="not sampled"):
-        CompiledTrain(path)
 
 
 class Measuring(Unchanged):

@@ -8,10 +8,8 @@ from tests.optics.gradients import check_against_differences
 from tests.optics.landing import places_of
 from tests.optics.points import interpolating
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
-from workbench.optics.samples import Corners
 
 INDEX = 1.5
 LENS = {
@@ -105,19 +103,6 @@ def test_the_gradient_of_each_face_is_that_of_differences(make_scene, rng, sourc
     check_against_differences(loss, at, directions)
 
 
-def test_forward_mode_agrees_with_reverse_mode_on_both_faces(make_scene, rng):
-    scene = make_scene({**LENS, "source": SOURCES["point"]})
-    plan, heights = Plan(scene, dtype=torch.float64), wavy(scene, rng)
-    tangents = {face: torch.as_tensor(rng.normal(size=z.shape)) for face, z in heights.items()}
-    cotangent = torch.as_tensor(rng.normal(size=(32, 32)))
-    _, forward = torch.func.jvp(plan.flux, (heights,), (tangents,))
-    variables = {face: z.requires_grad_() for face, z in heights.items()}
-    image = (plan.trace(variables).flux * cotangent).sum()
-    gradients = torch.autograd.grad(image, list(variables.values()))
-    reverse = sum((g * t).sum().item() for g, t in zip(gradients, tangents.values(), strict=True))
-    assert (forward * cotangent).sum().item() == pytest.approx(reverse)
-
-
 def test_two_hyperboloids_image_a_point_into_a_point(make_scene):
     # Light from a point is parallel behind the first: √(r² + (f + z)²) = f + n z.
     def rise(r, f):
@@ -170,20 +155,3 @@ def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
     came, _, _ = path.rays.position
     x, _ = places_of(arrival, scene.receiver)
     np.testing.assert_allclose(x.reshape(30, 30), factor * came.expand(30, 30), rtol=0, atol=1e-10)
-
-
-@pytest.mark.parametrize("fused", [True, False], ids=["kernel", "reference"])
-def test_what_does_not_lie_ahead_of_a_source_is_dark(make_scene, fused):
-    # The near half of the entrance face goes through the middle of the source and behind it.
-    scene = make_scene(
-        {**LENS, "version": 2, "source": SOURCES["area"], "source.center": [0, 0, -1]}
-    )
-    nets = freeform_nets(scene.optic)
-    heights = {face: torch.full(net.shape, 0.6, dtype=torch.float64) for face, net in nets.items()}
-    heights["entrance"][:] = 0
-    heights["entrance"][: len(heights["entrance"]) // 2] = -1.0
-    heights = {face: each.requires_grad_() for face, each in heights.items()}
-    flux = BeamPlan(scene, Corners(12, 12, 4), dtype=torch.float64, fused=fused).trace(heights).flux
-    flux.sum().backward()
-    assert 0 < flux.sum() < 0.5
-    assert all(each.grad.isfinite().all() for each in heights.values())

@@ -11,7 +11,6 @@ from workbench.analysis.benchmark.bounds import BoundedDesign
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.frontier import Course
 from workbench.analysis.benchmark.leds import LedDesign
-from workbench.analysis.benchmark.names import BENCHMARKS
 from workbench.pictures import benchmark
 from workbench.pictures.benchmark import page
 
@@ -46,10 +45,6 @@ def designs():
 def derivative(make_scene):
     scene = make_scene()
     return SimpleNamespace(name="a", scene=scene, map=np.eye(32), balance=1e-9)
-
-
-def test_every_benchmark_has_a_picture():
-    assert set(benchmark._DRAWN) == set(BENCHMARKS)
 
 
 @pytest.mark.parametrize(
@@ -98,23 +93,3 @@ def test_the_page_shows_each_experiment(designs, derivative, tmp_path):
         np.testing.assert_array_equal(line.get_xdata(), steps)
         np.testing.assert_array_equal(line.get_ydata(), design.result.losses)
     figure.savefig(tmp_path / "page.png", dpi=30)
-
-
-@pytest.mark.parametrize("kept", ["designs", "derivative"])
-def test_the_page_is_drawn_from_some_of_the_experiments(kept, designs, derivative, tmp_path):
-    rows = [*designs] if kept == "designs" else [derivative]
-    page(rows).savefig(tmp_path / "page.png", dpi=30)
-    with Image.open(tmp_path / "page.png") as picture:
-        assert picture.width > 100
-
-
-@pytest.mark.parametrize("count", [1, 4])
-def test_text_below_courses_fits_their_width(count):
-    figure = benchmark.courses(
-        [dataclasses.replace(COURSES[1], scene=str(k)) for k in range(count)]
-    )
-    figure.draw_without_rendering()
-    said = figure.get_supxlabel()
-    (text,) = [each for each in figure.texts if each.get_text() == said]
-    box, whole = text.get_window_extent(), figure.bbox
-    assert whole.x0 <= box.x0 and box.x1 <= whole.x1

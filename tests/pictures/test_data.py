@@ -6,7 +6,6 @@ from workbench.pictures.figure_data import shown_data
 from workbench.pictures.images import IrradianceImage
 from workbench.pictures.loss import LossCourse, LossPicture
 from workbench.pictures.section import SectionCurves, cut_through
-from workbench.pictures.surface import ASPECTS, SurfaceImage
 
 
 @pytest.fixture
@@ -28,19 +27,6 @@ def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
     np.testing.assert_allclose(x.values[:8], np.arange(-1.75, 2, 0.5))
     np.testing.assert_allclose(y.values[::8], [0.75, 0.25, -0.25, -0.75])
     np.testing.assert_array_equal(values.values, image.ravel())
-
-
-def test_an_image_is_copied_as_it_is_shown(scene, figure, rng):
-    axes, image = figure.subplots(), rng.random((4, 8))
-    IrradianceImage(axes, scene, np.ones((4, 8))).update(image)
-    axes.set_xlim(0, 1)
-    axes.set_ylim(-1, 0)
-    np.testing.assert_array_equal(shown_data(figure)[2].values, image[2:, 4:6].ravel())
-
-
-def test_a_map_of_the_face_is_named_once(scene, figure):
-    SurfaceImage(figure.subplots(), scene, ASPECTS[3])
-    assert shown_data(figure)[2].name == "Gaussian curvature [1 / cm^2]"
 
 
 def test_curves_of_the_same_places_share_them(scene, figure, rng):
@@ -67,8 +53,3 @@ def test_runs_of_any_length_are_copied_without_decoration(figure):
     np.testing.assert_array_equal(columns[0].values, [1, 2, np.nan])
     np.testing.assert_array_equal(columns[1].values, [2, 1, np.nan])
     np.testing.assert_array_equal(columns[3].values, [5, 4, 3])
-
-
-def test_curves_without_points_are_left_out(figure):
-    LossPicture(figure.subplots())
-    assert shown_data(figure) == []

@@ -46,10 +46,3 @@ def test_scale_is_symmetric_and_no_wider_than_the_map(scene, axes):
     derivative[1, 1], derivative[2, 2] = 3.7, -1.2
     assert [picture.update(derivative) for _ in range(2)] == [True, False]
     assert picture.artists[0].get_clim() == (-3.7, 3.7)
-
-
-def test_units_are_labelled(scene, axes):
-    DerivativeImage(axes, scene)
-    (bar,) = axes.child_axes
-    assert bar.get_ylabel() == "flux / cm² per cm"
-    assert axes.get_xlabel() == "x (cm)"

@@ -5,7 +5,6 @@ import pytest
 
 from workbench.pictures import meshes
 from workbench.pictures.face_colours import (
-    colour_scale_of,
     face_colours,
     lit_normals,
     mean_curvature,
@@ -30,35 +29,10 @@ def test_a_sphere_is_bent_alike_everywhere():
     assert mean_curvature(bowl * [1, 1, -1])[2:-2, 2:-2] == pytest.approx(-0.2, rel=0.01)
 
 
-def test_a_face_of_its_material_has_one_colour():
-    assert (rgb(X * Y, "material") == (0x8F, 0xC1, 0xE8)).all()
-
-
-def test_height_goes_from_dark_to_bright():
-    brightness = rgb(3 + X, "height").sum(axis=-1)
-    assert (np.diff(brightness[:, 5]) >= 0).all()
-    assert brightness[0, 5] < 200 < 400 < brightness[-1, 5]
-
-
 def test_bowls_are_red_and_humps_blue():
     red, _, blue = np.moveaxis(rgb(0.1 * X**3, "curvature"), -1, 0)  # a hump at -x, a bowl at +x
     assert (red[35] > blue[35]).all()
     assert (red[5] < blue[5]).all()
-
-
-@pytest.mark.parametrize("by", ["height", "curvature"])
-def test_a_plane_has_one_colour(by):
-    assert np.ptp(rgb(0.5, by), axis=(0, 1)).max() == 0
-
-
-def test_faces_share_a_scale_that_ends_at_what_the_largest_needs():
-    low, high = surface(1 + 0.1 * X), surface(7 - 0.25 * X)
-    assert scale_top([low, high], "height") == pytest.approx(1.0)
-    assert colour_scale_of("height", 1.0, "mm") == ("viridis", 0.0, 1.0, "mm")
-    bowl = surface(5 - np.sqrt(25 - X**2 - Y**2))
-    assert scale_top([low, bowl], "curvature") == pytest.approx(0.2, rel=0.02)
-    assert colour_scale_of("curvature", 0.2, "mm")[1:] == (-0.2, 0.2, "1 / mm")
-    assert colour_scale_of("material", 1.0, "mm") is None
 
 
 def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():

@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-from resources import path
-from workbench.files.scene import read_scene
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.compressed import compress_distances
@@ -97,23 +95,6 @@ def test_default_view_holds_lens_and_screen(make_scene, plotter, z, lens, screen
     assert spots[larger] > height / 4
 
 
-@pytest.mark.parametrize(
-    ("view", "right", "up"),
-    [("side", (0, 0, 1), (0, 1, 0)), ("top", (0, 0, 1), (1, 0, 0)), ("axis", (1, 0, 0), (0, 1, 0))],
-)
-def test_a_view_along_an_axis_lies_straight(make_scene, plotter, view, right, up):
-    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
-    picture.fit(view)
-    row, column = screen_pixel(plotter, (0, 0, 0.5))
-    row_right, column_right = screen_pixel(plotter, np.array([0, 0, 0.5]) + right)
-    row_up, column_up = screen_pixel(plotter, np.array([0, 0, 0.5]) + up)
-    assert column_right > column + 20 and abs(row_right - row) <= 1
-    assert row_up < row - 20 and abs(column_up - column) <= 1
-    plotter.window_size = [300, 500]
-    picture.fit_again()
-    assert picture.fitted and picture._camera.view == view
-
-
 def test_update_keeps_camera_and_actors(make_scene, plotter, state):
     scene = make_scene()
     picture = LensPicture(plotter, scene, np.ones((32, 32)))
@@ -132,13 +113,6 @@ def test_update_keeps_camera_and_actors(make_scene, plotter, state):
     assert picture.fitted
 
 
-def test_recolour_changes_the_ground(make_scene, plotter):
-    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
-    light = drawn(plotter)[0, 0].mean()
-    picture.recolour(dark=True)
-    assert drawn(plotter)[0, 0].mean() < light / 2
-
-
 @pytest.mark.parametrize("explode", [False, True])
 def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     far = {"screen": {"z": 40.0, "half_width": [1, 1], "pixels": [8, 8]}, "target": {"image": "a"}}
@@ -155,15 +129,6 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     assert shown.receiver.z < place[2] <= 40.0  # seen from beyond, the far one is in front
     row, column = screen_pixel(plotter, place)
     assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300
-
-
-def test_large_irradiance_is_thinned_to_what_a_view_shows(make_scene, plotter, state):
-    scene = make_scene({"screen.pixels": [1200, 700]})
-    target = np.ones((700, 1200))
-    picture = LensPicture(plotter, scene, target)
-    surface, paths, _ = state(scene)
-    picture.update(surface, paths, target)
-    assert picture._receivers[0]._texels.dimensions == (400, 350, 1)
 
 
 POINT = {"kind": "point", "position": [0.5, 1.0, -5.0], "rays": 100}
@@ -194,19 +159,6 @@ def test_default_view_holds_the_source(make_scene, plotter, source, corners, z):
     assert rows[1] - rows[0] > height / 8  # the lens does not shrink to nothing beside it
 
 
-@pytest.mark.parametrize("source", [POINT, GRID])
-def test_a_source_shows_in_the_colour_of_its_light(make_scene, plotter, source):
-    scene = make_scene({"source": source})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    picture.fit()
-    place = {"point": (0.5, 1.0, -5.0), "grid": (-2.0, 1.0, -5.0)}[source["kind"]]
-    row, column = screen_pixel(plotter, place)
-    for dark in (False, True):
-        picture.recolour(dark)
-        red, _, blue = drawn(plotter)[row, column].astype(int)
-        assert red > blue + 80  # amber on a greyish ground
-
-
 AREA = {"kind": "area", "center": [0.5, 0.0, -4.0], "half_width": [0.8, 0.4]}
 
 
@@ -224,68 +176,6 @@ def test_an_emitter_shows_its_face(make_scene, plotter, outline):
     assert amber(0.11, 0.07) and amber(-0.53, 0.03) and amber(0.03, -0.31)
     assert amber(0.71, 0.33) == (outline == "rectangle")  # beside the ellipse
     assert not amber(1.0, 0.0) and not amber(0.0, 0.6)
-
-
-def test_a_disc_of_light_is_as_wide_as_the_lens_sees_it(make_scene, plotter, state):
-    sun = {"kind": "collimated", "angular_diameter": 8.0, "direction": [0.0, 10.0]}
-    scene = make_scene({"source": sun})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    seen = picture._emitter.points - (0, 0, scene.optic.entrance_z)
-    ways = -seen / np.linalg.norm(seen, axis=1, keepdims=True)
-    middle = np.array([np.sin(np.radians(10)), 0, np.cos(np.radians(10))])
-    assert np.degrees(np.arccos((ways @ middle).min())) == pytest.approx(4, abs=1e-3)
-    assert (seen[:, 2] < 0).all() and picture._glow.GetVisibility()
-    straight = make_scene({"source.rays": [9, 9]})
-    picture.update(*state(straight), straight.source)
-    assert not picture._glow.GetVisibility()
-
-
-def test_rays_begin_at_their_source(make_scene, plotter, state):
-    scene = make_scene({"source": POINT})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    picture.update(*state(scene))
-    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
-    np.testing.assert_allclose(begins, np.tile(POINT["position"], (25, 1)))
-
-
-def test_a_source_far_away_leaves_the_view_to_lens_and_screen(make_scene, plotter, state):
-    scene = make_scene({"source": {"kind": "point", "position": [0, 0, -1e4], "rays": 100}})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    picture.fit()
-    picture.update(*state(scene))
-    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
-    np.testing.assert_allclose(begins[:, 2], -2.0)
-    assert abs(begins[:, :2]).max() < 1.0
-    width, height = plotter.window_size
-    for corner in ((-1, -1, 0), (1, 1, 0), (-1, -1, 5), (1, 1, 5)):
-        row, column = screen_pixel(plotter, corner)
-        assert 0 <= row < height and 0 <= column < width
-    rows = [screen_pixel(plotter, (0, y, 5))[0] for y in (1, -1)]
-    assert rows[1] - rows[0] > height / 4
-
-
-def test_a_stage_may_have_a_source_of_its_own(make_scene, plotter, state):
-    scene = make_scene({"source": GRID})
-    earlier = make_scene({"source": POINT})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    picture.fit()
-    picture.update(*state(earlier), earlier.source)
-    begins = picture._rays.points.reshape(-1, 4, 3)[:, 0]
-    np.testing.assert_allclose(picture._places.points, [POINT["position"]])
-    np.testing.assert_allclose(begins, np.tile(POINT["position"], (25, 1)))
-    drawn(plotter)
-    picture.update(*state(scene))
-    assert len(picture._places.points) == picture._places.n_cells == 6
-    drawn(plotter)
-    collimated = make_scene()
-    picture.update(*state(collimated), collimated.source)
-    assert not picture._source.GetVisibility()
-    assert picture.fitted
-
-
-def test_the_optical_axis_is_drawn_in_ink(make_scene, plotter):
-    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
-    assert all(actor.mapper.dataset.active_scalars is None for actor in picture._lines)
 
 
 def test_the_projection_changes_and_the_middle_stays(make_scene, plotter, state):
@@ -319,45 +209,6 @@ def test_a_fitted_perspective_holds_all(make_scene, plotter):
             assert 0 <= row < 400 and 0 <= column < 640
 
 
-def test_rays_are_coloured_by_outcome_or_weight(make_scene, plotter, state):
-    scene = make_scene()
-    picture = LensPicture(plotter, scene, np.ones((32, 32)), dark=True)
-    surface, paths, lit = state(scene, rays=(2, 1))
-    paths = paths._replace(weight=np.array([0.0, 1.0]), on_screen=np.array([True, True]))
-    picture.update(surface, paths, lit)
-    shades = lambda: picture._rays.point_data["colour"][::4, :3]  # noqa: E731
-    outcome = shades().copy()
-    np.testing.assert_array_equal(outcome[0], outcome[1])
-    picture.colour_rays(by_weight=True)
-    none, full = shades().astype(int)
-    assert full.sum() > none.sum() + 200  # the more light, the brighter on dark
-    picture.recolour(dark=False)
-    none, full = shades().astype(int)
-    assert none.sum() > full.sum() + 200
-    picture.colour_rays(by_weight=False)
-    none, full = shades()
-    np.testing.assert_array_equal(none, full)
-
-
-def test_rays_fade_before_the_lens_and_towards_the_screen(make_scene, plotter, state):
-    picture = LensPicture(plotter, make_scene(), np.ones((32, 32)))
-    picture.update(*state(make_scene(), rays=(3, 3)))
-    begin, entrance, leaving, end = picture._rays.point_data["colour"].reshape(9, 4, 4)[4, :, 3]
-    assert begin < entrance and entrance == leaving and end < leaving
-
-
-def test_rays_of_a_mirror_go_from_place_to_place_of_their_own(plotter):
-    scene = read_scene(path("examples", "mirror-letter.json")).with_net((8, 8))
-    heights = {"mirror": np.zeros(scene.optic.net_shape)}
-    picture = LensPicture(plotter, scene, np.ones(scene.receiver.pixels[::-1]))
-    paths = ray_paths(scene, heights, (3, 3))
-    n_x, n_y = scene.receiver.pixels
-    picture.update(sample_faces(scene.optic, heights, (9, 9)), paths, np.ones((n_y, n_x)))
-    cells = picture._rays.lines.reshape(9, 4)
-    assert (cells[:, 0] == 3).all()
-    np.testing.assert_array_equal(picture._rays.points[cells[:, 1:]][:, 1:], paths.points[:, 1:])
-
-
 def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     scene = make_scene({"version": 2, "lens.entrance": {"shape": "freeform"}})
     entrance, exit_face = np.full((12, 10), 0.1), np.full((12, 10), 0.5)
@@ -375,21 +226,6 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
     (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
     assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])
-
-
-def test_a_mirror_is_grey_and_opaque_like_metal(make_scene, plotter):
-    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
-    scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    (looks,) = (
-        actor.prop
-        for actor in plotter.actors.values()
-        if getattr(actor, "mapper", None) is not None
-        and actor.mapper.dataset is picture._faces["mirror"][0]
-    )
-    red, green, blue = looks.color.float_rgb
-    assert looks.opacity == 1.0 and looks.specular == 1.0
-    assert max(red, green, blue) - min(red, green, blue) < 0.06
 
 
 def test_faces_are_coloured_by_their_height_when_asked(make_scene, plotter, state):
@@ -413,53 +249,3 @@ def test_faces_are_coloured_by_their_height_when_asked(make_scene, plotter, stat
     # Viridis: the lower half is blue, the upper one green.
     assert low[2] > low[1] + 20
     assert high[1] > high[2] + 20
-
-
-def test_relief_too_low_to_be_seen_is_lit_on_demand(make_scene, plotter, state):
-    scene = make_scene()
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    surfaces, paths, light = state(scene)
-
-    def seen(exaggerated):
-        picture.set_faces("material", exaggerated)
-        picture.update(surfaces, paths, light)
-        return drawn(plotter).astype(int)
-
-    picture.fit("lens")
-    plane = seen(False)
-    assert np.abs(seen(True) - plane).max() <= 1
-    # Waves of four samples: too fine for polynomials.
-    surfaces["exit"][..., 2] += 2e-4 * np.sin(np.pi / 2 * np.arange(17))[:, None]
-
-    def changed_share(exaggerated):
-        """Part of the picture that is much brighter or darker than that of the plane."""
-        return (np.abs(seen(exaggerated) - plane).max(axis=-1) > 8).mean()
-
-    assert changed_share(False) < 0.001
-    assert changed_share(True) > 0.005
-
-
-def test_colours_of_faces_have_a_scale_below_them(make_scene, plotter, state):
-    scene = make_scene()
-    picture = LensPicture(plotter, scene, np.ones((128, 128)))
-    picture.fit()
-    x, _ = np.meshgrid(*2 * [np.linspace(-1, 1, 17)], indexing="ij")
-    (surface,), paths, light = [*state(scene)[0].values()], *state(scene, rays=(1, 1))[1:]
-    bent = {"exit": surface + np.stack([0 * x, 0 * x, 0.02 * x**2], axis=-1)}
-    picture.update(bent, paths, light)
-    plain = drawn(plotter).astype(int)
-    picture.set_faces("height", False, "Height")
-    picture.update(bent, paths, light)
-    scaled = drawn(plotter).astype(int)
-    bottom = int(0.87 * plain.shape[0])
-    below = scaled[bottom:]
-    assert (below != plain[bottom:]).any(axis=-1).mean() > 0.05
-    # Its lowest colour is at the left, its highest one at the right.
-    dark, bright = (
-        np.argwhere(np.abs(below - colour).sum(axis=-1) < 30)[:, 1].mean()
-        for colour in ((68, 1, 84), (253, 231, 37))
-    )
-    assert dark < bright
-    picture.set_faces("material", False)
-    picture.update(bent, paths, light)
-    assert (drawn(plotter).astype(int)[bottom:] == plain[bottom:]).all()

@@ -43,33 +43,6 @@ def test_along_any_line_a_slanted_plane_is_exact(scene, ends):
     np.testing.assert_allclose(values_along(plane, cut), wanted)
 
 
-def test_a_line_through_the_middles_of_pixels_meets_their_values(scene, rng):
-    image = rng.random((4, 8))
-    found = values_along(image, cut_between(scene, (-1.75, 0.75), (-0.25, -0.75)))
-    np.testing.assert_allclose(found[[0, -1]], [image[0, 0], image[3, 3]])
-    along_x = cut_between(scene, (-1.75, 0.25), (1.75, 0.25))
-    np.testing.assert_allclose(values_along(image, along_x), image[1])
-
-
-def test_a_line_to_the_corners_ends_with_their_pixels(scene, rng):
-    image = rng.random((4, 8))
-    found = values_along(image, cut_between(scene, (-2, 1), (2, -1)))
-    np.testing.assert_allclose(found[[0, -1]], [image[0, 0], image[-1, -1]])
-
-
-def test_a_line_of_no_length_is_one_value(scene, rng):
-    image = rng.random((4, 8))
-    found = values_along(image, cut_between(scene, (0.25, 0.25), (0.25, 0.25)))
-    np.testing.assert_allclose(found, image[1, 4])
-
-
-def test_an_image_of_one_pixel_has_its_value_everywhere(make_scene):
-    scene = make_scene({"screen.pixels": [1, 1]})
-    np.testing.assert_array_equal(
-        values_along(np.full((1, 1), 7.0), cut_between(scene, (-0.9, 0.2), (0.9, 0.1))), 7.0
-    )
-
-
 @pytest.mark.parametrize(("along", "line"), [("x", np.s_[1]), ("y", np.s_[::-1, 6])])
 def test_a_cut_across_a_far_field_is_where_its_angles_are(make_scene, rng, along, line):
     far = {"half_angle": [20.0, 10.0], "center": [30.0, -5.0], "pixels": [8, 4]}

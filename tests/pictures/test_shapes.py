@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.outlines import Ellipse
 from workbench.pictures import meshes
 
 
@@ -25,15 +24,6 @@ def test_normals_of_a_tilted_plane():
     np.testing.assert_allclose(found, np.tile([-0.6, 0.0, 0.8], (30, 1)), atol=1e-12)
 
 
-def test_walls_join_the_rim_and_the_entrance_face():
-    surface = plane(5, 4, slope=0.1)
-    points = meshes.wall_points(surface, -1.0)
-    assert points.shape == (4 * (5 + 4), 3)
-    np.testing.assert_array_equal(points[:5], surface[:, 0])
-    np.testing.assert_array_equal(points[5:10, :2], surface[:, 0, :2])
-    assert (points[5:10, 2] == -1.0).all()
-
-
 def test_walls_and_exit_face_close_the_lens():
     """The flux of a constant field through a closed surface is nothing, that of x is its volume."""
     surface = plane(5, 4, slope=0.1)
@@ -51,26 +41,6 @@ def test_walls_and_exit_face_close_the_lens():
     np.testing.assert_allclose(volume, 2 * 4 * 1.5)
 
 
-def test_net_lines_hold_the_rim():
-    lines = meshes.net_lines(9, 9, fields=4)
-    assert lines.size == 10 * (9 + 1)
-    first, last = lines[1:10], lines[-9:]
-    np.testing.assert_array_equal(first, np.arange(9))
-    np.testing.assert_array_equal(last, np.arange(8, 81, 9))
-
-
-def test_outline_has_rim_foot_and_upright_edges():
-    lines = meshes.wall_lines(3, 2)
-    np.testing.assert_array_equal(lines[:10], [3, 0, 1, 2, 2, 3, 5, 2, 0, 3])
-
-
-def test_rays_from_far_away_begin_on_their_way():
-    start = np.array([[0.0, 0.0, -100.0], [0.0, 0.0, -1.0]])
-    entrance = np.array([[1.0, -2.0, 0.0], [1.0, -2.0, 0.0]])
-    found = meshes.starting_at(start, entrance, -2.0)
-    np.testing.assert_allclose(found, [[0.98, -1.96, -2.0], [0.0, 0.0, -1.0]])
-
-
 def polygons(cells):
     """Cells one by one."""
     found, first = [], 0
@@ -78,22 +48,6 @@ def polygons(cells):
         found.append(cells[first + 1 : first + 1 + cells[first]])
         first += 1 + cells[first]
     return found
-
-
-def test_a_curved_wall_closes_the_lens_and_has_no_upright_edges():
-    side = np.linspace(-1, 1, 9)
-    x, y = Ellipse((1.0, 0.5)).from_square(side[:, None], side)
-    surface = np.stack([x, y, 0.5 + 0.1 * x], axis=-1)
-    points = meshes.wall_points(surface, -1.0)
-    *walls, entrance = polygons(meshes.wall_faces(9, 9, straight=False))
-    assert len(walls) == 4 * 8
-    assert len(entrance) == 4 * 8
-    rim = points[entrance]
-    np.testing.assert_allclose(np.hypot(rim[:, 0], rim[:, 1] / 0.5), 1)
-    ends = [len(line) for line in polygons(meshes.wall_lines(9, 9, straight=False))]
-    assert ends == [9] * 8
-    unit = meshes.normals(surface)
-    np.testing.assert_allclose(unit, np.broadcast_to(unit[40], unit.shape), atol=1e-12)
 
 
 @pytest.mark.parametrize("straight", [True, False])

@@ -46,36 +46,6 @@ def test_a_grid_has_corners_and_a_middle(handles, plotter):
     assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
 
 
-def test_a_source_that_is_small_in_the_picture_is_moved_and_has_handles_beside_it(handles, plotter):
-    made, source = handles({**GRID, "half_width": [0.02, 0.01]})
-    sight = Projection(plotter)
-    *corners, middle = sight.pixels(np.vstack([source.corners, source.place]))
-    assert [made.pick(*corner) for corner in corners] == 4 * ["middle"]
-    assert made.pick(*middle) == "middle"
-    for _ in range(2):
-        *beside, _ = sight.pixels(made._markers._mesh.points)
-        away = np.linalg.norm(np.array(beside) - sight.pixels(np.array([source.place])), axis=1)
-        np.testing.assert_allclose(away, 42, atol=1)
-        assert [made.pick(*place) for place in beside] == [0, 1, 2, 3]
-        plotter.camera.parallel_scale *= 0.7
-        plotter.camera.azimuth += 20  # and they follow the camera
-        plotter.ren_win.Render()
-
-
-def test_handles_that_are_closed_follow_no_camera(handles, plotter):
-    made, _ = handles({**GRID, "half_width": [0.02, 0.01]})
-    made.close()
-    before = made._markers._mesh.points.copy()
-    plotter.camera.parallel_scale *= 0.5
-    plotter.ren_win.Render()
-    np.testing.assert_array_equal(made._markers._mesh.points, before)
-
-
-def test_collimated_light_has_no_handles(handles):
-    made, _ = handles({"kind": "collimated"})
-    assert made.pick(320, 200) is None
-
-
 def test_moving_rounds_to_what_a_person_would_type(make_scene):
     point = make_scene({"source": POINT}).source
     by = np.array([0.01234567, -0.1, 0.00001])

@@ -46,49 +46,6 @@ def test_slope_is_an_angle_on_a_scale_from_zero(scene, axes):
     assert axes.child_axes[0].get_ylabel() == "slope (°)"
 
 
-@pytest.mark.parametrize("name", [name for name in NAMED if "curvature" in name])
-def test_a_plane_is_not_coloured_by_rounding(scene, axes, name):
-    image = SurfaceImage(axes, scene, NAMED[name])
-    image.update(tilted(scene, 0.1, 0.2))
-    assert np.abs(image.values).max() < 1e-2 * image.artists[0].get_clim()[1]
-
-
-def test_the_scale_stays_for_faces_alike(scene, axes):
-    image = SurfaceImage(axes, scene, NAMED["slope"])
-    changes = [image.update(tilted(scene, 0.1 * k, 0.0)) for k in (1.0, 1.1, 0.9, 9.0)]
-    assert changes == [True, False, False, True]
-
-
-def test_rounding_of_a_flat_face_does_not_make_the_scale(make_scene):
-    lens = make_scene().optic
-    image = SurfaceImage(Figure().subplots(), make_scene(), ASPECTS[0])
-    image.update(lens.base.height + 1e-13 * np.ones(lens.control_points))
-    assert image.artists[0].get_clim() == (-1.0, 1.0)
-    image.update(lens.base.height + 0.9e-5 * np.ones(lens.control_points))
-    assert image.artists[0].get_clim() == pytest.approx((-1e-5, 1e-5))
-
-
-def test_small_numbers_beside_the_bar_have_a_common_power(make_scene):
-    axes = Figure().subplots()
-    image = SurfaceImage(axes, make_scene(), ASPECTS[0])
-    lens = make_scene().optic
-    image.update(lens.base.height + 1e-6 * np.ones(lens.control_points))
-    axes.figure.draw_without_rendering()
-    bar = axes.child_axes[0].yaxis
-    assert bar.get_offset_text().get_text() == ""
-    assert bar.get_label_text() == "height (10⁻⁶ cm)"
-    texts = {label.get_text() for label in bar.get_ticklabels()}
-    assert {"−1.0", "−0.5", "0.0", "0.5", "1.0"} <= texts
-
-
-def test_a_plate_has_no_height_in_spite_of_rounding(make_scene, rng):
-    scene = make_scene()
-    image = SurfaceImage(Figure().subplots(), scene, ASPECTS[0])
-    noise = 1e-16 * rng.standard_normal(scene.optic.net_shape)
-    image.update(scene.optic.base.height + noise)
-    assert not image.values.any()
-
-
 def test_the_entrance_face_is_shown_from_its_own_place(make_scene, axes):
     entrance = {"shape": "freeform", "control_points": [6, 7], "height_range": [-0.1, 0.1]}
     scene = make_scene({"lens.entrance": entrance, "lens.entrance_z": -0.2})

@@ -1,7 +1,6 @@
 """The error of a sweep's lenses over the values of its fields."""
 
 import numpy as np
-import pytest
 from matplotlib.figure import Figure
 
 from workbench.design.session import VerifiedError
@@ -30,27 +29,8 @@ def test_lenses_stand_at_their_numbers_in_order():
     assert axes.get_xlabel() == "Lens · Index"
 
 
-def test_an_error_that_cannot_be_told_from_none_has_a_bar_from_zero():
-    axes = drawn(Curve("", ("1",), (found(0.05),)))
-    _, _, (bars,) = axes.containers[0]
-    assert np.allclose(bars.get_segments()[0][:, 1], [0, 0.15])
-
-
-def test_words_and_pairs_stand_side_by_side():
-    values = ("64x48", "auto", "32")
-    axes = drawn(Curve("", values, (found(3), found(2), found(1))))
-    assert [label.get_text() for label in axes.get_xticklabels()] == list(values)
-    assert np.allclose(axes.containers[0][0].get_xdata(), [0, 1, 2])
-
-
 def test_each_value_of_a_second_field_has_a_curve():
     one, other = (Curve(f"Seed {n}", ("1", "2"), (found(n + 1), found(n + 2))) for n in (0, 1))
     axes = drawn(one, other)
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["Seed 0", "Seed 1"]
     assert len(axes.containers) == 2
-
-
-@pytest.mark.parametrize("value", ["nan", "inf"])
-def test_what_is_no_place_on_an_axis_is_a_word(value):
-    axes = drawn(Curve("", ("1", value), (found(3), found(2))))
-    assert np.allclose(axes.containers[0][0].get_xdata(), [0, 1])

@@ -2,7 +2,6 @@ import io
 from pathlib import Path
 
 import pytest
-from matplotlib.figure import Figure
 from PIL import Image
 
 from workbench.design.run import run
@@ -20,13 +19,6 @@ def session(make_scene):
     for snapshot in run(scene, target):
         history.add(snapshot)
     return Session(scene, target, history.result())
-
-
-def test_the_picture_of_images_says_from_which_side_they_are_drawn(session, monkeypatch):
-    written = []
-    monkeypatch.setattr(Figure, "savefig", lambda figure, *_, **__: written.append(figure))
-    PICTURES["irradiance.png"](session, io.BytesIO())
-    assert written[0].get_supxlabel() == "Viewed from behind the screen"
 
 
 def test_each_picture_shows_something(session):

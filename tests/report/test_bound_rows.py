@@ -1,7 +1,5 @@
 """The bound in a report: only where the size of the source sets one."""
 
-import numpy as np
-
 from workbench.extended.bound import Bound
 from workbench.report.figures import bound_rows, percent
 
@@ -18,12 +16,3 @@ def test_report_says_what_no_lens_is_below(make_scene, rng):
     )
     assert found.half_as_wide < found.relative_l2
     assert "pixels" in blur.value
-
-
-def test_report_is_silent_where_the_source_sets_no_bound(make_scene):
-    assert bound_rows(Bound(make_scene(), np.ones((32, 32)))) == ()
-
-
-def test_report_is_silent_where_the_source_is_too_near_for_a_bound(make_scene, rng):
-    near = make_scene({"source": GRID | {"center": [0, 0, -0.9]}})
-    assert bound_rows(Bound(near, rng.random((32, 32)))) == ()

@@ -105,24 +105,9 @@ def test_texts_are_collected_from_calls_and_tables(tmp_path):
     assert list(dictionaries.marked(file)) == texts
 
 
-def test_what_a_field_means_that_is_left_out_is_there():
-    texts = dictionaries.keys()
-    assert "Column 0 at −x" in texts
-
-
 def test_sentences_of_the_optic_are_there_for_each_optic():
     texts = dictionaries.keys()
     assert {f"There is no {optic} yet: Start designs one" for optic in ("lens", "mirror")} <= {
         *texts
     }
     assert not [text for text in texts if "{optic}" in text or "{receiver}" in text]
-
-
-def test_what_is_new_is_unfinished_and_what_is_known_stays(tmp_path):
-    file = tmp_path / "de.ts"
-    assert dictionaries.write(file, "de", {"&Open…": "ui/a.py"}, {"&Open…": "Ö&ffnen …"}) == []
-    known = dictionaries.translations(file)
-    assert known == {"&Open…": "Ö&ffnen …"}
-    texts = {"&Open…": "ui/a.py", "1 < 2\n": "ui/b.py"}
-    assert dictionaries.write(file, "de", texts, known) == ["1 < 2\n"]
-    assert dictionaries.translations(file) == {"&Open…": "Ö&ffnen …", "1 < 2\n": ""}

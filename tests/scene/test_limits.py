@@ -105,9 +105,3 @@ def test_at_the_limits_the_account_adds_up(make_scene, scale, distance, aside, i
         assert all(math.isfinite(part) for part in parts)
         assert sum(parts) == pytest.approx(emitted, abs=1e-5)
         assert -1e-6 < account.efficiency < 1
-
-
-def test_stock_that_reaches_far_does_not_tell_where_light_leaves(make_scene):
-    thick = {"lens.height_range": None, "screen.z": 500.0}
-    assert make_scene(thick | {"lens.max_thickness": 0.8}).optic.leaving_z == 0.8
-    assert make_scene(thick | {"lens.max_thickness": 400.0}).optic.leaving_z == 0.5 + 1.0

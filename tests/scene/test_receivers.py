@@ -57,14 +57,6 @@ def test_receiver_that_no_light_can_meet_is_refused_in_a_sentence(make_scene, ch
     assert str(refused.value).startswith(sentence)
 
 
-def test_a_wall_beside_the_light_faces_it(make_scene):
-    screen = make_scene(
-        {"screen.center": [3.0, 0.0], "screen.tilt": [0.0, 90.0], "screen.z": 6.0}
-    ).receiver
-    assert screen.nearest_to(make_scene().optic) == pytest.approx(5.0)
-    assert screen.sides[2] == pytest.approx([1, 0, 0], abs=1e-15)  # away from the light
-
-
 def test_pixels_of_a_far_field_cover_the_solid_angle_that_it_has():
     far_field = FarField(half_angle=(60.0, 35.0), center=(20.0, 50.0), pixels=(7, 31))
     sines = math.sin(math.radians(85)) - math.sin(math.radians(15))

@@ -16,11 +16,6 @@ def test_grid_points_reach_the_rim_of_the_source():
     np.testing.assert_allclose(found, expected)
 
 
-def test_many_grid_points_are_thinned_over_the_same_extent():
-    found = grid((401, 1)).seen((5, 5))
-    np.testing.assert_allclose(found, [[x, 0, -3] for x in (-1, 0, 1, 2, 3)])
-
-
 @pytest.mark.parametrize(
     ("source", "rays"),
     [

@@ -16,12 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 import resources
 from tests.soak.hand import Hand, SeenWidgets, middle
-from tests.soak.hidden_views import Waits
 from tests.soak.screen import Screen, virtual_screen
 from ui import app
 from ui.main_window import MainWindow
@@ -29,6 +28,7 @@ from workbench.analysis.benchmark.machine import Machine
 from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.design.loss import relative_error
 
+_TICK_MS = 5
 _EXAMPLE = "flame-point"
 _FIELD = "Index"
 _LOOK_MS, _REPORT_MS = 100, 500
@@ -36,6 +36,23 @@ _EVENT = 0.016  # seconds from one event of the mouse to the next
 _CIRCLE = 40  # pixels, the diameter of the way of the mouse
 _TURN = 64  # events for one round
 _PATIENCE = 300.0  # seconds, on a machine that does much else
+
+
+class Waits(QObject):
+    """Notes how long the event loop lets a timer wait."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ms: list[float] = []
+        self._last = time.perf_counter()
+        self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._note)
+        self._timer.start()
+
+    def _note(self) -> None:
+        now = time.perf_counter()
+        self.ms.append(1000 * (now - self._last))
+        self._last = now
 
 
 class Watch(QObject):

@@ -11,16 +11,12 @@ from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.session import Session, read_session, write_session
+from workbench.files.session import Session, read_session
 from workbench.geometry.faces import FaceArrays
-from workbench.interruption import Interrupted, interrupted_when
 from workbench.sweep.cluster import Cluster
-from workbench.sweep.points import key_of, points
-from workbench.sweep.processes import Processes
-from workbench.sweep.store import Store
-from workbench.sweep.sweep import sweep
-from workbench.sweep.vary import Variation
-from workbench.sweep.work import DesignTask, Done, Failed, attempt
+from workbench.sweep.points import Variation, key_of, points
+from workbench.sweep.processes import DesignTask, Done, Failed, Processes, attempt
+from workbench.sweep.sweep import Store, sweep
 
 RAYS = 10_000
 CHECK = {
@@ -97,17 +93,6 @@ class TestPoints:
         assert str(bad.scene).startswith("lens.control_points[0]: 3 is too few")
         assert good.scene.optic.control_points == (12, 12)
 
-    def test_a_sweep_without_a_possible_point_is_refused(self, scene_file):
-        with pytest.raises(Refused, match=r"^run\.sed: unknown field"):
-            points([scene_file], [Variation("run.sed", (1, 2))])
-
-    def test_refusals(self, scene_file):
-        seeds = Variation("run.seed", tuple(range(200)))
-        with pytest.raises(Refused, match="usage: 40000 points; at most 10000"):
-            points([scene_file], [seeds, Variation("screen.z", tuple(range(5, 205)))])
-        with pytest.raises(Refused, match=r"run\.seed: is varied twice"):
-            points([scene_file], [seeds, seeds])
-
     def test_keys_tell_what_a_result_depends_on(self, make_scene):
         target = np.ones((32, 32))
         keys = {
@@ -122,14 +107,6 @@ class TestPoints:
         assert len(keys) == 4
         image = make_scene({"target": {"image": "/somewhere/else.png"}})
         assert key_of(Session(image, target), RAYS) in keys  # which image it was is all the same
-
-    def test_another_target_is_loaded_and_the_same_one_is_not(self, scene_file, make_scene):
-        session = scene_file.with_name("session.freeform")
-        marked = np.arange(1024.0).reshape(32, 32)
-        write_session(Session(make_scene(), marked), session)
-        same, other = points([session], [Variation("target.radius", (0.6, 0.3))])
-        assert np.array_equal(same.session().target, marked)
-        assert 0 < other.session().target.sum() / other.session().target.max() < 32 * 32 * 0.1
 
 
 class TestSweep:
@@ -171,22 +148,6 @@ class TestSweep:
         assert rows(found[:1], store, again) == made
         assert len(again.asked) == 1
 
-    def test_a_missing_session_is_made_anew(self, found, store):
-        made = rows(found[:1], store, Here())
-        (store.folder / made[0].session).unlink()
-        assert rows(found[:1], store, Here()) == made
-
-    @pytest.mark.parametrize("part", [0.0, 0.5, 0.99])
-    def test_a_truncated_session_is_made_anew(self, found, store, part):
-        made = rows(found[:1], store, Here())
-        session = store.folder / made[0].session
-        content = session.read_bytes()
-        session.write_bytes(content[: int(part * len(content))])
-        again = Here()
-        assert rows(found[:1], store, again) == made
-        assert len(again.asked) == 1
-        assert read_session(session).result.iterations == 3
-
     def test_one_sweep_at_a_time_works_in_a_folder(self, found, store):
         other = Store(store.folder)
         with store.locked():
@@ -220,17 +181,6 @@ class TestSweep:
 
 
 class TestWorkers:
-    def test_processes_end_when_the_work_is_interrupted(self, scene_file, store):
-        (point,) = points([scene_file], [Variation.parse("run.iterations=100000")])
-        session = point.session()
-        task = DesignTask(session.scene, session.target, RAYS)
-        with Processes.of(1) as workers, interrupted_when(lambda: True):
-            with pytest.raises(Interrupted):
-                list(workers.work(iter([("a", task)])))
-            (process,) = workers._all.values()
-            assert process.is_alive()
-        assert not process.is_alive()
-
     @pytest.fixture
     def task(self, make_scene):
         scene = make_scene({"run": {"method": "paper", "iterations": 1}})
@@ -255,15 +205,7 @@ class TestWorkers:
         )
         assert found[3].reason.startswith("unexpected ")
 
-    def test_a_process_that_was_killed_while_idle_is_reported(self, task):
-        with Processes(1, 1) as workers:
-            workers._idle.append(workers._start())
-            (process,) = workers._all.values()
-            process.kill()
-            process.join()
-            found = dict(workers.work(iter([(1, task._replace(target=np.ones((500, 500))))])))
-        assert found == {1: Failed("its process ended with exit status -9")}
-
+    @pytest.mark.full
     def test_a_cluster_gives_the_same(self, task):
         distributed = pytest.importorskip("distributed")
         with (
@@ -278,27 +220,6 @@ class TestWorkers:
         assert found[1].check == attempt(task).check
         assert found[2].reason.startswith("unexpected ")
         assert sorted(found) == [1, 2, 3, 4]
-
-    def test_a_cluster_without_workers_or_of_another_version_is_refused(self, monkeypatch):
-        distributed = pytest.importorskip("distributed")
-        monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
-        with distributed.LocalCluster(
-            n_workers=0, processes=False, dashboard_address=None
-        ) as local:
-            with pytest.raises(Refused, match="dask: the cluster has no worker"):
-                Cluster(local.scheduler_address)
-            local.scale(1)
-            local.wait_for_workers(1)
-            monkeypatch.setattr("workbench.__version__", "99")
-            monkeypatch.setattr("workbench.sweep.cluster._version", lambda: "1.2")
-            with pytest.raises(Refused, match=r"dask: its workers have 1\.2; 99 is needed"):
-                Cluster(local.scheduler_address)
-
-    def test_a_cluster_that_does_not_answer_is_refused(self, monkeypatch):
-        pytest.importorskip("distributed")
-        monkeypatch.setattr("workbench.sweep.cluster._SECONDS", 0.2)
-        with pytest.raises(Refused, match=r"dask: 'tcp://127.0.0.1:9' cannot be reached"):
-            Cluster("tcp://127.0.0.1:9")
 
 
 def killing(process, tasks):

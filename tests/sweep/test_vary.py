@@ -2,7 +2,7 @@ import pytest
 
 from workbench.errors import Refused
 from workbench.scene import Scene
-from workbench.sweep.vary import Variation, shown, varied
+from workbench.sweep.points import Variation, shown, varied
 
 
 @pytest.mark.parametrize(
@@ -65,14 +65,6 @@ class TestVaried:
         assert (found.run.seed, found.receiver.z) == (4, 7)
         assert found.source == scene.source
 
-    def test_one_number_stands_for_each(self, make_scene):
-        assert varied(make_scene(), {"lens.control_points": 20}).optic.control_points == (20, 20)
-
-    def test_one_of_several(self, make_scene):
-        scene = make_scene({"source": {"kind": "point", "position": [0, 0, -5]}})
-        assert varied(scene, {"source.position[2]": -8}).source.position == (0, 0, -8)
-        assert varied(scene, {"filter.size[1]": 5}).filter.size == (3, 5)
-
     def test_defaults_follow_the_varied_field(self, scene_data):
         for name in ("base", "height_range", "min_thickness"):
             del scene_data["lens"][name]
@@ -83,20 +75,3 @@ class TestVaried:
         assert found.optic.height_range is None  # which follows from the task
         assert found.filter.size == (7, 3)
         assert found.run.iterations == 9
-
-    @pytest.mark.parametrize(
-        "path, value, reason",
-        [
-            ("lens.colour", 1, "lens.colour: unknown field"),
-            ("lens.degree.x", 1, "lens.degree.x: unknown field"),
-            ("lens[0]", 1, "lens[0]: unknown field"),
-            ("lens.half_width[2]", 1, "lens.half_width[2]: there are only 2 of them; 0 to 1"),
-            ("run.seed", "x", "run.seed: 'x' is not a whole number"),
-            ("lens.control_points", 3, "lens.control_points[0]: 3 is too few"),
-            ("lens.half_width.a.b", 1, "lens.half_width.a.b: unknown field"),
-        ],
-    )
-    def test_refusals_name_the_field(self, make_scene, path, value, reason):
-        with pytest.raises(Refused) as refused:
-            varied(make_scene(), {path: value})
-        assert str(refused.value).startswith(reason)

@@ -5,17 +5,13 @@ import zlib
 
 import numpy as np
 import pytest
-from PIL import Image, ImageCms
+from PIL import Image
 
-from workbench.errors import Refused
-from workbench.targets import draw_target
-from workbench.targets.colour import luminance_weights
+from workbench.targets.colour import LINEAR, SRGB
 from workbench.targets.image import read_picture
 from workbench.targets.picture import Picture
-from workbench.targets.tone import LINEAR, SRGB
 
 D65 = 0.3127, 0.3290
-SRGB_PRIMARIES = (0.64, 0.33), (0.30, 0.60), (0.15, 0.06)
 # Colorants in the white D50 of profiles; the luminances of green are those of the standards.
 ADOBE_RGB = (0.60974, 0.31111, 0.01947), (0.20528, 0.62567, 0.06087), (0.14919, 0.06322, 0.74457)
 SRGB_COLORANTS = (
@@ -99,35 +95,12 @@ def test_the_curve_of_a_profile_counts(tmp_path, name, gamma):
     assert "Mine" in remark and "target.tone" in remark and name in remark
 
 
-@pytest.mark.parametrize("mode", ["L", "RGB", "P", "LA", "RGBA", "1"])
-def test_a_profile_counts_in_every_mode(tmp_path, mode):
-    image = grey(128, "L").convert(mode)
-    found = read(tmp_path, image, icc_profile=profile(1.0, SRGB_COLORANTS))
-    assert found.light.ravel() == pytest.approx([0 if mode == "1" else 128 / 255, 1], abs=2e-3)
-
-
-def test_a_profile_of_grey_keeps_16_bits(tmp_path):
-    deep = np.array([[0, 1, 30_001, 65_535]], np.uint16)
-    found = read(tmp_path, Image.fromarray(deep), icc_profile=profile(1.0))
-    assert found.light.ravel() == pytest.approx(deep.ravel() / 65535, abs=1e-9)
-    found = read(tmp_path, Image.fromarray(deep), icc_profile=profile(2.0))
-    assert found.light.ravel() == pytest.approx((deep.ravel() / 65535) ** 2, abs=5e-4)
-
-
 def test_primaries_of_a_profile_weigh_the_channels(tmp_path):
     image = Image.fromarray(np.array([[[0, 255, 0], [255, 0, 0], [0, 0, 255]]], np.uint8))
     found = read(tmp_path, image, icc_profile=profile(2.2, ADOBE_RGB))
     assert found.light.ravel() == pytest.approx([0.6274, 0.2974, 0.0753], abs=5e-4)
     found = read(tmp_path, image, icc_profile=profile(2.2, SRGB_COLORANTS))
     assert found.light.ravel() == pytest.approx([0.7152, 0.2126, 0.0722], abs=5e-4)
-
-
-def test_a_profile_that_means_the_same_is_not_mentioned(tmp_path):
-    content = ImageCms.ImageCmsProfile(ImageCms.createProfile("sRGB")).tobytes()
-    found = read(tmp_path, grey(mode="RGB"), icc_profile=content)
-    assert found.light[0, 0] == pytest.approx(0.21586, abs=1e-5) and not found.remarks
-    found = read(tmp_path, grey(mode="RGB"), tone=LINEAR, icc_profile=content)
-    assert found.light[0, 0] == pytest.approx(0.21586, abs=2e-4) and found.remarks
 
 
 @pytest.mark.parametrize(
@@ -140,15 +113,6 @@ def test_a_profile_that_cannot_be_used_is_reported_and_ignored(tmp_path, content
     assert found.light[0, 0] == pytest.approx(0.21586, abs=1e-5)
     (remark,) = found.remarks
     assert "cannot be used" in remark and "\n" not in remark
-
-
-def test_inversion_is_that_of_the_stored_values(tmp_path, make_scene):
-    grey(64).save(tmp_path / "a.png", icc_profile=profile(2.0))
-    target = {"image": "a.png", "invert": True, "fit": "fill"}
-    pixels = {"screen.pixels": [2, 1], "screen.half_width": [2.0, 1.0]}
-    task = make_scene({"version": 2, "target": target, **pixels})
-    light = draw_target(task, tmp_path).light
-    assert light.ravel() == pytest.approx([(191 / 255) ** 2, 0], abs=1e-3)
 
 
 def gama(gamma):
@@ -178,40 +142,8 @@ def test_chunks_of_a_png_tell_the_curve(tmp_path, chunks, expected):
     assert read_picture(path, tone=SRGB).light[0, 0] == pytest.approx(expected, abs=1e-4)
 
 
-def test_chunks_of_a_png_tell_the_primaries(tmp_path):
-    path = tmp_path / "a.png"
-    Image.fromarray(np.array([[[0, 255, 0], [255, 0, 0]]], np.uint8)).save(path)
-    with_chunks(path, gama(1.0) | chrm(D65, ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))))
-    found = read_picture(path)
-    assert found.light.ravel() == pytest.approx([0.6274, 0.2973], abs=1e-3)
-
-
-def test_a_profile_wins_over_chunks(tmp_path):
-    path = tmp_path / "a.png"
-    grey().save(path, icc_profile=profile(1.8))
-    with_chunks(path, gama(1.0))
-    found = read_picture(path)
-    assert found.light[0, 0] == pytest.approx((128 / 255) ** 1.8, abs=1e-3)
-
-
-def test_weights_of_rec_709_follow_from_its_primaries():
-    assert luminance_weights(SRGB_PRIMARIES, D65) == pytest.approx(
-        [0.2126, 0.7152, 0.0722], abs=1e-4
-    )
-    with pytest.raises((ValueError, np.linalg.LinAlgError)):
-        luminance_weights([(0.3, 0.3)] * 3, D65)
-
-
 def test_lightness_of_cie_lab_is_light(tmp_path):
     image = Image.fromarray(np.array([[[128, 0, 0], [255, 0, 0]]], np.uint8), "LAB")
     found = read(tmp_path, image, "a.tif", tone=LINEAR)
     lightness = 100 * 128 / 255
     assert found.light.ravel() == pytest.approx([((lightness + 16) / 116) ** 3, 1], abs=1e-9)
-
-
-def test_numbers_have_no_profile(tmp_path):
-    path = tmp_path / "a.tif"
-    Image.fromarray(np.array([[0.5, 2.0]], np.float32)).save(path, icc_profile=profile(1.8))
-    assert read_picture(path).light.tolist() == [[0.5, 2.0]]
-    with pytest.raises(Refused):
-        read_picture(path, tone=SRGB)

@@ -7,7 +7,6 @@ import pytest
 from tests.targets.damaged import check_damaged
 from workbench.errors import Refused
 from workbench.targets.image import read_picture
-from workbench.targets.tone import SRGB
 
 
 @pytest.fixture
@@ -37,20 +36,6 @@ def test_colours_are_luminance(save, colours, kind):
     found = read_picture(save(colours | {"A": np.ones((5, 7), kind)}))
     np.testing.assert_allclose(found.light, luminance(colours), rtol=1e-6)
     assert not found.remarks
-
-
-@pytest.mark.parametrize(
-    "names", [("Y",), ("Y", "A"), ("Z",), ("beauty.R", "beauty.G", "beauty.B", "Z")]
-)
-def test_channels_are_found(save, colours, names):
-    pixels = colours["R"]
-    found = read_picture(save(dict.fromkeys(names, pixels)))
-    np.testing.assert_allclose(found.light, pixels, rtol=1e-6)
-
-
-def test_channels_without_a_picture_are_named(save, colours):
-    with pytest.raises(Refused, match="depth, id"):
-        read_picture(save({"depth": colours["R"], "id": colours["G"]}))
 
 
 def test_what_is_displayed_is_read(save, colours):
@@ -87,17 +72,6 @@ def test_impossible_light_is_refused(save, colours, value, said):
     colours["G"][2, 3] = value
     with pytest.raises(Refused, match=said):
         read_picture(save(colours))
-
-
-def test_it_is_light_whatever_the_tone(save, colours):
-    found = read_picture(save(colours), tone=SRGB)
-    np.testing.assert_allclose(found.light, luminance(colours), rtol=1e-6)
-    assert "target.tone" in found.remarks[0]
-
-
-def test_oblong_pixels_are_mentioned(save, colours):
-    found = read_picture(save(colours, pixelAspectRatio=2.0))
-    assert "2 times as wide" in found.remarks[0]
 
 
 def test_damaged_files_are_read_or_refused(save, colours, tmp_path, rng):

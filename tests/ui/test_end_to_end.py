@@ -11,7 +11,7 @@ import pytest
 from tests.soak.screen import SIZE, Screen, needs_hands, virtual_screen, wait_for
 from workbench.files.session import read_session
 
-pytestmark = [needs_hands, pytest.mark.usefixtures("kernels")]
+pytestmark = [needs_hands, pytest.mark.full, pytest.mark.usefixtures("kernels")]
 
 BIN = Path(sys.executable).parent
 TITLE = "Freeform Lens Workbench"

@@ -1,20 +1,14 @@
-import os
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QApplication, QMessageBox, QTabBar
+from PySide6.QtWidgets import QMessageBox
 
-from resources import EXAMPLES
 from tests.ui.hands import editor
 from ui.commands.table import COMMANDS
-from ui.document.document import Document
-from ui.files.recent import RecentFiles
-from ui.main_window import MainWindow
 from workbench.files.session import Session, read_session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -103,24 +97,6 @@ def test_the_title_shows_name_and_changes(window, tmp_path):
     assert not window.isWindowModified()
 
 
-def test_names_are_shown_as_they_are_in_title_and_menu(window, session, tmp_path):
-    window.document.save(tmp_path / "a [*].freeform")
-    # Qt shows [*][*] as [*].
-    assert window.windowTitle() == "a [*][*][*] - Freeform Lens Workbench"
-    window.document.change(replace(session), "return to R&D")
-    assert window.commands["undo"].text() == "&Undo return to R&&D"
-
-
-def test_undo_and_redo_by_keyboard(window, qtbot):
-    edit(window, 7)
-    assert window.commands["undo"].text() == "&Undo screen at z 5 → 7 mm"
-    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert window.document.session.scene.receiver.z == 5
-    both = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
-    qtbot.keyClick(window, Qt.Key.Key_Z, both)
-    assert window.document.session.scene.receiver.z == 7
-
-
 def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
     field = editor(window.forms, "screen.z")
     field.setFocus()
@@ -148,15 +124,6 @@ def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
     assert read_session(path).scene.receiver.z == 8
 
 
-def test_a_name_without_the_ending_is_not_written(window, tmp_path, monkeypatch):
-    path = tmp_path / "task.json"
-    path.write_text("precious")
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
-    window.commands["save"].trigger()
-    assert "ends in .freeform" in window.messages.text
-    assert path.read_text() == "precious"
-
-
 def test_a_save_that_fails_is_reported(window, tmp_path, monkeypatch):
     monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "no" / "a.freeform")
     window.commands["save"].trigger()
@@ -179,18 +146,6 @@ def test_closing_asks_before_changes_are_lost(
     assert path.exists() is saved
 
 
-def test_closing_without_changes_asks_nothing(window):
-    assert window.close()
-
-
-def test_a_save_dialog_that_is_cancelled_keeps_the_window_open(window, answers, monkeypatch):
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: None)
-    edit(window, 7)
-    answers.append(SAVE)
-    assert not window.close()
-    assert window.document.dirty
-
-
 @pytest.mark.parametrize("name", ["tophat", "flame", "ball"])
 def test_an_example_begins_an_untitled_design(window, name):
     window.commands[f"new_{name}"].trigger()
@@ -201,32 +156,6 @@ def test_an_example_begins_an_untitled_design(window, name):
     assert window.messages.text == look
 
 
-def test_the_menu_has_every_example_in_its_group(window):
-    menu = window.commands.menus["&New from example"]
-    assert menu.toolTipsVisible()
-    found, group = {}, EXAMPLES[0].group
-    for action in menu.actions():
-        if action.menu():
-            found[action.text()] = action.menu().actions()
-        elif not action.isSeparator():
-            found.setdefault(group, []).append(action)
-    for name, actions in found.items():
-        examples = [each for each in EXAMPLES if each.group == name]
-        assert [action.text() for action in actions] == [each.title for each in examples]
-        assert [action.statusTip() for action in actions] == [each.look for each in examples]
-    assert sum(map(len, found.values())) == len(EXAMPLES)
-
-
-def test_opening_asks_before_changes_are_lost(window, answers):
-    edit(window, 7)
-    answers.append(CANCEL)
-    window.commands["new_flame"].trigger()
-    assert window.document.session.scene.receiver.z == 7
-    answers.append(DISCARD)
-    window.commands["new_flame"].trigger()
-    assert window.document.name == "flame"
-
-
 def test_a_refused_file_is_reported_and_changes_nothing(window, tmp_path):
     bad = tmp_path / "bad.freeform"
     bad.write_bytes(b"PK but no zip")
@@ -235,20 +164,6 @@ def test_a_refused_file_is_reported_and_changes_nothing(window, tmp_path):
     assert "bad.freeform" in window.messages.text
     assert window.document.session is session
     assert window.commands.menus["Open &recent"].isEmpty()
-
-
-def test_a_large_file_that_is_no_design_is_refused_without_being_read(
-    window, tmp_path, monkeypatch
-):
-    def read(path):
-        pytest.fail("it is read to its end")
-
-    monkeypatch.setattr("ui.document.document.fingerprint", read)
-    film = tmp_path / "film.mp4"
-    film.touch()
-    os.truncate(film, 1 << 33)
-    assert not window.files.open(film)
-    assert "film.mp4: is no scene" in window.messages.text
 
 
 def test_recent_files_are_kept_and_removed_when_missing(window, tmp_path, settings):
@@ -264,36 +179,6 @@ def test_recent_files_are_kept_and_removed_when_missing(window, tmp_path, settin
     menu.actions()[0].trigger()
     assert str(paths[-1]) in window.messages.text
     assert menu.actions()[0].text() == f"&1 {paths[-2]}"
-
-
-def test_damaged_settings_leave_the_recent_files_that_are_named(settings):
-    Path(settings.fileName()).write_text("[General]\nrecent_files=/a.freeform, @Invalid()\n")
-    settings.sync()
-    assert RecentFiles(settings).paths() == [Path("/a.freeform")]
-
-
-def test_a_message_leaves_the_picture_where_it_is(built):
-    scene = built.loaded.views.scene
-    place = scene.mapTo(built, scene.rect().topLeft()), scene.size()
-    built.messages.note("Something good to know")
-    QApplication.processEvents()
-    assert built.messages.isVisible()
-    assert (scene.mapTo(built, scene.rect().topLeft()), scene.size()) == place
-    assert built.messages.mapTo(built, QPoint(0, 0)) == place[0]
-    assert built.messages.width() == scene.width()
-    assert built.messages.height() < scene.height() / 2
-
-
-def test_no_bar_of_tabs_lies_over_a_pane_at_first(settings, qtbot):
-    window = MainWindow(Document(small_session(), "small"), settings)
-    qtbot.addWidget(window, before_close_func=lambda window: window.discard_and_close())
-    window.show()
-    QApplication.processEvents()  # no loop of events, which would delete what is left over
-    panes = [window.centralWidget(), *window.workspace.docks.values()]
-    places = [pane.geometry() for pane in panes if not pane.visibleRegion().isEmpty()]
-    bars = [bar.geometry() for bar in window.findChildren(QTabBar) if bar.isVisible()]
-    assert len(places) > 3 and any(bar.intersects(window.rect()) for bar in bars)
-    assert not [bar for bar in bars if any(bar.intersects(place) for place in places)]
 
 
 def test_a_dropped_image_becomes_the_target(window, tmp_path):
@@ -327,13 +212,6 @@ def test_a_dropped_design_is_opened(window, tmp_path):
     assert window.document.session.scene.unit == "inch"
 
 
-def test_nothing_can_be_started_while_libraries_load(window):
-    for name in ("start", "continue", "pause", "stop"):
-        assert not window.commands[name].isEnabled()
-    window.start()
-    assert window.document.undo_stack.count() == 0
-
-
 def test_a_run_leaves_its_result_as_one_step(built, qtbot):
     with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["start"].trigger()
@@ -351,23 +229,6 @@ def test_a_run_leaves_its_result_as_one_step(built, qtbot):
     built.commands["undo"].trigger()
     assert built.document.session.result is None
     assert not built.commands["continue"].isEnabled()
-
-
-def test_a_run_keeps_its_design_from_recent_files(built, qtbot, tmp_path):
-    path = tmp_path / "recent.freeform"
-    built.document.save(path)
-    built.files.open(path)
-    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
-    menu = built.commands.menus["Open &recent"]
-    (recent,) = menu.actions()
-    assert menu.isEnabled() and recent.isEnabled()
-    built.commands["start"].trigger()
-    (recent,) = menu.actions()
-    assert not menu.isEnabled() and not recent.isEnabled()
-    built.commands["stop"].trigger()
-    wait_for_idle(built, qtbot)
-    (recent,) = menu.actions()
-    assert menu.isEnabled() and recent.isEnabled()
 
 
 def test_a_saved_run_goes_on_after_it_is_opened(built, qtbot, tmp_path):
@@ -397,13 +258,6 @@ def test_pause_and_stop(built, qtbot):
     assert built.document.session.result.iterations < 100_000
 
 
-def test_a_refused_field_prevents_the_start(built):
-    edit(built, "far")
-    built.commands["start"].trigger()
-    assert built.loaded.control.runner.state == "idle"
-    assert built.messages.text.startswith("Screen at z: 'far' is not a number")
-
-
 def test_a_run_that_cannot_begin_is_reported(built, qtbot, monkeypatch):
     scene = built.document.session.scene
     run = scene.run.model_copy(update={"device": "cuda"})
@@ -430,14 +284,6 @@ def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp
         assert read_session(path).result is not None
 
 
-def test_a_cancelled_close_leaves_the_run_running(built, qtbot, answers):
-    built.document.edit(small_session(100_000).scene, "many iterations", "run.iterations")
-    built.commands["start"].trigger()
-    answers.append(CANCEL)
-    assert not built.close()
-    assert built.loaded.control.runner.state == "running"
-
-
 def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
     view = built.loaded.views.scene
     qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
@@ -448,12 +294,3 @@ def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
         np.testing.assert_allclose(camera.direction, direction, atol=1e-12)
     built.commands["fit_view"].trigger()
     np.testing.assert_allclose(camera.direction, before, atol=1e-12)
-
-
-def test_the_3d_scene_can_be_hidden(built):
-    view = built.loaded.views.scene
-    assert view.isVisible()
-    built.commands["scene_view"].trigger()
-    assert not view.isVisible()
-    built.commands["scene_view"].trigger()
-    assert view.isVisible()

@@ -1,7 +1,6 @@
 """The whole life of a window, again and again; the leak check looks at what is left."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
 
 from tests.ui.leftovers import left_behind, living
 from ui.document.document import Document
@@ -29,21 +28,6 @@ def test_a_window_leaves_nothing_behind(display, qtbot, session, settings):
     for _ in range(3):
         open_start_close(session, settings, qtbot)
         assert not left_behind(before)
-
-
-def test_docks_that_float_go_with_their_window(display, qtbot, session, settings):
-    window = MainWindow(Document(session, "top hat"), settings)
-    window.show()
-    window.build()
-    docks = [window.workspace.docks[name] for name in ("section", "loss")]
-    for dock in docks:
-        dock.show()
-        dock.setFloating(True)
-    qtbot.waitUntil(lambda: all(dock.isVisible() for dock in docks))
-    window.discard_and_close()
-    assert not any(dock.isVisible() for dock in docks)
-    window.deleteLater()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 @pytest.mark.slow

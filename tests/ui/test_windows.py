@@ -134,19 +134,6 @@ def test_quit_is_cancelled_when_a_lens_cannot_be_saved(windows, two, asked, monk
     assert open_windows(windows) == [second]
 
 
-def test_opening_an_open_file_raises_its_window(windows, two, asked, tmp_path, qtbot):
-    first, second = two
-    _, answers = asked
-    path = tmp_path / "mine.freeform"
-    first.document.save(path)
-    move_screen(first.document, 7)
-    with qtbot.waitActive(first):
-        assert not second.files.open(path.parent / "." / path.name)
-    assert second.document.path is None and first.document.dirty
-    answers += [DISCARD]
-    assert first.files.open(path) and not first.document.dirty  # the window's own, anew
-
-
 def test_a_file_open_in_another_window_is_not_overwritten(windows, two, tmp_path, monkeypatch):
     first, second = two
     path = tmp_path / "mine.freeform"
@@ -220,23 +207,6 @@ def test_a_given_file_is_opened_beside_recovered_work(recovered, session, tmp_pa
     beside = again.open_given(path, window, recovered=True)
     assert beside.document.path == path and open_windows(again) == [window, beside]
     assert window.document.session.scene.receiver.z == 7 and window.document.dirty
-
-
-def test_a_given_file_whose_changes_were_recovered_is_not_opened_twice(recovered, tmp_path):
-    again, window = recovered
-    assert again.open_given(tmp_path / "mine.freeform", window, recovered=True) is None
-    assert open_windows(again) == [window]
-    assert "recovered" in window.messages.text
-    assert window.document.session.scene.receiver.z == 7
-
-
-def test_a_given_file_is_opened_in_the_first_window(windows, session, tmp_path):
-    window = windows.open()
-    path = tmp_path / "other.freeform"
-    write_session(session, path)
-    assert windows.open_given(path, window, recovered=False) is window
-    assert windows.open_given(tmp_path / "none.freeform", window, recovered=False) is None
-    assert "does not exist" in window.messages.text
 
 
 def test_an_error_is_shown_in_the_active_window_and_can_be_copied(windows, two, qtbot):

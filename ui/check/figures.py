@@ -283,7 +283,7 @@ def _rows_of(
 ) -> "list[tuple[Fact, str]]":
     """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
-    from workbench.measured.light_unit import light_unit
+    from workbench.measured.lamps import light_unit
     from workbench.optics.account import words_for
     from workbench.report.figures import account_rows, check_rows, region_rows
 

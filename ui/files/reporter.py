@@ -25,7 +25,7 @@ from ui.widgets.message_bar import MessageBar
 from ui.words import later, tr
 from workbench.errors import RunFailed
 from workbench.files.atomic import check_writable, replacing
-from workbench.report.endings import HTML, PDF, check_ending
+from workbench.report.content import HTML, PDF, check_ending
 
 if TYPE_CHECKING:
     from workbench.files.session import Session

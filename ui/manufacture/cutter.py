@@ -214,7 +214,7 @@ class CutterDialog(QDialog):
             self._end(_words(plan, self._unit))
             return
         self._end(f"\N{WARNING SIGN} {tr(refusal.reason)}")
-        self._fitting = plan.fitting_radius
+        self._fitting = plan.default_radius
         self.fit.setText(tr("Use {radius}").format(radius=written(self._fitting, self._unit, 2)))
         self.fit.setVisible(self._fitting < plan.raster.radius)
 

@@ -19,7 +19,7 @@ from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
 from workbench.scene import FieldDescription, Finish
 from workbench.scene.viewing import as_viewed
-from workbench.targets.tone import SRGB
+from workbench.targets.colour import SRGB
 
 _ENDINGS = (
     "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp "

@@ -29,7 +29,7 @@ from ui.words import field_title, later, tr
 from workbench.design.session import KeptRun
 from workbench.pictures.axes import paint
 from workbench.pictures.comparison import Comparison
-from workbench.report.differences import differences
+from workbench.report.scene_rows import differences
 
 _SIZE = QSize(1180, 740)
 _SHARES = (64, 36)  # of the pictures and the table

@@ -220,7 +220,7 @@ def _label(bar: QStatusBar, tip: str) -> QLabel:
 
 def _landed(frame: "Frame") -> list[str]:
     """How much light each image gets: a part of all, and lumen where the source has any."""
-    from workbench.measured.light_unit import light_unit  # late: takes long to import
+    from workbench.measured.lamps import light_unit  # late: takes long to import
 
     unit = light_unit(frame.session.scene)
     shares = [light.account.efficiency for light in frame.snapshot.state.lights]

@@ -14,7 +14,7 @@ from workbench.pictures.axes import paint
 from workbench.pictures.error_curves import Curve, draw_sweep
 
 if TYPE_CHECKING:
-    from workbench.sweep.store import PointRow
+    from workbench.sweep.sweep import PointRow
 
 _EVERY_MS = 50  # lenses that are there already come by the thousand
 

@@ -34,7 +34,7 @@ from workbench.errors import Refused
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
-    from workbench.sweep.store import PointRow
+    from workbench.sweep.sweep import PointRow
 
 _SIZE = QSize(1120, 640)
 _SHARES = (56, 44)  # of the table and the curve
@@ -170,7 +170,7 @@ class SweepDialog(QDialog):
 
     def _show_points(self, sweep: Sweep) -> None:
         """A line for each point, still without figures."""
-        from workbench.sweep.vary import shown  # late, as above
+        from workbench.sweep.points import shown  # late, as above
 
         points, titles = sweep.points, self.form.titles()
         self.curve.show_rows(titles, self._rows)

@@ -9,7 +9,7 @@ from workbench.report.scene_rows import FieldRow, field_rows
 
 if TYPE_CHECKING:
     from workbench.scene import Scene
-    from workbench.sweep.vary import Variation
+    from workbench.sweep.points import Variation
 
 _AT_MOST = 2  # fields at once
 # Nothing of the lens depends on these, or a sweep refuses them.
@@ -72,7 +72,7 @@ class SweepForm(QWidget):
         Refused
             If values of a field are missing or are none.
         """
-        from workbench.sweep.vary import Variation  # late, as all of sweeps
+        from workbench.sweep.points import Variation  # late, as all of sweeps
 
         found = []
         for field, values in zip(self.fields, self.values, strict=True):

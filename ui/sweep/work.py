@@ -9,7 +9,7 @@ from workbench.interruption import Interrupted, interrupted_when
 
 if TYPE_CHECKING:
     from workbench.sweep.points import Point
-    from workbench.sweep.store import PointRow
+    from workbench.sweep.sweep import PointRow
 
 RAYS = 4_000_000
 """Of the check of each lens, as on the command line."""
@@ -44,7 +44,7 @@ def work_on(sweep: Sweep, task: Task) -> None:
     """
     # Late: what they stand on is slow to import.
     from workbench.sweep.processes import Processes
-    from workbench.sweep.store import Store
+    from workbench.sweep.sweep import Store
     from workbench.sweep.sweep import sweep as rows_of
 
     store, found = Store(sweep.folder), dict[int, "PointRow"]()

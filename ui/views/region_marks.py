@@ -6,7 +6,7 @@ import numpy as np
 
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.powers import written
 
 if TYPE_CHECKING:

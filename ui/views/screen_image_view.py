@@ -17,7 +17,7 @@ from ui.views.region_marks import RegionMarks
 from ui.views.region_tool import RegionTool
 from ui.widgets import theme
 from ui.words import begun, tr
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent
 from workbench.scene.viewing import inverted, pixel_side, side_in_words
 

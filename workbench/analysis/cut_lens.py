@@ -17,7 +17,7 @@ from workbench.analysis.tracing.surfaces.cut import CutSurface
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.geometry.tool_path import Raster
+from workbench.geometry.ball_cutter import Raster
 from workbench.said import Said
 from workbench.scene import Scene
 from workbench.watch import Steps, of_equal, within

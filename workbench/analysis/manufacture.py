@@ -13,12 +13,11 @@ import numpy as np
 
 from workbench.analysis.manufacture_bounds import FaceBounds, difference_range, shape_bounds
 from workbench.arrays import Array, Mask
+from workbench.geometry.ball_cutter import GridFace, blocked_radius
 from workbench.geometry.basis import basis_matrix
-from workbench.geometry.bounds import equal_parts
-from workbench.geometry.curvature import local_shape
+from workbench.geometry.curvature import equal_parts, local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.geometry.tool_radius import GridFace, blocked_radius
 from workbench.interruption import check_given_up
 from workbench.scene import Element
 

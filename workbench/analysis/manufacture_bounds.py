@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from workbench.arrays import Array, Mask
-from workbench.geometry.bounds import equal_parts, to_bernstein
+from workbench.geometry.curvature import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
 from workbench.interruption import check_given_up
 

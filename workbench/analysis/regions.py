@@ -6,10 +6,10 @@ from functools import lru_cache
 from typing import Any
 
 from workbench.arrays import Array
-from workbench.measured.light_unit import IN_PARTS, LightUnit
+from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.said import Said
 from workbench.scene import AnyReceiver, AnyRegion
-from workbench.targets.coverage import coverage
+from workbench.targets.raster import coverage
 
 # A pixel that is less inside than this says more of what is beside the region.
 _INSIDE = 0.5

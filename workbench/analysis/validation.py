@@ -31,7 +31,7 @@ from workbench.analysis.tracing.train import Tally
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
 from workbench.errors import RunFailed
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.optics.account import Account
 from workbench.said import Said
 from workbench.scene import Scene

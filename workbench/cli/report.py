@@ -8,8 +8,7 @@ from typing import BinaryIO
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.cli.designed import read_designed
 from workbench.files.atomic import check_writable, replacing
-from workbench.report.content import Report
-from workbench.report.endings import HTML, check_ending
+from workbench.report.content import HTML, Report, check_ending
 
 
 def report(
@@ -45,9 +44,9 @@ def report(
 def _writer(file: Path) -> Callable[[Report, BinaryIO], None]:
     check_ending(file)
     if file.suffix.lower() in HTML:
-        from workbench.report.html import write_html
+        from workbench.report.write import write_html
 
         return write_html
-    from workbench.report.pdf import write_pdf
+    from workbench.report.write import write_pdf
 
     return write_pdf

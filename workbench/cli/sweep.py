@@ -9,12 +9,11 @@ from workbench.cli.interruption import EndedBySignal, number_of
 from workbench.design.session import verified_error
 from workbench.errors import RunFailed
 from workbench.sweep.cluster import Cluster
-from workbench.sweep.points import Point
+from workbench.sweep.points import Point, Variation
 from workbench.sweep.points import points as points_of
 from workbench.sweep.processes import Processes
-from workbench.sweep.store import PointRow, Store, to_data
+from workbench.sweep.sweep import PointRow, Store, to_data
 from workbench.sweep.sweep import sweep as sweep_all
-from workbench.sweep.vary import Variation
 
 
 def sweep(

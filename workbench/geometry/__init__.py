@@ -1,1 +1,1 @@
-"""B-spline basis, knots, surface evaluation and knot insertion."""
+"""B-spline faces: basis, evaluation, knot insertion, curvature, bounds, ball cutters."""

@@ -1,4 +1,4 @@
-"""A surface on another control net: as near as that net allows, and how far off it is."""
+"""Approximation of a surface on another control net, and its deviation."""
 
 from typing import TYPE_CHECKING
 
@@ -12,27 +12,11 @@ if TYPE_CHECKING:
 
 
 def project(net: "ControlNet", heights: Array, other: "ControlNet") -> Array:
-    """Heights for another net whose surface is nearest in the least-squares sense.
+    """Return the control heights of ``other`` whose surface is nearest in the L2 sense.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The net that the surface is on.
-    heights : ndarray, shape (n_u, n_v)
-        Its control heights.
-    other : ControlNet
-        Any net, of any degree; its half-widths play no part.
-
-    Returns
-    -------
-    ndarray, shape of ``other``
-        They minimise the integral of the squared difference over the whole face. A surface that
-        the other net can hold comes out as it is.
-
-    Notes
-    -----
-    Projections onto tensor products are products of projections along u and along v. The
-    integrals are exact: Gauss-Legendre between all knots of both nets.
+    ``heights`` are (n_u, n_v). The integrals over the face are exact: Gauss-Legendre between all
+    knots of both nets. A surface of the other net's space is reproduced. Projections onto tensor
+    products are products of projections along u and along v.
     """
     for axis in (0, 1):
         along = _project(
@@ -45,19 +29,9 @@ def project(net: "ControlNet", heights: Array, other: "ControlNet") -> Array:
 
 
 def deviation(net: "ControlNet", heights: Array, other: "ControlNet", others: Array) -> float:
-    """Largest distance in z between the surfaces of two nets.
+    """Return the largest difference in z of the surfaces of two nets, scene units.
 
-    Parameters
-    ----------
-    net, other : ControlNet
-        Nets over the same aperture.
-    heights, others : ndarray
-        Their control heights, scene units.
-
-    Returns
-    -------
-    float
-        Scene units; taken at the knots of both nets and midway between them.
+    It is sampled at the knots of both nets and midway between them.
     """
     u, v = (_with_midpoints(*knots) for knots in zip(net.knots, other.knots, strict=True))
     here = _values(net, heights, u, v)
@@ -65,8 +39,7 @@ def deviation(net: "ControlNet", heights: Array, other: "ControlNet", others: Ar
 
 
 def _project(values: Array, spline: tuple[Array, int], other: tuple[Array, int]) -> Array:
-    """Project the columns of control values from one spline space to another."""
-    from scipy.linalg import solveh_banded  # late: it takes long to import
+    from scipy.linalg import solveh_banded  # slow import
 
     (knots, degree), (others, other_degree) = spline, other
     places, weights = np.polynomial.legendre.leggauss(max(degree, other_degree) + 1)
@@ -77,7 +50,7 @@ def _project(values: Array, spline: tuple[Array, int], other: tuple[Array, int])
     weighted = there.T.multiply((half * weights).ravel()).tocsr()
     gram = weighted @ there
     bands = np.zeros((other_degree + 1, gram.shape[0]))
-    for k in range(other_degree + 1):  # the lower ones, as the solver wants them
+    for k in range(other_degree + 1):  # lower bands, for the solver
         bands[k, : gram.shape[0] - k] = gram.diagonal(-k)
     return np.asarray(solveh_banded(bands, weighted @ (here @ values), lower=True))
 
@@ -96,16 +69,9 @@ def _with_midpoints(knots: Array, others: Array) -> Array:
 
 
 def nearest_finer(net: "ControlNet", wanted: tuple[int, int], most: int) -> tuple[int, int]:
-    """The size nearest to a wanted one, of a net that holds all surfaces of this one exactly.
+    """Return the size nearest to ``wanted`` of a net that contains all surfaces of this one.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Each of its spans is divided into as many parts.
-    wanted : tuple[int, int]
-        Numbers of control points along x and y.
-    most : int
-        Control points along an axis at most; not fewer than this net has.
+    Each span is divided into equal parts, up to ``most`` control points along an axis.
     """
     sizes = []
     for count, degree, goal in zip(net.shape, net.degree, wanted, strict=True):

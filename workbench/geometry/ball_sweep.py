@@ -1,4 +1,4 @@
-"""What balls on a grid leave of the stock that they sweep through."""
+"""Material that balls on a grid leave of the stock."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,17 +12,17 @@ from workbench.geometry.ball_kernels import LEAF_ROWS, LEAF_SPANS, Blocks, lowes
 
 @dataclass(frozen=True, eq=False)
 class BallSweep:
-    """Balls of one radius whose centres go along straight lines, in rows along x.
+    """Balls of one radius whose centres move along straight lines, in rows along x.
 
     Attributes
     ----------
     x, y : ndarray, shapes (m_x,) and (m_y,)
-        Where centres are, scene units; at least two along each axis, in steps that are equal but
-        for rounding.
+        Positions of centres, scene units; at least two along each axis, in equal steps up to
+        rounding.
     centre : ndarray, shape (m_x, m_y)
-        Heights of the centres there; in between they go straight along x.
+        Heights of the centres; linear along x in between.
     radius : float
-        Of all balls.
+        Radius of all balls.
     """
 
     x: Array
@@ -31,19 +31,10 @@ class BallSweep:
     radius: float
 
     def lowest(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Lowest side of all balls above places: every ball that can be it is compared.
+        """Return height (m,) and normal (m, 3) of the lowest ball surface above points (m,).
 
-        Parameters
-        ----------
-        x, y : ndarray, shape (m,)
-            Places, scene units.
-
-        Returns
-        -------
-        height : ndarray, shape (m,)
-            Infinite where no ball is above.
-        normal : ndarray, shape (m, 3)
-            Unit vectors to the centres of these balls; 0 where there is none.
+        The height is infinite and the normal, which points to the ball's centre, 0 where no ball is
+        above.
         """
         height, normal = np.empty(len(x)), np.empty((len(x), 3))
         x, y = (np.ascontiguousarray(each, dtype=np.float64) for each in (x, y))
@@ -54,13 +45,11 @@ class BallSweep:
 
     @property
     def _steps(self) -> tuple[float, float]:
-        """From one centre to the next along x and y: means, as places may be rounded."""
         step_x, step_y = (float(at[-1] - at[0]) / (len(at) - 1) for at in (self.x, self.y))
         return step_x, step_y
 
     @cached_property
     def _rows(self) -> Array:
-        """The centres, (m_y, m_x)."""
         return np.ascontiguousarray(self.centre.T)
 
     @cached_property
@@ -85,19 +74,6 @@ class BallSweep:
 
 
 class _Level(NamedTuple):
-    """Blocks of one size: bounds of the centres in each.
-
-    Attributes
-    ----------
-    lowest, slope_x, slope_y, base : ndarray, shape (rows, columns)
-        Lowest centre, and the plane base + slope_x x + slope_y y below them, with x and y from the
-        grid's first point.
-    width, height : float
-        Sizes of a block from its first to its last point.
-    step_x, step_y : float
-        From one block to the next.
-    """
-
     lowest: Array
     slope_x: Array
     slope_y: Array
@@ -109,7 +85,6 @@ class _Level(NamedTuple):
 
 
 def _pieces(rows: Array, step_x: float, step_y: float) -> _Level:
-    """The straight pieces of all rows, each of which is a block."""
     middle = (rows[:, 1:] + rows[:, :-1]) / 2
     slope_x, slope_y = np.diff(rows, axis=1) / step_x, np.gradient(middle, step_y, axis=0)
     m_y, m_x = middle.shape
@@ -121,7 +96,6 @@ def _pieces(rows: Array, step_x: float, step_y: float) -> _Level:
 
 
 def _joined(level: _Level, rows: int, columns: int) -> _Level:
-    """Blocks of so many blocks; the last ones may hold fewer."""
     lowest = _grouped(level.lowest, rows, columns, np.inf)
     count = np.isfinite(lowest).sum(axis=(1, 3), keepdims=True)
     base, means = _grouped(level.base, rows, columns, np.inf), []
@@ -149,7 +123,6 @@ def _joined(level: _Level, rows: int, columns: int) -> _Level:
 
 
 def _grouped(values: Array, rows: int, columns: int, missing: float) -> Array:
-    """Values in groups, shape (groups, rows, groups, columns)."""
     more = [(0, -n % k) for n, k in zip(values.shape, (rows, columns), strict=True)]
     whole = np.pad(values, more, constant_values=missing)
     return whole.reshape(whole.shape[0] // rows, rows, whole.shape[1] // columns, columns)

@@ -1,4 +1,4 @@
-"""Values and derivatives of B-spline basis functions."""
+"""B-spline basis, clamped knot vectors, and exact knot insertion."""
 
 from typing import TYPE_CHECKING
 
@@ -10,8 +10,58 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
+def clamped_knots(count: int, degree: int) -> Array:
+    """Return the clamped, equispaced knot vector (count + degree + 1,) on [0, 1].
+
+    Piegl & Tiller, The NURBS Book, eq. 2.13; de Koning et al. (2023), eq. 5. Raise ValueError for
+    fewer than ``degree + 1`` control points.
+    """
+    if count < degree + 1:
+        raise ValueError(f"{count} control points are too few for degree {degree}")
+    spans = count - degree
+    # A division, not linspace: equal fractions give equal knots, so that nets nest exactly.
+    inner = np.arange(spans + 1) / spans
+    return np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+
+
+def greville(knots: Array, degree: int) -> Array:
+    """Return the Greville abscissae (count,): the coefficients of the identity.
+
+    They are means of p consecutive knots (Farin, Curves and Surfaces for CAGD, section 8.6).
+    """
+    count = len(knots) - degree - 1
+    return np.array([knots[i + 1 : i + degree + 1].mean() for i in range(count)])
+
+
+def insertion_matrix(coarse: Array, fine: Array, degree: int) -> Array:
+    """Return the matrix (fine count, coarse count) of knot insertion.
+
+    Oslo algorithm of Cohen, Lyche and Riesenfeld (1980): row j holds the discrete B-splines
+    α_{i,p}(j), which obey the Cox-de Boor recursion with ``fine[j + p]`` in place of u. Raise
+    ValueError if a knot of ``coarse`` is missing in ``fine``.
+    """
+    rows = len(fine) - degree - 1
+    fine_knots, fine_counts = np.unique(fine, return_counts=True)
+    for knot, multiplicity in zip(*np.unique(coarse, return_counts=True), strict=True):
+        if multiplicity > fine_counts[fine_knots == knot].sum():
+            raise ValueError(f"knot {knot:g} of the coarse knot vector is missing in the fine one")
+
+    spans = np.searchsorted(coarse, fine[:rows], side="right") - 1
+    spans = np.minimum(spans, len(coarse) - degree - 2)
+    alpha = np.zeros((rows, len(coarse) - 1))
+    alpha[np.arange(rows), spans] = 1.0
+    for p in range(1, degree + 1):
+        u = fine[p : rows + p, None]
+        width = coarse[p:] - coarse[:-p]
+        ratio = np.divide(1.0, width, out=np.zeros_like(width), where=width > 0)
+        rising = (u - coarse[: -p - 1]) * ratio[:-1]
+        falling = (coarse[p + 1 :] - u) * ratio[1:]
+        alpha = rising * alpha[:, :-1] + falling * alpha[:, 1:]
+    return alpha
+
+
 def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tuple[Index, Array]:
-    """The ``degree + 1`` basis functions that do not vanish at each u.
+    """Return the ``degree + 1`` basis functions that do not vanish at each u (m,).
 
     Parameters
     ----------
@@ -41,7 +91,6 @@ def local_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> tup
 
 
 def _nonzero(knots: Array, degree: int, u: Array, span: Index, derivative: int) -> Array:
-    """Functions ``span - degree`` to ``span`` of the given degree, at each u."""
     if derivative > degree:
         return np.zeros((len(u), degree + 1))
     if degree == 0:
@@ -65,17 +114,7 @@ def _nonzero(knots: Array, degree: int, u: Array, span: Index, derivative: int) 
 
 
 def basis_matrix(knots: Array, degree: int, u: Array, derivative: int = 0) -> Array:
-    """All basis functions at each u, as a matrix that turns control values into spline values.
-
-    Parameters
-    ----------
-    knots, degree, u, derivative
-        As for `local_basis`.
-
-    Returns
-    -------
-    ndarray, shape (m, count)
-    """
+    """Return all basis functions at each u, (m, count); parameters as for `local_basis`."""
     first, values = local_basis(knots, degree, u, derivative)
     matrix = np.zeros((len(u), len(knots) - degree - 1))
     np.put_along_axis(matrix, first[:, None] + np.arange(degree + 1), values, axis=1)
@@ -83,11 +122,11 @@ def basis_matrix(knots: Array, degree: int, u: Array, derivative: int = 0) -> Ar
 
 
 def sparse_basis(knots: Array, degree: int, u: Array, derivative: int = 0) -> "csr_array":
-    """`basis_matrix` without its zeros: few control points matter at any one place.
+    """Return `basis_matrix` as a sparse matrix.
 
-    Products with it are fast on the core of the caller and leave the others alone.
+    Products with it are fast and use one core only.
     """
-    from scipy.sparse import csr_array  # late: it takes long to import
+    from scipy.sparse import csr_array  # slow import
 
     first, values = local_basis(knots, degree, u, derivative)
     columns = first[:, None] + np.arange(degree + 1)

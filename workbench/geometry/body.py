@@ -1,6 +1,6 @@
-"""Whether an optic is a body: glass between both faces of a lens, and clear of the screen.
+"""Check that an element is a solid body clear of receiver and source.
 
-A run never leaves anything else, but heights also come from files.
+A run only produces such bodies, but heights also come from files.
 """
 
 import math
@@ -15,61 +15,50 @@ from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
-# Faces that are so near, over the half-width, touch: meshes and solids cannot tell them apart.
-_TOUCH = 1e-9
-# Least number of places along each axis that are looked at.
-_PLACES = 512
+# Relative distance of faces that touch: meshes and solids cannot separate them.
+_CONTACT = 1e-9
+# Least number of samples along each axis.
+_SAMPLES = 512
 
 
 def check_body(
     scene: Scene, heights: Mapping[str, Array], receivers: Sequence[AnyReceiver] = ()
 ) -> None:
-    """Refuse a lens whose faces touch or cross, and an optic that meets the screen or the source.
+    """Refuse a lens whose faces touch or cross, or an element that meets receiver or source.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    receivers : sequence of AnyReceiver
-        In place of all of the scene's, where there are some.
-
-    Raises
-    ------
-    Refused
-        With the place and the height there.
+    ``heights`` (n_u, n_v) by face are in scene units; ``receivers`` replace those of the scene.
+    Raise Refused with the place and the height there.
     """
     optic = scene.optic
-    gap = _TOUCH * max(optic.half_width)
+    gap = _CONTACT * max(optic.half_width)
     face, entrance = heights[optic.designed_face], heights.get("entrance")
-    low, high, below, above = _room(scene, receivers or scene.receivers)
+    low, high, below, above = _free_range(scene, receivers or scene.receivers)
     top = low if entrance is None else float(entrance.max())
-    # A face lies in the convex hull of its control points: nearly always they alone tell.
+    # A face lies in the convex hull of its control points: usually these decide.
     if top + gap < face.min() and face.max() < high - gap:
         return
     nets = freeform_nets(optic)
     u, v = (
-        np.linspace(0, 1, (n - p) * math.ceil(_PLACES / (n - p)) + 1)
+        np.linspace(0, 1, (n - p) * math.ceil(_SAMPLES / (n - p)) + 1)
         for n, p in zip(
             nets[optic.designed_face].shape, nets[optic.designed_face].degree, strict=True
         )
     )
     x, y = ((2 * t - 1) * r for t, r in zip((u, v), optic.half_width, strict=True))
-    height, floor = (
+    height, lower = (
         np.full((len(u), len(v)), low) if each is None else nets[name].grid(u, v).evaluate(each)[0]
         for name, each in ((optic.designed_face, face), ("entrance", entrance))
     )
-    # Places beside the optic count as its middle.
+    # Samples outside the outline take the value of the middle.
     middle = len(u) // 2, len(v) // 2
     inside = outline_of(optic).contains(x[:, None], y)
-    height, floor = (np.where(inside, z, z[middle]) for z in (height, floor))
-    for room, limit, end in (
-        (height - floor, below, floor),
-        (high - height, above, np.full_like(floor, high)),
+    height, lower = (np.where(inside, z, z[middle]) for z in (height, lower))
+    for clearance, limit, end in (
+        (height - lower, below, lower),
+        (high - height, above, np.full_like(lower, high)),
     ):
-        if room.min() <= gap:
-            i, j = np.unravel_index(room.argmin(), room.shape)
+        if clearance.min() <= gap:
+            i, j = np.unravel_index(clearance.argmin(), clearance.shape)
             raise Refused(
                 optic.called,
                 Said(
@@ -87,8 +76,7 @@ def check_body(
             )
 
 
-def _room(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
-    """What a face has to stay between, and what is there."""
+def _free_range(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
     optic = scene.optic
     ends = [receiver.nearest_to(optic) for receiver in receivers]
     if optic.onwards > 0:

@@ -1,4 +1,4 @@
-"""What is known of each freeform face of a lens, by the name of the face."""
+"""Arrays over the control points of each freeform face, by the name of the face."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -11,13 +11,7 @@ Kind = TypeVar("Kind", np.float64, np.bool_)
 
 
 class FaceArrays(Mapping[str, npt.NDArray[Kind]]):
-    """An array over the control points of each freeform face, which nobody can change.
-
-    Parameters
-    ----------
-    arrays : mapping of str to ndarray, shape (n_u, n_v)
-        Arrays by the names of their faces; "entrance" and "exit" are those of a lens. Those
-        that can be written to are copied.
+    """Read-only mapping of face names to arrays (n_u, n_v); writeable arrays are copied.
 
     Examples
     --------
@@ -53,7 +47,7 @@ class FaceArrays(Mapping[str, npt.NDArray[Kind]]):
         return hash(frozenset(self))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return FaceArrays, (self._arrays,)  # arrays come out of a pickle as ones to write to
+        return FaceArrays, (self._arrays,)  # unpickled arrays are writeable
 
     def __repr__(self) -> str:
         shapes = ", ".join(f"{face}: {array.shape}" for face, array in self.items())
@@ -71,27 +65,19 @@ ControlHeights = FaceArrays[np.float64]
 """Heights z of the control points of each face, scene units."""
 
 Locks = FaceArrays[np.bool_]
-"""Control points of each face that keep their heights; a face without any may be left out."""
+"""Locked control points of each face; a face without locks may be missing."""
 
 
 @dataclass(frozen=True)
 class ControlPoint:
-    """One of the control points of an optic.
-
-    Attributes
-    ----------
-    face : str
-        The name of its face.
-    index : tuple[int, int]
-        Its place in the net of that face, along x and along y, counted from 0.
-    """
+    """A control point: its face and its index along x and y, from 0."""
 
     face: str
     index: tuple[int, int]
 
 
 NO_LOCKS: Locks = FaceArrays({})
-"""All control points may move."""
+"""No control point is locked."""
 
 NO_FACES: ControlHeights = FaceArrays({})
-"""The heights of no face."""
+"""Empty mapping."""

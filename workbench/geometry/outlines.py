@@ -1,4 +1,4 @@
-"""Outlines of a lens: what of its bounding rectangle is glass.
+"""Outlines of an element within its bounding rectangle.
 
 A new outline is a class here, a row in ``_OUTLINES``, and its name in `workbench.scene.optic`.
 """
@@ -20,66 +20,63 @@ Numeric = TypeVar("Numeric", npt.NDArray[Any], "Tensor")
 
 
 class Outline(Protocol):
-    """A centred, convex outline that is its own mirror image in x and in y."""
+    """A centred, convex outline, symmetric in x and in y; lengths in scene units."""
 
     @property
     def half_width(self) -> tuple[float, float]:
-        """Half-widths of its bounding rectangle, scene units."""
+        """Half-widths of its bounding rectangle."""
         ...
 
     @property
     def area(self) -> float:
-        """Its area, scene units squared."""
+        """Its area."""
         ...
 
     @property
     def whole(self) -> bool:
-        """Whether it is all of its bounding rectangle."""
+        """Whether it is the whole bounding rectangle."""
         ...
 
     def contains(self, x: Numeric, y: Numeric) -> Numeric:
-        """Whether places are inside it or on it; x and y broadcast."""
+        """Whether points are inside or on the outline; x and y broadcast."""
         ...
 
     def area_inside(
         self, x: tuple[npt.ArrayLike, npt.ArrayLike], y: tuple[npt.ArrayLike, npt.ArrayLike]
     ) -> Array:
-        """Area of what of cells is inside: closed form, scene units squared.
+        """Area of cells within the outline, in closed form.
 
-        Parameters
-        ----------
-        x, y : tuple of two array_like
-            Low and high ends of the cells along both axes; all four broadcast.
+        ``x`` and ``y`` are low and high ends of the cells; all four broadcast.
         """
         ...
 
     def evenly(self, a: Array, b: Array) -> tuple[Array, Array]:
-        """Places (x, y) that fill it as evenly as (a, b) fill the square [0, 1]²."""
+        """Map the square [0, 1]² to (x, y) with constant density."""
         ...
 
     def from_square(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
-        """Places (x, y) of a smooth map of the square [-1, 1]² onto it, its rim onto its rim."""
+        """Map the square [-1, 1]² smoothly to (x, y), rim onto rim."""
         ...
 
     def stretch(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
-        """Area over area of the square at places of `from_square`."""
+        """Jacobian determinant of `from_square`."""
         ...
 
     def boundary(self, count: int) -> Array:
-        """A closed polyline, counterclockwise from +x; shape (m, 2), at least so many points."""
+        """Closed polyline (m, 2), counterclockwise from +x, with at least ``count`` points."""
         ...
 
 
 @dataclass(frozen=True)
 class Rectangle:
-    """The whole bounding rectangle; an `Outline`."""
+    """The whole bounding rectangle."""
 
     half_width: tuple[float, float]
     whole: ClassVar[bool] = True
 
     @property
     def area(self) -> float:
-        """See `Outline`."""
+        """See `Outline.area`."""
         return 4 * self.half_width[0] * self.half_width[1]
 
     def contains(self, x: Numeric, y: Numeric) -> Numeric:
@@ -123,14 +120,14 @@ class Rectangle:
 
 @dataclass(frozen=True)
 class Ellipse:
-    """An ellipse with the half-widths as semi-axes; an `Outline`."""
+    """Ellipse with the half-widths as semi-axes."""
 
     half_width: tuple[float, float]
     whole: ClassVar[bool] = False
 
     @property
     def area(self) -> float:
-        """See `Outline`."""
+        """See `Outline.area`."""
         return float(np.pi * self.half_width[0] * self.half_width[1])
 
     def contains(self, x: Numeric, y: Numeric) -> Numeric:
@@ -146,8 +143,13 @@ class Ellipse:
         left, right, low, high = np.broadcast_arrays(
             *(np.divide(end, r_x) for end in x), *(np.divide(end, r_y) for end in y)
         )
-        area = _under(right, high) - _under(left, high) - _under(right, low) + _under(left, low)
-        # Of cells that are not cut, without the rounding of four large numbers.
+        area = (
+            _quadrant_area(right, high)
+            - _quadrant_area(left, high)
+            - _quadrant_area(right, low)
+            + _quadrant_area(left, low)
+        )
+        # Cells that are not cut: exact, without the rounding of four large terms.
         nearest, farthest = (
             sum(np.square(part) for part in parts)
             for parts in (
@@ -183,7 +185,6 @@ class Ellipse:
 
     @staticmethod
     def _shrinking(u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
-        """How much x and y shrink at places of the square."""
         return np.sqrt(1 - np.square(v) / 2), np.sqrt(1 - np.square(u) / 2)
 
 
@@ -194,26 +195,24 @@ _OUTLINES: Mapping[str, Callable[[tuple[float, float]], Outline]] = {
 
 
 def outline_of(optic: Element) -> Outline:
-    """The outline of a lens."""
+    """Outline of an element."""
     return outline_named(optic.outline, optic.half_width)
 
 
 def outline_named(name: str, half_width: tuple[float, float]) -> Outline:
-    """An outline by its name in a scene, with the half-widths of its bounding rectangle."""
+    """Outline by its name in a scene, with the half-widths of its bounding rectangle."""
     return _OUTLINES[name](half_width)
 
 
-def _under(x: Array, y: Array) -> Array:
-    """Area of the unit disc between the axes and lines through (x, y): odd in both."""
+def _quadrant_area(x: Array, y: Array) -> Array:
     far, high = np.abs(x).clip(max=1), np.abs(y).clip(max=1)
     corner = np.sqrt(1 - high**2)  # where the line y = const meets the circle
     beyond = np.maximum(far, corner)
-    area = high * np.minimum(far, corner) + _under_arc(beyond) - _under_arc(corner)
+    area = high * np.minimum(far, corner) + _area_below_arc(beyond) - _area_below_arc(corner)
     return np.asarray(np.sign(x) * np.sign(y) * area)
 
 
-def _under_arc(x: Array) -> Array:
-    """Area under the unit circle from 0 to x."""
+def _area_below_arc(x: Array) -> Array:
     return np.asarray((x * np.sqrt(1 - x**2) + np.arcsin(x)) / 2)
 
 

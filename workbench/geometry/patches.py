@@ -1,8 +1,7 @@
-"""The surface as one polynomial per knot span: the quickest way to evaluate it anywhere.
+"""Surface as one polynomial per knot span, the fastest evaluation at scattered points.
 
-Scattered points need a search for the span, then one row of a table and Horner's rule; no basis
-function is evaluated. Control heights enter through a constant matrix, so all of it stays
-differentiable, with respect to the heights and to the place.
+Evaluation is a row of a table and Horner's rule, without basis functions. The table is linear in
+the control heights, so the result is differentiable with respect to heights and points.
 """
 
 import math
@@ -13,13 +12,12 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
-from workbench.geometry.basis import local_basis
-from workbench.geometry.knots import greville
+from workbench.geometry.basis import greville, local_basis
 from workbench.geometry.surface import ControlNet
 
 
 class Place(NamedTuple):
-    """Where points lie in the table of patches.
+    """Position of points in the table of patches.
 
     Attributes
     ----------
@@ -35,15 +33,7 @@ class Place(NamedTuple):
 
 
 class Patches:
-    """Evaluates faces of one control net at scattered points.
-
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    dtype, device
-        Float type and device of the evaluation.
-    """
+    """Evaluates faces of one control net at scattered points."""
 
     def __init__(
         self, net: ControlNet, dtype: torch.dtype, device: torch.device | str = "cpu"
@@ -61,28 +51,25 @@ class Patches:
     def table(self, heights: Tensor) -> Tensor:
         """Coefficients of s^a t^b of every patch, shape (patches, (p + 1)(q + 1))."""
         (p, q), (across, up) = self._degree, self._spans
-        # Along one axis, then along the other: of the heights near each patch, which are 16 times
-        # as many as all for degrees of 3, no copy is made.
+        # Axis by axis: gathering the heights around each patch would copy 16 times as many values
+        # for degree 3.
         strips = torch.einsum("kia,kji->kaj", self.to_powers[0], heights.unfold(0, p + 1, 1))
         table = torch.einsum("kalj,ljb->klab", strips.unfold(2, q + 1, 1), self.to_powers[1])
         return table.reshape(across * up, (p + 1) * (q + 1))
 
     def slope_bounds(self, heights: Tensor) -> tuple[float, float]:
-        """The most that |dz/dx| and |dz/dy| can be anywhere, by the convex-hull property.
+        """Bounds of |dz/dx| and |dz/dy|, by the convex-hull property.
 
         The slope along x is a B-spline of degree p − 1, with differences of control heights over
-        differences of Greville abscissae as its control values.
+        differences of Greville abscissae as control values.
         """
         steepest_x, steepest_y = (slopes.abs().max().item() for slopes in self._slopes(heights))
         return steepest_x, steepest_y
 
     def curvature_bounds(self, heights: Tensor) -> tuple[float, float, float]:
-        """The most that |d²z/dx²|, |d²z/dxdy| and |d²z/dy²| can be anywhere, found the same way.
-
-        Infinite where a degree of 1 lets the slope jump.
-        """
+        """Bounds of |d²z/dx²|, |d²z/dxdy| and |d²z/dy²|; infinite for jumps of degree 1."""
         slopes = self._slopes(heights)
-        twist = _rises(slopes[0], self._positions[1], axis=1)
+        twist = _slopes_between(slopes[0], self._positions[1], axis=1)
         curvatures: list[float] = []
         for axis, (knots, degree, r) in enumerate(
             zip(self._knots, self._degree, self._half_width, strict=True)
@@ -91,19 +78,18 @@ class Patches:
                 curvatures.append(math.inf if self._spans[axis] > 1 else 0.0)
                 continue
             sites = greville(knots[1:-1], degree - 1) * (2 * r)
-            curvatures.append(_rises(slopes[axis], sites, axis).abs().max().item())
+            curvatures.append(_slopes_between(slopes[axis], sites, axis).abs().max().item())
         return curvatures[0], twist.abs().max().item(), curvatures[1]
 
     def _slopes(self, heights: Tensor) -> tuple[Tensor, Tensor]:
-        """Control values of dz/dx and dz/dy."""
         x, y = self._positions
-        return _rises(heights, x, axis=0), _rises(heights, y, axis=1)
+        return _slopes_between(heights, x, axis=0), _slopes_between(heights, y, axis=1)
 
     def place(self, x: Tensor, y: Tensor) -> Place:
-        """Patch and local coordinates of points; beyond the aperture those of the nearest patch.
+        """Patch and local coordinates of points; outside the aperture of the nearest patch.
 
-        The span is a constant, the coordinates are differentiable. Points on the far rim belong
-        to the last span.
+        The patch is a constant, the coordinates are differentiable. Points on the far rim belong to
+        the last span.
         """
         spans, local = [], []
         for c, r, count in zip((x, y), self._half_width, self._spans, strict=True):
@@ -125,7 +111,6 @@ class Patches:
         return z, z_s * (across / (2 * r_x)), z_t * (up / (2 * r_y))
 
     def _horner(self, rows: Tensor, place: Place) -> tuple[Tensor, Tensor, Tensor]:
-        """Value and local derivatives of the polynomials."""
         (p, q) = self._degree
         s, t = place.s, place.t
         coefficient = rows.unbind(1)  # of s^a t^b at a (q + 1) + b
@@ -142,19 +127,15 @@ class Patches:
         return z, z_s, z_t
 
 
-def _rises(values: Tensor, sites: Array, axis: int) -> Tensor:
-    """Differences of neighbours along an axis over the distances of their sites."""
-    # In tensors all the way: numpy cannot look into those of `torch.func`.
+def _slopes_between(values: Tensor, sites: Array, axis: int) -> Tensor:
+    # Tensors only: numpy cannot read those of `torch.func`.
     distance = torch.as_tensor(np.diff(sites)).to(values)
     return values.diff(dim=axis) / (distance[:, None] if axis == 0 else distance)
 
 
+# Taylor series at the middle of the span, where rounding is least: coefficient m is the m-th
+# derivative times h^m/m!.
 def _power_basis(knots: Array, degree: int, spans: int) -> Array:
-    """Power coefficients of the basis functions on each span: on span k, those from k on.
-
-    Taylor's series at the middle of the span, where it loses the fewest digits: coefficient m is
-    the m-th derivative times h^m/m!.
-    """
     middle = (np.arange(spans) + 0.5) / spans
     powers = np.zeros((spans, degree + 1, degree + 1))
     for m in range(degree + 1):

@@ -8,16 +8,21 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import numpy as np
 
 from workbench.arrays import Array, Mask
-from workbench.geometry.basis import basis_matrix, local_basis
-from workbench.geometry.knots import clamped_knots, greville, insertion_matrix
+from workbench.geometry.basis import (
+    basis_matrix,
+    clamped_knots,
+    greville,
+    insertion_matrix,
+    local_basis,
+)
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.scene import Element
 
 if TYPE_CHECKING:
     import torch
 
-_AT_ONCE = 1 << 15  # places at which basis functions are held at once
-# Evaluation is indexing and matrix products alone, so arrays and tensors go the same way.
+_AT_ONCE = 1 << 15  # points whose basis values are in memory at once
+# Evaluation is indexing and matrix products only, for arrays and tensors alike.
 Numeric = TypeVar("Numeric", Array, "torch.Tensor")
 
 
@@ -25,12 +30,8 @@ Numeric = TypeVar("Numeric", Array, "torch.Tensor")
 class GridBasis(Generic[Numeric]):
     """Basis values on a tensor grid; evaluation is two small matrix products.
 
-    Attributes
-    ----------
-    along_x, slope_x : array, shape (m_x, n_u)
-        Basis functions and their derivatives with respect to x.
-    along_y, slope_y : array, shape (n_v, m_y)
-        The same along y, transposed.
+    ``along_x`` and ``slope_x`` (m_x, n_u) are basis functions and their derivatives with respect to
+    x, ``along_y`` and ``slope_y`` (n_v, m_y) the same along y, transposed.
     """
 
     along_x: Numeric
@@ -39,36 +40,14 @@ class GridBasis(Generic[Numeric]):
     slope_y: Numeric
 
     def evaluate(self, heights: Numeric) -> tuple[Numeric, Numeric, Numeric]:
-        """Height and slopes dz/dx, dz/dy on the grid.
-
-        Parameters
-        ----------
-        heights : array, shape (n_u, n_v)
-            Control heights.
-
-        Returns
-        -------
-        tuple of three arrays, shape (m_x, m_y)
-        """
+        """Height and slopes dz/dx, dz/dy (m_x, m_y) for control heights (n_u, n_v)."""
         by_row = self.along_x @ heights
         return by_row @ self.along_y, self.slope_x @ heights @ self.along_y, by_row @ self.slope_y
 
 
 @dataclass(frozen=True)
 class PointBasis(Generic[Numeric]):
-    """Basis values at scattered points.
-
-    Attributes
-    ----------
-    index_x : integer array, shape (m, p + 1)
-        Control points along x that matter at each point.
-    index_y : integer array, shape (m, q + 1)
-        The same along y.
-    along_x, slope_x : array, shape (m, p + 1)
-        Their basis functions and the derivatives with respect to x.
-    along_y, slope_y : array, shape (m, q + 1)
-        The same along y.
-    """
+    """Basis values at m points: indices of control points (m, p + 1), values and slopes."""
 
     index_x: Numeric
     index_y: Numeric
@@ -91,7 +70,7 @@ class PointBasis(Generic[Numeric]):
 
 @dataclass(frozen=True)
 class ControlNet:
-    """The B-spline space of a face: all that is known of it but the heights.
+    """B-spline space of a face.
 
     Attributes
     ----------
@@ -109,7 +88,7 @@ class ControlNet:
 
     @classmethod
     def of(cls, optic: Element) -> "ControlNet":
-        """The net of the face that the task shapes; see also `freeform_nets`."""
+        """Net of the designed face; see also `freeform_nets`."""
         return cls(optic.net_shape, optic.degree, optic.half_width)
 
     @cached_property
@@ -155,21 +134,10 @@ class ControlNet:
         return PointBasis(index_x, index_y, along_x, slope_x, along_y, slope_y)
 
     def over(self, outline: Outline, u: Array, v: Array, heights: Array) -> tuple[Array, ...]:
-        """The face on a grid that fills an outline of the lens.
+        """Return x, y, height and slopes (m_x, m_y) of the face on a grid that fills an outline.
 
-        Parameters
-        ----------
-        outline : Outline
-            Within the aperture.
-        u, v : ndarray, shapes (m_x,), (m_y,)
-            Coordinates in [-1, 1] of the square that is mapped onto the outline.
-        heights : ndarray, shape (n_u, n_v)
-            Control heights.
-
-        Returns
-        -------
-        tuple of five ndarray, shape (m_x, m_y)
-            x, y, height and slopes dz/dx, dz/dy.
+        ``u`` (m_x,) and ``v`` (m_y,) in [-1, 1] are coordinates of the square that is mapped onto
+        the outline.
         """
         x, y = outline.from_square(u[:, None], v)
         if outline.whole:
@@ -177,7 +145,7 @@ class ControlNet:
         return x, y, *self.at(x, y, heights)
 
     def at(self, x: Array, y: Array, heights: Array) -> tuple[Array, Array, Array]:
-        """Height and slopes dz/dx, dz/dy at any places of one shape, in scene units."""
+        """Height and slopes dz/dx, dz/dy at points of any one shape, scene units."""
         u, v = (
             ((place.ravel() / r + 1) / 2).clip(0, 1)
             for place, r in zip((x, y), self.half_width, strict=True)
@@ -190,10 +158,7 @@ class ControlNet:
         return z, slope_x, slope_y
 
     def shaping(self, outline: Outline) -> Mask:
-        """Which control points bear on the face inside an outline, shape (n_u, n_v).
-
-        The others move nothing but what of the aperture is no glass.
-        """
+        """Mask (n_u, n_v) of the control points that affect the face inside an outline."""
         (left, right), (low, high) = (
             ((2 * knots[: -p - 1] - 1) * r, (2 * knots[p + 1 :] - 1) * r)
             for knots, p, r in zip(self.knots, self.degree, self.half_width, strict=True)
@@ -201,14 +166,14 @@ class ControlNet:
         return outline.area_inside((left[:, None], right[:, None]), (low, high)) > 0
 
     def contains(self, coarser: "ControlNet") -> bool:
-        """Whether each surface of a coarser net is one of this net too: see `refine`."""
+        """Whether each surface of a coarser net is one of this net; see `refine`."""
         return self.degree == coarser.degree and all(
             np.isin(theirs, mine).all()
             for mine, theirs in zip(self.knots, coarser.knots, strict=True)
         )
 
     def carry(self, heights: Array, other: "ControlNet") -> Array:
-        """Heights for another net: by knot insertion, exactly, where its knots contain this net's.
+        """Return the heights for another net, exactly where its knots contain this net's.
 
         Otherwise the surface is interpolated at the other net's Greville abscissae.
         """
@@ -233,20 +198,7 @@ class ControlNet:
         return parts[0], parts[1]
 
     def refine(self, heights: Array, finer: "ControlNet") -> Array:
-        """The same surface on a finer net, exactly.
-
-        Parameters
-        ----------
-        heights : ndarray, shape (n_u, n_v)
-            Control heights on this net.
-        finer : ControlNet
-            A net whose knots contain this net's.
-
-        Raises
-        ------
-        ValueError
-            If the knots of ``finer`` do not contain this net's.
-        """
+        """Return the heights of the same surface on a finer net; raise ValueError if impossible."""
         into_u, into_v = (
             insertion_matrix(old, new, p)
             for old, new, p in zip(self.knots, finer.knots, self.degree, strict=True)
@@ -255,7 +207,7 @@ class ControlNet:
 
 
 def freeform_nets(optic: Element) -> dict[str, ControlNet]:
-    """The net of each freeform face of an optic by the name of the face, as light meets them."""
+    """Nets of the freeform faces of an element, by face, in the order of the light."""
     nets = {optic.designed_face: ControlNet.of(optic)}
     entrance = optic.entrance.net(optic.net_shape)
     if entrance is None:
@@ -264,7 +216,7 @@ def freeform_nets(optic: Element) -> dict[str, ControlNet]:
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:
-    """Numbers of places along x and y, as dense along both: ``longer`` along the longer side."""
+    """Numbers of samples along x and y of equal density, ``longer`` along the longer side."""
     n_x, n_y = (max(round(longer * r / max(half_width)), 2) for r in half_width)
     return n_x, n_y
 
@@ -272,21 +224,9 @@ def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]
 def sample_faces(
     optic: Element, heights: Mapping[str, Array], count: tuple[int, int]
 ) -> dict[str, Array]:
-    """Points of each freeform face on a grid that includes the rim: regular where that is straight.
+    """Return points (count_x, count_y, 3) of each freeform face on a grid including the rim.
 
-    Parameters
-    ----------
-    optic : Element
-        The lens.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    count : tuple[int, int]
-        Numbers of points along x and y.
-
-    Returns
-    -------
-    dict of str to ndarray, shape (count_x, count_y, 3)
-        Scene units; points of the faces are above each other.
+    ``heights`` are (n_u, n_v) by face, scene units. The points of all faces have the same x and y.
     """
     u, v = (2 * np.linspace(0, 1, n) - 1 for n in count)
     outline = outline_of(optic)

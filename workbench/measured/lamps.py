@@ -1,18 +1,20 @@
-"""The light of sources that name a file: read once, from what is carried along or from disk."""
+"""Sources that name a file: their intensity or rays, cached, and the unit of their light."""
 
 import io
 import os
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import BinaryIO, Literal, TypeVar
+from typing import BinaryIO, Literal, NamedTuple, TypeVar
 
+from workbench import units
 from workbench.errors import Refused
 from workbench.measured.photometry import IntensityTable, read_photometry
 from workbench.measured.rays import RaySet, read_rays
 from workbench.measured.rays.model import RayModel, model_of
-from workbench.measured.rays.placed import PlacedRays, placed
+from workbench.measured.rays.rayset import PlacedRays, placed
 from workbench.measured.text import problem_in
+from workbench.powers import written
 from workbench.reading import opened
 from workbench.said import Said
 from workbench.scene import (
@@ -22,34 +24,22 @@ from workbench.scene import (
     PhotometricSource,
     PointSource,
     RayFileSource,
+    Scene,
     Source,
 )
 
 T = TypeVar("T")
-
-# Width over height of the emitter that stands for rays of a line, at least.
-_SLIMMEST = 1e-6
+# Least aspect ratio of the emitter that replaces rays of a line.
+_LEAST_ASPECT = 1e-6
 
 
 def intensity_of(source: PhotometricSource) -> IntensityTable:
-    """The intensity by direction of a source's file.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be read or used.
-    """
+    """Return the intensity by direction of a source's file; raise Refused if unusable."""
     return _read(source, _intensity)
 
 
 def rays_of(source: RayFileSource) -> RaySet:
-    """The rays of a source's file, in the unit of the file.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be read or used, or nothing says the unit of its lengths.
-    """
+    """Return the rays of a source's file, in the file's unit; raise Refused if unusable."""
     rays = _read(source, _rays)
     if rays.unit is None and source.file_unit is None:
         raise Refused(
@@ -59,18 +49,12 @@ def rays_of(source: RayFileSource) -> RaySet:
 
 
 def placed_rays(source: RayFileSource) -> PlacedRays:
-    """The rays of a source's file where they are in the scene; raises as `rays_of`."""
+    """Return the rays of a source's file in scene coordinates; raise as `rays_of`."""
     return _placed(source, source.unit, rays_of(source))
 
 
 def ray_model(source: RayFileSource, optic: Element, points: int) -> RayModel:
-    """The light of a source's rays to a lens as that of points; see `RayModel`.
-
-    Raises
-    ------
-    Refused
-        If no ray comes to the lens, and as `rays_of`.
-    """
+    """Return the `RayModel` of a source's rays at an element; raise Refused if none arrives."""
     try:
         face = (optic.half_width, optic.front_z)
         return _model(source, source.unit, rays_of(source), *face, points)
@@ -86,32 +70,17 @@ def ray_model(source: RayFileSource, optic: Element, points: int) -> RayModel:
 
 
 def of_known_size(source: Source, optic: Element) -> Source:
-    """A source that says how large it is.
+    """Return a source with a size: a ray file is replaced by a uniform emitter.
 
-    Parameters
-    ----------
-    source : Source
-        The source; only files of rays do not say it themselves.
-    optic : Element
-        What it lights: of rays, those that come there count.
-
-    Returns
-    -------
-    Source
-        The source itself. Of rays of a file, an even emitter whose middle and standard deviation
-        are those of the places where they start, or a point where that is one.
-
-    Raises
-    ------
-    Refused
-        As `ray_model`.
+    Only rays that reach the element count. The emitter has the mean and the standard deviation of
+    their starting points; it is a point source if that deviation is zero. Raise as `ray_model`.
     """
     if not isinstance(source, RayFileSource) or not source.continuous:
         return source
     model = ray_model(source, optic, 1)
     place = (*model.size.middle, float(model.places[0, 2]))
     r_x, r_y = model.size.half_width
-    least = _SLIMMEST * max(r_x, r_y)
+    least = _LEAST_ASPECT * max(r_x, r_y)
     if least == 0:
         return PointSource(kind="point", position=place)
     half_width = max(r_x, least), max(r_y, least)
@@ -120,13 +89,7 @@ def of_known_size(source: Source, optic: Element) -> Source:
 
 
 def check_file(source: object) -> None:
-    """Refuse a source whose file cannot be used.
-
-    Raises
-    ------
-    Refused
-        See `intensity_of` and `rays_of`.
-    """
+    """Raise Refused if the file of a source is unusable."""
     match source:
         case PhotometricSource():
             intensity_of(source)
@@ -148,7 +111,6 @@ def _read(
 
 
 def _state(file: str) -> tuple[int, ...] | None:
-    """What changes when the file does; None where it is not there."""
     try:
         found = os.stat(file)
     except (OSError, ValueError):
@@ -156,7 +118,7 @@ def _state(file: str) -> tuple[int, ...] | None:
     return found.st_mtime_ns, found.st_size, found.st_ino
 
 
-# Read again and again: by each run, check and picture.
+# Each run, check and picture reads the file.
 @lru_cache(maxsize=8)
 def _intensity(file: str, data: bytes | None, state: object) -> IntensityTable:
     return _from(file, data, read_photometry)
@@ -167,7 +129,7 @@ def _rays(file: str, data: bytes | None, state: object) -> RaySet:
     return _from(file, data, read_rays)
 
 
-# Their keys are what places rays: sets of rays differ by what they are, not by what they hold.
+# `RaySet` hashes by identity: the cache key does not compare arrays.
 @lru_cache(maxsize=2)
 def _placed(source: RayFileSource, unit: str, rays: RaySet) -> PlacedRays:
     file_unit = source.file_unit or rays.unit or unit
@@ -191,3 +153,72 @@ def _from(file: str, data: bytes | None, read: Callable[[Path, BinaryIO], T]) ->
         return read(Path(file), io.BytesIO(data))
     with opened(Path(file)) as content:
         return read(Path(file), content)
+
+
+class LightUnit(NamedTuple):
+    """Unit in which light is shown, for a source whose flux is 1 in the computation.
+
+    Attributes
+    ----------
+    words : str
+        Unit of a density: "lx", "cd", or "flux / cm²" and the like.
+    density : float
+        Factor for a density: flux per area in the scene's unit, or per solid angle.
+    lumens : float, optional
+        Flux of the source, lm; None if unknown.
+    """
+
+    words: str = "flux"
+    density: float = 1.0
+    lumens: float | None = None
+
+    @property
+    def short(self) -> str:
+        """Unit of a density, as written after a number."""
+        return self.words.removeprefix("flux ")
+
+    def flux_in_words(self, share: float) -> str:
+        """A part of the flux in lumen, as in "12.3 lm"; empty if unknown."""
+        return "" if self.lumens is None else written(share * self.lumens, "lm")
+
+    def density_in_words(self, density: float) -> str:
+        """A density with its unit."""
+        return written(density * self.density, self.short)
+
+
+IN_PARTS = LightUnit()
+"""Unit for light of unknown flux."""
+
+
+def light_unit(scene: Scene) -> LightUnit:
+    """Return the unit for the light of a scene; relative if a file of the source is unusable.
+
+    Examples
+    --------
+    >>> from workbench.scene import Scene
+    >>> scene = Scene.from_data({
+    ...     "unit": "cm", "version": 2,
+    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [8, 8]},
+    ...     "source": {"kind": "area", "center": [0, 0, -3], "half_width": [0.1, 0.1], "flux": 200},
+    ...     "screen": {"z": 50, "half_width": [10, 10], "pixels": [64, 64]},
+    ...     "target": {"builtin": "rectangle"},
+    ... })
+    >>> light_unit(scene)
+    LightUnit(words='lx', density=2000000.0, lumens=200.0)
+    """
+    receiver, lumens = scene.receiver, _lumens(scene)
+    if lumens is None:
+        return LightUnit(receiver.density_words(scene.unit))
+    if not receiver.measure.power:
+        return LightUnit("cd", lumens, lumens)
+    return LightUnit("lx", lumens / float(units.METRES[scene.unit]) ** 2, lumens)
+
+
+def _lumens(scene: Scene) -> float | None:
+    source = scene.source
+    if not isinstance(source, PhotometricSource):
+        return source.lumens
+    try:
+        return intensity_of(source).lumens
+    except Refused:  # reported where the file is needed
+        return None

@@ -1,4 +1,4 @@
-"""Text of measured light: UTF-8, UTF-16 or Latin-1, any line ends, decimal points or commas."""
+"""Text of measured sources: UTF-8, UTF-16 or Latin-1, any line ends, decimal points or commas."""
 
 import codecs
 import re
@@ -11,24 +11,24 @@ from workbench.said import Said
 
 _GAPS = re.compile(r"[\s,;]+")
 _SPACES = re.compile(r"[\s;]+")
-_END = "\x1a"  # which old programs write behind a text
+_END = "\x1a"  # old programs end texts with it
 _FORTRAN = re.compile("(?<=[0-9.])[dD](?=[-+0-9])")  # of an exponent
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*([eEdD][-+]?\d+)?")
 _THOUSANDS = {mark: re.compile(rf"[-+]?[1-9]\d{{0,2}}({re.escape(mark)}\d{{3}})+") for mark in ",."}
-_FEW = 0.05  # part of numbers that have a mark of thousands, where none has a decimal mark
+_FEW = 0.05  # part of numbers with a thousands separator, if none has a decimal mark
 _MARKS = {
     codecs.BOM_UTF32_LE: "utf-32",
     codecs.BOM_UTF32_BE: "utf-32",
     codecs.BOM_UTF16_LE: "utf-16",
     codecs.BOM_UTF16_BE: "utf-16",
 }
-# Bytes that tell the order of bytes, and parts of zeros in bytes of letters and beside these.
+# Bytes examined for the encoding; parts of zeros among high and low bytes of UTF-16.
 _BEGINNING, _MANY_ZEROS, _FEW_ZEROS = 1 << 12, 0.7, 0.2
-_QUOTED = 20  # characters of a word that is wrong
+_QUOTED = 20  # characters of a wrong word in messages
 
 
 def decoded(content: bytes) -> str:
-    """Text in UTF-8 or UTF-16, with a mark of the byte order or without; else in Latin-1."""
+    """Decode text in UTF-8 or UTF-16, with or without byte order mark, else in Latin-1."""
     encoding = encoding_of(content)
     if encoding is not None:
         return content.decode(encoding, errors="replace")
@@ -39,7 +39,7 @@ def decoded(content: bytes) -> str:
 
 
 def encoding_of(content: bytes) -> str | None:
-    """Which UTF-16 or UTF-32 a text is in, by its mark or its zeros; None for other texts."""
+    """Return UTF-16 or UTF-32 as seen by the mark or the zeros of a text; None for others."""
     for mark, encoding in _MARKS.items():
         if content.startswith(mark):
             return encoding
@@ -53,14 +53,14 @@ def encoding_of(content: bytes) -> str | None:
 
 
 def lines_of(content: bytes) -> list[str]:
-    """Lines of a text, without spaces around them; see `decoded`."""
+    """Return the stripped lines of a text; see `decoded`."""
     text = decoded(content).replace("\r\n", "\n").replace("\r", "\n")
     text = text.partition(_END)[0].rstrip("\0\n\t ").replace("\u2212", "-")
     return [line.strip().strip("\0") for line in text.split("\n")]
 
 
 def readings(text: str) -> tuple[list[str], ...]:
-    """Words that may be numbers: with commas between them, as decimal points, or in thousands."""
+    """Split text into words, for each possible meaning of its commas."""
     apart = [word for word in _GAPS.split(text) if word]
     if "," not in text:
         return (apart,)
@@ -69,10 +69,10 @@ def readings(text: str) -> tuple[list[str], ...]:
 
 
 def with_points(words: Sequence[str]) -> list[str]:
-    """Numbers with decimal points, of words with decimal commas or with marks of thousands.
+    """Rewrite numbers with decimal commas or thousands separators to decimal points.
 
-    A mark stands for thousands where the other mark follows it in a number; or where it always has
-    groups of three digits behind it, and few numbers have it.
+    A mark separates thousands if the other mark follows it in a number, or if it is always followed
+    by groups of three digits and is rare.
     """
     numbers = [word for word in words if _NUMBER.fullmatch(word)]
     thousands = ""
@@ -94,13 +94,7 @@ def with_points(words: Sequence[str]) -> list[str]:
 
 
 def number(word: str) -> float:
-    """A finite number.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong, if it is none.
-    """
+    """Return a finite number; raise ValueError for other words."""
     try:
         value = float(_FORTRAN.sub("e", word) if "_" not in word else "")
     except ValueError:
@@ -115,13 +109,7 @@ def number(word: str) -> float:
 
 
 def count(word: str, least: int, most: int) -> int:
-    """A whole number within limits.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong, if it is none.
-    """
+    """Return an integer within limits; raise ValueError for other words."""
     value = number(word)
     if value != int(value) or not least <= value <= most:
         raise ValueError(
@@ -136,9 +124,9 @@ def count(word: str, least: int, most: int) -> int:
 
 
 def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Said, ...]]:
-    """Words without text behind as many as are needed, and a remark on that text.
+    """Cut words to the needed number if text follows, with a remark on that text.
 
-    Further numbers stay: they do not belong to the file that its header describes.
+    Further numbers stay: the file has then another length than its header says.
     """
     if len(words) <= needed:
         return words, ()
@@ -153,11 +141,11 @@ def trailing(words: list[str], needed: int) -> tuple[list[str], tuple[Said, ...]
 
 
 def wrong_length(found: int, needed: int) -> Said:
-    """What is wrong with a file that has another number of values than needed."""
+    """Text for a file with another number of values than needed."""
     return Said("it is cut off") if found < needed else Said("it goes on behind its end")
 
 
 def problem_in(error: ValueError) -> str:
-    """What a reader says is wrong with a file, for a refusal."""
+    """Message of a reader's ValueError, for a refusal."""
     problem = error.args[0] if error.args else ""
     return problem if isinstance(problem, Said) else visible(str(error))

@@ -5,39 +5,65 @@ is the reference: tests hold all other tracers to it, and where there is no othe
 """
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import torch
 from torch import Tensor
 
+from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.arrival import Arrival
+from workbench.optics.interfaces import Passed
 from workbench.optics.intersection import Bundle
-from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.rays import RayBundle, Vector, place_seen, seen
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
-from workbench.optics.steps import FaceStep, PathContext, steps_of
+from workbench.optics.steps import FaceStep, PathContext, changes_of, standing, steps_of
+from workbench.optics.surfaces import Meeting
 from workbench.scene import Scene
 
 # Less light than this is none: rays that carry all of it add up to 1 but for so much.
 _ROUNDING = 1e-12
 
 
+class Passage(NamedTuple):
+    """Rays at one face.
+
+    Attributes
+    ----------
+    step : FaceStep
+        The face.
+    meeting : Meeting
+        Where they meet it, in its frame.
+    passed : Passed
+        What goes on.
+    """
+
+    step: FaceStep
+    meeting: Meeting
+    passed: Passed
+
+
 class Path:
     """Source, faces and receiver of a scene, with everything that heights do not change.
+
+    Source and receiver are in coordinates of the scene with z counted from a datum. Each face has
+    its own frame. Rays before the first freeform face, `rays` and `lines`, are in the frame of that
+    face: what samples it has its coordinates.
 
     Parameters
     ----------
     emitter : Emitter
         The source.
     steps : sequence of FaceStep
-        Faces in the order in which light meets them.
+        Faces in the order in which light meets them, each along +z of its frame.
     receiver : Receiver
         Where the light is wanted.
     datum : float
         z of the scene from which the elements count z: near the face, so that float32 keeps the
-        digits that make its shape.
+        digits that make its shape. 0 where the first freeform face has a frame.
     outline : Outline
         Of the optic; and of the aperture before it, which all of its light passes.
     seed : int
@@ -51,6 +77,8 @@ class Path:
     ----------
     shaped : tuple of FaceStep
         Those of the steps that depend on control heights: the first freeform face and all behind.
+    changes : list of Frame
+        Changes of coordinates before each of these and behind the last one, see `changes_of`.
     """
 
     def __init__(
@@ -71,6 +99,12 @@ class Path:
         self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
         self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
+        frames = [step.frame for step in self.steps]
+        first = frames[fixed] if self.shaped else None
+        if first is not None and datum != 0:
+            raise ValueError("a freeform face with a frame counts z from there: use the datum 0")
+        self._before = changes_of([None, *frames[:fixed], first], datum)
+        self.changes = changes_of([first, *frames[fixed:], None], datum)
         self._rays: RayBundle | None = None
         self._lines: Bundle | None = None
         self._lost: dict[str, Tensor] | None = None
@@ -137,8 +171,17 @@ class Path:
         heights : mapping of str to Tensor
             Control heights (n_u, n_v) of each freeform surface by name, scene units.
         """
-        rays, lost, _ = _through(self.shaped, self.rays, heights)
+        rays, lost, _ = _through(self.shaped, self.changes, self.rays, heights)
         return Arrival(*self.receiver.places(rays), rays, _added(self.lost, lost))
+
+    def passages(self, heights: Mapping[str, Tensor]) -> list[Passage]:
+        """What the source's rays do at the first freeform face and at all behind; see `walk`."""
+        return _through(self.shaped, self.changes, self.rays, heights)[2]
+
+    def places_at(self, passage: Passage) -> Vector:
+        """Where rays meet a face, as places of the scene."""
+        frame = standing(passage.step.frame, self.datum)
+        return place_seen(passage.meeting.position, frame)
 
     def follow(
         self, rays: RayBundle, heights: Mapping[str, Tensor]
@@ -159,8 +202,10 @@ class Path:
             end. Then the arrival at the receiver.
         """
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
-        rays, lost, places = _through(self.steps, rays, heights)
-        on_faces = [_lifted(place, self.datum) for place in places]
+        frames = [None, *(step.frame for step in self.steps), None]
+        changes = changes_of(frames, self.datum)
+        rays, lost, passages = _through(self.steps, changes, rays, heights)
+        on_faces = [self.places_at(passage) for passage in passages]
         return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
 
     def ends(self, rays: RayBundle) -> Vector:
@@ -168,13 +213,13 @@ class Path:
         return _lifted(self.receiver.ends(rays), self.datum)
 
     def _begin(self) -> RayBundle:
-        """The source's rays before the first freeform face, in float64; tells what is lost."""
+        """The source's rays before the first freeform face, in float64; notes what is lost."""
         rays = self.emitter.rays(self._seed, self._draw)
         if not self.emitter.by_area:  # else their flux is that of what the aperture lets through
             rays = _stopped(rays, self.outline)
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         passing = 1 - _total(rays)
-        rays, lost, _ = _through(self._fixed, rays, {})
+        rays, lost, _ = _through(self._fixed, self._before, rays, {})
         if abs(passing) > _ROUNDING:  # few samples may make more than all light
             lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
         self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
@@ -189,21 +234,28 @@ def _stopped(rays: RayBundle, outline: Outline) -> RayBundle:
 
 
 def _through(
-    steps: Sequence[FaceStep], rays: RayBundle, heights: Mapping[str, Tensor]
-) -> tuple[RayBundle, dict[str, Tensor], list[Vector]]:
-    """Rays behind some faces, light lost there by name, and the places on each face."""
+    steps: Sequence[FaceStep],
+    changes: Sequence[Frame],
+    rays: RayBundle,
+    heights: Mapping[str, Tensor],
+) -> tuple[RayBundle, dict[str, Tensor], list[Passage]]:
+    """Rays behind some faces, light lost there by name, and what they do at each face.
+
+    ``changes`` of coordinates are before each face, and behind the last one.
+    """
     account: dict[str, Tensor] = {}
-    places = []
-    for surface, interface, missed in steps:
-        meeting = surface.meet(rays, heights)
-        passed = interface.turn(rays, meeting)
+    passages = []
+    for step, change in zip(steps, changes[:-1], strict=True):
+        rays = seen(rays, change)
+        meeting = step.surface.meet(rays, heights)
+        passed = step.interface.turn(rays, meeting)
         with torch.no_grad():
-            lost = {missed: torch.where(meeting.met, 0.0, rays.flux), **passed.lost}
+            lost = {step.missed: torch.where(meeting.met, 0.0, rays.flux), **passed.lost}
             sums = {name: flux.sum(dtype=torch.float64) for name, flux in lost.items()}
         account = _added(account, sums)
-        places.append(meeting.position)
+        passages.append(Passage(step, meeting, passed))
         rays = passed.rays
-    return rays, account, places
+    return seen(rays, changes[-1]), account, passages
 
 
 def _total(rays: RayBundle) -> float:

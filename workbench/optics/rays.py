@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 from torch import Tensor
 
+from workbench.geometry.frames import Frame
+
 Vector = tuple[Tensor, Tensor, Tensor]
 
 
@@ -29,3 +31,40 @@ class RayBundle(NamedTuple):
     direction: Vector
     flux: Tensor
     alive: Tensor
+
+
+def seen(rays: RayBundle, change: Frame) -> RayBundle:
+    """Rays in other coordinates.
+
+    Parameters
+    ----------
+    rays : RayBundle
+        The rays.
+    change : Frame
+        Where the coordinates of the rays stand in the other ones.
+    """
+    if change.is_identity:
+        return rays
+    direction = _turned(rays.direction, change)
+    return rays._replace(position=place_seen(rays.position, change), direction=direction)
+
+
+def place_seen(place: Vector, change: Frame) -> Vector:
+    """Places in other coordinates; see `seen`."""
+    shift = change.position.tolist()
+    x, y, z = (part + by for part, by in zip(_turned(place, change), shift, strict=True))
+    return x, y, z
+
+
+def _turned(vector: Vector, change: Frame) -> Vector:
+    x, y, z = (_product(row, vector) for row in change.rotation.tolist())
+    return x, y, z
+
+
+def _product(row: list[float], vector: Vector) -> Tensor:
+    parts = [
+        part if factor == 1 else factor * part
+        for factor, part in zip(row, vector, strict=True)
+        if factor
+    ]
+    return sum(parts[1:], parts[0])

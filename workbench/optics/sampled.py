@@ -6,6 +6,7 @@ behind a plane entrance face in `workbench.optics.glass_face`. The compiled twin
 `workbench.optics.train.compiled`.
 """
 
+import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -14,6 +15,7 @@ import torch
 from torch import Tensor
 
 from workbench.arrays import Array
+from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
@@ -23,7 +25,7 @@ from workbench.optics.intersection import RIM
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.patterns import Patterns, tabulated
-from workbench.optics.rays import RayBundle, Vector
+from workbench.optics.rays import RayBundle, Vector, seen
 from workbench.optics.samples import Corners, Places, Samples, areas_of, places, splits_side_by_side
 from workbench.optics.sources import CollimatedEmitter, PointEmitter
 from workbench.optics.sources.origins import Origins
@@ -36,7 +38,7 @@ _TINY = 1e-15
 
 
 class SampledTrain(NamedTuple):
-    """A train whose first freeform face is sampled.
+    """A train whose first freeform face is sampled, in coordinates of the scene.
 
     Attributes
     ----------
@@ -52,8 +54,10 @@ class SampledTrain(NamedTuple):
         Those behind it.
     surface : BSplineSurface
         That of the first.
+    changes : list of Frame
+        Changes of coordinates before each of these and behind the last one.
     outline : Outline
-        Of the optic, and of the aperture before it.
+        Of the first face, and of the aperture before it.
     front_z : float
         z of the scene where that is.
     datum : float
@@ -66,6 +70,7 @@ class SampledTrain(NamedTuple):
     first: FaceStep
     rest: tuple[FaceStep, ...]
     surface: BSplineSurface
+    changes: list[Frame]
     outline: Outline
     front_z: float
     datum: float
@@ -79,7 +84,9 @@ class SampledTrain(NamedTuple):
             return None
         origins, glass = emitter.origins, None
         match steps[0]:
-            case FaceStep(Plane(z=z), Refraction(law=law, reflected=name)) if len(steps) > 1:
+            case FaceStep(Plane(z=z), Refraction(law=law, reflected=name), _, None) if (
+                len(steps) > 1
+            ):
                 one_distance = origins.infinite or np.ptp(origins.places[:, 2]) == 0
                 surface = steps[1].surface
                 if not (one_distance and isinstance(surface, BSplineSurface)):
@@ -92,7 +99,9 @@ class SampledTrain(NamedTuple):
         surface = steps[0].surface
         if not isinstance(surface, BSplineSurface) or surface.subdivisions is not None:
             return None
-        given = origins, samples, glass, steps[0], steps[1:], surface
+        if steps[0].frame is not None:  # the source is in other coordinates
+            return None
+        given = origins, samples, glass, steps[0], steps[1:], surface, path.changes[1:]
         return cls(*given, path.outline, path.front_z, path.datum)
 
     @property
@@ -102,7 +111,7 @@ class SampledTrain(NamedTuple):
 
     @property
     def half_width(self) -> tuple[float, float]:
-        """Of the faces, scene units."""
+        """Of the first face, scene units."""
         return self.net.half_width
 
     @property
@@ -190,7 +199,7 @@ class SampledWalk:
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the light from the samples to the receiver; see `Path.walk`."""
         train = self._train
-        lit = self._face.light(heights[train.surface.name])
+        lit = self._face.light(train.surface.own(heights))
         passed = train.first.interface.turn(*lit)
         with torch.no_grad():
             lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
@@ -201,11 +210,12 @@ class SampledWalk:
             missed = 1 - sum(self._before.values()) - met
             lost[train.first.missed] = lost.get(train.first.missed, 0.0) + missed
         rays, rim = passed.rays, None
-        for number, step in enumerate(train.rest):
+        for number, (step, change) in enumerate(zip(train.rest, train.changes[:-1], strict=True)):
             begin = lit.meeting.position if number == 0 else None
-            rays, rim, more = self._pass(step, rays, heights, rim, begin)
+            rays, rim, more = self._pass(step, seen(rays, change), heights, rim, begin)
             for name, part in more.items():
                 lost[name] = lost.get(name, 0.0) + part.sum(dtype=torch.float64)
+        rays = seen(rays, train.changes[-1])
         return Arrival(*self._path.receiver.places(rays), rays, lost, rim)
 
     def _pass(
@@ -227,15 +237,15 @@ class SampledWalk:
         begin : tuple of three Tensor, optional
             Samples, if this is the next face behind them.
         """
-        outline, surface = self._train.outline, step.surface
-        meeting = surface.meet_unbounded(rays, heights)
-        own = RIM - self._radius(meeting.position)
-        if begin is not None and not outline.whole:
+        first, outline = self._train.outline, step.surface.outline
+        meeting = step.surface.meet_unbounded(rays, heights)
+        own = RIM - _radius(outline, meeting.position)
+        if begin is not None and not first.whole:
             # Samples beside a curved outline stand for parts that it cuts: for these its rim is
             # where they are.
-            own = own + (self._radius(begin).clamp_min(1.0) - 1.0) * RIM
-        if not (outline.whole and isinstance(surface, BSplineSurface)):
-            meeting = meeting._replace(met=meeting.met & (own >= 0))
+            beyond = _radius(first, begin).clamp_min(1.0) - 1.0
+            own = own + beyond * beyond_rim(first, outline)
+        meeting = meeting._replace(met=meeting.met & (own >= 0))
         # Rays that do not come to the face leave at the side, but for those without a way.
         own = torch.where(meeting.met, own.clamp_min(0.0), torch.where(rays.alive, -1.0, 0.0))
         passed = step.interface.turn(rays, meeting)
@@ -243,9 +253,15 @@ class SampledWalk:
         lost = {step.missed: missed.detach(), **passed.lost}
         return passed.rays, own if rim is None else torch.minimum(own, rim), lost
 
-    def _radius(self, place: Vector) -> Tensor:
-        """Distance from the axis as a part of that of the rim."""
-        (x, y, _), (r_x, r_y) = place, self._train.half_width
-        if self._train.outline.whole:
-            return torch.maximum((x / r_x).abs(), (y / r_y).abs())
-        return ((x / r_x).square() + (y / r_y).square()).clamp_min(_TINY**2).sqrt()
+
+def beyond_rim(first: Outline, outline: Outline) -> float:
+    """Distance from the axis, as a part of that of an outline, over the same of the first one."""
+    return RIM * math.sqrt(math.prod(first.half_width) / math.prod(outline.half_width))
+
+
+def _radius(outline: Outline, place: Vector) -> Tensor:
+    """Distance from the axis as a part of that of the rim."""
+    (x, y, _), (r_x, r_y) = place, outline.half_width
+    if outline.whole:
+        return torch.maximum((x / r_x).abs(), (y / r_y).abs())
+    return ((x / r_x).square() + (y / r_y).square()).clamp_min(_TINY**2).sqrt()

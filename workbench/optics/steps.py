@@ -3,11 +3,15 @@
 A new kind of optic is its fields in `workbench.scene`, and a row in ``_STEPS``.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
+import numpy as np
 import torch
 
+from workbench.arrays import Array
+from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
@@ -27,11 +31,44 @@ class FaceStep(NamedTuple):
         What it does to them.
     missed : str
         Name in the light account of light that does not meet it.
+    frame : Frame, optional
+        Where the coordinates of the surface stand in the scene: light comes to the face along +z of
+        them. None for those of the scene with z counted from the datum of the path.
     """
 
     surface: Surface
     interface: Interface
     missed: str
+    frame: Frame | None = None
+
+    def from_behind(self, datum: float = 0.0) -> "FaceStep":
+        """The step for light that comes to the face along −z of its frame.
+
+        Parameters
+        ----------
+        datum : float
+            Of the path, for a step without a frame.
+        """
+        frame = standing(self.frame, datum).turned()
+        return self._replace(surface=self.surface.from_behind(), frame=frame)
+
+    def facing(self, place: Array) -> "FaceStep":
+        """The step for light from a place of the scene, shape (3,); of a face with a frame."""
+        if self.frame is None:
+            raise ValueError("a step without a frame faces along +z of the scene")
+        way = self.frame.position - place
+        return self if way @ self.frame.rotation[:, 2] >= 0 else self.from_behind()
+
+
+def standing(frame: Frame | None, datum: float) -> Frame:
+    """The frame of a step; of one without, that of the scene with z counted from a datum."""
+    return Frame(np.array([0.0, 0.0, datum]), np.eye(3)) if frame is None else frame
+
+
+def changes_of(frames: Sequence[Frame | None], datum: float) -> list[Frame]:
+    """Where the coordinates of each frame stand in those of the next one."""
+    stand = [standing(frame, datum) for frame in frames]
+    return [one.seen_from(other) for one, other in pairwise(stand)]
 
 
 class PathContext(NamedTuple):

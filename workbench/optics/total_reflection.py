@@ -79,17 +79,13 @@ def total_reflection(scene: Scene, heights: Mapping[str, Array]) -> TotalReflect
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     tensors = {face: torch.tensor(each) for face, each in heights.items()}
     places, flux = [np.zeros((0, 3))], [np.zeros(0)]
-    rays = path.rays
     with torch.no_grad():
-        for surface, interface, _ in path.shaped:
-            meeting = surface.meet(rays, tensors)
-            passed = interface.turn(rays, meeting)
-            lost = passed.lost.get(_NAME)
+        for passage in path.passages(tensors):
+            lost = passage.passed.lost.get(_NAME)
             if lost is not None:
                 here = lost > 0
-                xyz = torch.stack([part.expand(here.shape)[here] for part in meeting.position], -1)
-                places.append(xyz.numpy() + np.array([0.0, 0.0, path.datum]))
+                place = path.places_at(passage)
+                places.append(torch.stack([c.expand(here.shape)[here] for c in place], -1).numpy())
                 flux.append(lost[here].numpy())
-            rays = passed.rays
     found = TotalReflection(np.concatenate(places), np.concatenate(flux))
     return found if len(found.flux) else None

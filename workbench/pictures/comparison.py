@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
-from workbench.measured.light_unit import LightUnit, light_unit
+from workbench.measured.lamps import LightUnit, light_unit
 from workbench.pictures.axes import SIGNED, Extent, colour_bar, pixel_at, stable_scale
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses

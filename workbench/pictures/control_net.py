@@ -13,12 +13,11 @@ import pyvista as pv
 
 from workbench.arrays import Array, Mask
 from workbench.design.brush import bump
-from workbench.geometry.lines import nearest_to_line
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import meshes
 from workbench.pictures.actors import PointMarkers
-from workbench.pictures.projection import Projection
+from workbench.pictures.projection import Projection, nearest_to_line
 from workbench.scene import Element
 
 Block = tuple[slice, slice]

@@ -16,7 +16,7 @@ from matplotlib import colormaps
 from matplotlib.colors import Colormap, LogNorm, Normalize
 
 from workbench.arrays import Array
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import (
     SIGNED,
     UNSIGNED,

@@ -83,3 +83,13 @@ class Projection:
         if len(seen) == 1 and np.linalg.norm(seen[0]) < _HEAD_ON * scale:
             seen = [upwards]
         return np.asarray(np.linalg.pinv(np.array(seen).T, rcond=_HEAD_ON) @ np.array(moved))
+
+
+def nearest_to_line(points: Array, start: Array, end: Array) -> tuple[tuple[int, ...], float]:
+    """Return the index of the point of (..., 3) nearest to a line, and its distance."""
+    direction = (end - start) / np.linalg.norm(end - start)
+    away = points - start
+    away = away - (away @ direction)[..., None] * direction
+    distances = np.linalg.norm(away, axis=-1)
+    index = np.unravel_index(int(distances.argmin()), distances.shape)
+    return tuple(int(i) for i in index), float(distances[index])

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Array
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.pictures.axes import Extent, UpdatedPicture, set_round_ticks
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.scene import Scene

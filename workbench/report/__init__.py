@@ -1,1 +1,1 @@
-"""What a session comes to on some pages, for people who do not have the program."""
+"""Report of a session on a few pages, for readers without the program."""

@@ -1,32 +1,28 @@
-"""A report before it has a form: sections of rows and pictures."""
+"""Content of a report, independent of its format: sections with rows and pictures."""
 
 from dataclasses import dataclass
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
+
+from workbench.errors import Refused
+from workbench.said import Said
 
 if TYPE_CHECKING:
     from workbench.pictures.report import Draw
 
+HTML, PDF = (".html", ".htm"), (".pdf",)
+
 
 class Fact(NamedTuple):
-    """A name and what is to be said of it."""
+    """A name and its value."""
 
     name: str
     value: str
 
 
 class PagePicture(NamedTuple):
-    """A picture as wide as a page.
-
-    Attributes
-    ----------
-    name : str
-        What it shows.
-    draw : Draw
-        Draws it.
-    height : float
-        Inches, for a width of `workbench.pictures.report.WIDTH`.
-    """
+    """A picture as wide as a page; ``height`` in inches, for a width of `pictures.report.WIDTH`."""
 
     name: str
     draw: "Draw"
@@ -35,19 +31,7 @@ class PagePicture(NamedTuple):
 
 @dataclass(frozen=True)
 class Section:
-    """A part of a report.
-
-    Attributes
-    ----------
-    title : str
-        Its heading.
-    rows : tuple of Fact
-        What is known.
-    pictures : tuple of PagePicture
-        Stand behind the rows.
-    note : str
-        What has to be known to read it.
-    """
+    """A section of a report: heading, note, rows, then pictures."""
 
     title: str
     rows: tuple[Fact, ...] = ()
@@ -57,19 +41,18 @@ class Section:
 
 @dataclass(frozen=True)
 class Report:
-    """All of it.
-
-    Attributes
-    ----------
-    title, subtitle : str
-        Session, of when it is and by what it was reported.
-    dated : datetime
-        Of when it is.
-    sections : tuple of Section
-        One after the other.
-    """
+    """A report; ``dated`` is the date of the session."""
 
     title: str
     subtitle: str
     dated: datetime
     sections: tuple[Section, ...]
+
+
+def check_ending(file: Path) -> None:
+    """Raise Refused if the ending of a file is not that of a report."""
+    if file.suffix.lower() not in (*HTML, *PDF):
+        known = ", ".join((*HTML, *PDF))
+        raise Refused(
+            str(file), Said("has no ending that tells a format; one of {endings}", endings=known)
+        )

@@ -1,4 +1,4 @@
-"""Figures of a lens as rows: its check, its light, its manufacture, its tolerances."""
+"""Figures of a lens as rows: check, light account, manufacture, tolerances."""
 
 import math
 
@@ -13,7 +13,7 @@ from workbench.analysis.tolerances import Distribution
 from workbench.analysis.validation_figures import Validation
 from workbench.design.session import verified_error
 from workbench.extended.bound import Bound
-from workbench.measured.light_unit import IN_PARTS, LightUnit
+from workbench.measured.lamps import IN_PARTS, LightUnit
 from workbench.optics.account import Account, words_for
 from workbench.powers import written
 from workbench.report.content import Fact
@@ -26,16 +26,10 @@ _STATES = {"met": "met", "broken": "not met", "open": "met where it was looked a
 def check_rows(
     found: Validation, difference: float, remark: Said | None = None
 ) -> tuple[Fact, ...]:
-    """What the independent check says.
+    """Rows of the independent check.
 
-    Parameters
-    ----------
-    found : Validation
-        The check.
-    difference : float
-        Relative L2 difference to the optimiser's own image.
-    remark : Said, optional
-        That the optimiser's own image is not reliable; see `Validation.beside_run`.
+    ``difference`` is the relative L2 difference to the optimiser's own image, ``remark`` says
+    whether that image is reliable; see `Validation.beside_run`.
     """
     quality, failed = found.quality, found.by_cells and found.by_cells.contradiction
     return (
@@ -61,17 +55,15 @@ def check_rows(
 
 
 def region_rows(found: Validation) -> tuple[Fact, ...]:
-    """What the check says of each region."""
+    """Rows of the check for each region."""
     return tuple(Fact(light.name, light.words) for light in found.regions)
 
 
 def _shading_rows(found: Shading | None) -> tuple[Fact, ...]:
-    """Light that has something in its way."""
     return tuple(Fact(name, text) for name, text in found.figures.items()) if found else ()
 
 
 def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
-    """What cells say, and how far random rays are from that."""
     if found is None:
         return ()
     columns, rows = found.cells
@@ -95,13 +87,12 @@ def _cell_rows(found: ByCells | None) -> tuple[Fact, ...]:
 
 
 def _independent_row(found: IndependentError, remark: Said | None) -> Fact:
-    """What has the error where cells do not tell it as exactly."""
-    said = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
-    return Fact("error by independent images", _with(said, remark))
+    text = Said("{rays:,} rays, 95 % confidence", rays=found.rays)
+    return Fact("error by independent images", _with(text, remark))
 
 
 def tracer_rows(found: CrossCheck) -> tuple[Fact, ...]:
-    """How far the check and Mitsuba 3 are apart; of pairs, the first is the check's."""
+    """Rows of the comparison with Mitsuba 3; in pairs, the first is the check."""
     ours, theirs = found.ours, found.mitsuba
     return (
         Fact("difference of both images", percent(found.difference)),
@@ -124,7 +115,7 @@ def _pair(one: float, other: float) -> str:
 
 
 def bound_rows(found: Bound) -> tuple[Fact, ...]:
-    """The least error that any lens can have, where the size of the source sets one."""
+    """Rows of the lower bound, if the size of the source sets one."""
     if not found.certified:
         return ()
     return (
@@ -137,7 +128,7 @@ def bound_rows(found: Bound) -> tuple[Fact, ...]:
 
 
 def account_rows(account: Account, scene: Scene, unit: LightUnit = IN_PARTS) -> tuple[Fact, ...]:
-    """Where the light went, in parts of what was emitted, and in lumen where these are known."""
+    """Rows of the light account, as parts of the emitted flux, and in lumen if known."""
     titles = {name: title for name, (title, _) in words_for(scene.receiver).items()}
     return tuple(
         Fact(titles[name][:1].lower() + titles[name][1:], _part(flux / account.emitted, unit))
@@ -150,7 +141,7 @@ def _part(share: float, unit: LightUnit) -> str:
 
 
 def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Fact, ...]:
-    """Figures of the lens, each with what it is not beyond anywhere, and whether limits are met."""
+    """Rows of the manufacturing figures with their bounds, and of the limits."""
     return (
         Fact("thinnest", _extreme(found.thinnest, unit, "at least")),
         Fact("thickest", _extreme(found.thickest, unit, "at most")),
@@ -164,7 +155,6 @@ def manufacture_rows(found: Manufacture, limits: Limits, unit: str) -> tuple[Fac
 
 
 def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Fact, ...]:
-    """Figures of one face, which their names begin with."""
     return (
         Fact(f"{face}steepest slope", _extreme(found.steepest, "°", "at most")),
         Fact(f"{face}draft", f"{found.draft:.3f}°"),
@@ -178,7 +168,7 @@ def _face_rows(found: FaceFigures, unit: str, face: str = "") -> tuple[Fact, ...
 def tolerance_rows(
     scene: Scene, within: Tolerances, spread: Distribution, samples: int
 ) -> tuple[Fact, ...]:
-    """How far lenses were off, and how their error without ray noise is distributed."""
+    """Rows of the tolerances and the distribution of the error without ray noise."""
     return (
         *(
             Fact(ABOUT[name].row, _error_size(name, within, scene.unit))
@@ -200,12 +190,11 @@ def _error_size(name: str, within: Tolerances, unit: str) -> str:
 
 
 def percent(fraction: float, digits: int = 3) -> str:
-    """A part of one, with a space before the sign, as in the names of figures."""
+    """A fraction in per cent, with a space before the sign."""
     return f"{100 * fraction:.{digits}f} %"
 
 
 def _extreme(found: Extreme, unit: str, sense: str) -> str:
-    """The value, the bound, and where."""
     if math.isinf(found.value):
         return "none"
     x, y = found.place
@@ -222,5 +211,4 @@ def _with(figure: str, remark: Said | None) -> str:
 
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:
-    """A figure, or a dash where it has no meaning."""
     return "–" if value is None else f"{value:{form}}{tail}"

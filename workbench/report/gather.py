@@ -1,4 +1,4 @@
-"""Makes the report of a session: traces its lens anew and collects what is known of it."""
+"""Assembly of a session's report, with a fresh check of its lens."""
 
 from collections.abc import Iterator, Mapping
 from datetime import datetime
@@ -20,7 +20,7 @@ from workbench.design.session import KeptRun, Session, result_of, verified_error
 from workbench.errors import visible
 from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit
 from workbench.pictures import report as pictures
 from workbench.powers import written
 from workbench.report.content import Fact, PagePicture, Report, Section
@@ -38,8 +38,8 @@ from workbench.report.scene_rows import scene_rows
 from workbench.scene import Scene
 from workbench.scene.viewing import pixel_side, side_in_words, viewed_from
 
-_PLACES = 257  # of maps, along the longer side of the lens
-# Inches that a row of two panels takes beside these, how wide a panel is, and its tallest row.
+_SAMPLES = 257  # samples of maps along the longer side of the lens
+# Inches: height of a row of two panels without the panels, width of a panel, tallest row.
 _BESIDE, _PANEL, _ROW = 0.75, 2.4, 3.1
 
 
@@ -51,20 +51,20 @@ def gather(
     tolerances: tuple[Tolerances, int] | None = None,
     with_mitsuba: bool = False,
 ) -> Report:
-    """Check a lens and put together what the report says of it.
+    """Check a lens and assemble its report.
 
     Parameters
     ----------
     session : Session
         A session with a lens.
     name : str
-        What it is called.
+        Name of the session.
     dated : datetime
-        Of when it is. Not of now: then two reports of one session would differ.
+        Date of the session, not of today: two reports of one session must be equal.
     rays : int
-        Rays of the independent check, at least.
+        Least number of rays of the independent check.
     tolerances : tuple[Tolerances, int], optional
-        How far lenses may be off, and how many are traced; a quarter of the rays for each.
+        Tolerances and number of perturbed lenses, each traced with a quarter of the rays.
     with_mitsuba : bool
         Whether Mitsuba 3 traces the lens too; see `cross_check`.
 
@@ -74,7 +74,7 @@ def gather(
         If the session has no lens, a tolerance is not possible, or Mitsuba cannot trace the scene
         or is not installed.
     RunFailed
-        If no light reaches the screen.
+        If no light reaches the receiver.
     """
     scene, target, result = session.scene, session.target, result_of(session)
     if tolerances is not None:
@@ -102,11 +102,11 @@ def gather(
         *(
             section
             for number, image in enumerate(found.images)
-            for section in _of_image(
+            for section in _image_sections(
                 session.of_image(number), image, f", image {number + 1}" if found.further else ""
             )
         ),
-        *([_beside_mitsuba(session, rays)] if with_mitsuba else []),
+        *([_mitsuba_section(session, rays)] if with_mitsuba else []),
         _manufacture(scene, heights),
     ]
     if tolerances is not None:
@@ -118,7 +118,7 @@ def gather(
                 Fact("loss of the optimiser", written(result.state.loss)),
                 Fact("iterations", str(result.iterations)),
                 Fact("seconds", f"{result.seconds:.1f}"),
-                *(_kept(run, scene) for run in session.runs),
+                *(_run_fact(run, scene) for run in session.runs),
             ),
             (PagePicture("Loss", partial(pictures.draw_loss, result=result), 2.6),),
         )
@@ -129,8 +129,7 @@ def gather(
     return Report(visible(name), subtitle, dated, tuple(sections))
 
 
-def _of_image(session: Session, found: Validation, which: str) -> Iterator[Section]:
-    """What the check says of one image, of which the session knows alone."""
+def _image_sections(session: Session, found: Validation, which: str) -> Iterator[Section]:
     scene, light = session.scene, found.irradiance
     own = result_of(session).state.irradiance
     difference, remark = relative_l2(light, own), found.beside_run(own, scene.receiver)
@@ -172,8 +171,7 @@ def _of_image(session: Session, found: Validation, which: str) -> Iterator[Secti
     )
 
 
-def _beside_mitsuba(session: Session, rays: int) -> Section:
-    """What another tracer sees of the lens."""
+def _mitsuba_section(session: Session, rays: int) -> Section:
     scene = session.scene
     found = cross_check(scene, session.target, result_of(session).state.heights, rays)
     draw = partial(
@@ -192,7 +190,6 @@ def _beside_mitsuba(session: Session, rays: int) -> Section:
 
 
 def _row(*half_widths: tuple[float, float]) -> float:
-    """How high a row of panels of such shapes is, inches: no higher than the tallest needs."""
     return min(_BESIDE + _PANEL * max(y / x for x, y in half_widths), _ROW)
 
 
@@ -203,7 +200,7 @@ def _manufacture(scene: Scene, heights: Mapping[str, Array]) -> Section:
         min_radius=scene.run.min_radius,
         min_tool_radius=scene.run.min_tool_radius,
     )
-    count = even_counts(optic.half_width, _PLACES)
+    count = even_counts(optic.half_width, _SAMPLES)
     drawn = []
     for face in reversed(freeform_nets(optic)):
         maps = surface_maps(optic, heights, count, face)
@@ -234,7 +231,7 @@ def _tolerances(session: Session, within: Tolerances, samples: int, rays: int) -
     )
 
 
-def _kept(run: KeptRun, scene: Scene) -> Fact:
+def _run_fact(run: KeptRun, scene: Scene) -> Fact:
     result, state, checked = run.result, run.result.state, run.verified
     error = f", error {verified_error(checked)}" if checked else ""
     return Fact(

@@ -1,4 +1,4 @@
-"""All fields of a scene with their units."""
+"""All fields of a scene with their units, and the fields in which two scenes differ."""
 
 from collections.abc import Iterator
 from typing import Any, NamedTuple
@@ -7,20 +7,11 @@ from workbench.report.content import Fact
 from workbench.scene import FieldDescription, Part, Scene
 
 _FILE = {"format", "version"}
+_NONE = "–"
 
 
 class FieldRow(NamedTuple):
-    """A field of a scene that has a value.
-
-    Attributes
-    ----------
-    path : str
-        As files and refusals name it.
-    title : str
-        As forms name it, with the titles of the parts that it is in.
-    value : str
-        With its unit.
-    """
+    """A field with a value: its path as in files, its title with those of its parts."""
 
     path: str
     title: str
@@ -28,17 +19,16 @@ class FieldRow(NamedTuple):
 
 
 def scene_rows(scene: Scene) -> tuple[Fact, ...]:
-    """A row for each field that has a value, those of a kind before those of all kinds."""
+    """Return a row for each field that has a value."""
     return tuple(Fact(row.path, row.value) for row in field_rows(scene))
 
 
 def field_rows(scene: Scene) -> Iterator[FieldRow]:
-    """A row for each field of a scene that has a value."""
+    """Yield a row for each field that has a value."""
     return _rows(scene, "", "", scene)
 
 
 def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]:
-    """Rows of a part, as deep as there are names."""
     remarks = part.remarks()
     for field in part.fields():
         value, place = getattr(part, field.name), f"{path}{field.name}"
@@ -64,3 +54,38 @@ def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+class Difference(NamedTuple):
+    """A field whose values in two scenes differ; a dash stands for a missing value."""
+
+    title: str
+    values: tuple[str, str]
+
+
+def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
+    """Return the fields in which two scenes differ, lengths in the unit of the first.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> from workbench.files.scene import read_scene
+    >>> scene = read_scene(path("examples", "tophat.json"))
+    >>> other = scene.with_receiver(scene.receiver.moved_to(6.0))
+    >>> differences(scene, other)
+    (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
+    """
+    found = [
+        {row.path: row for row in field_rows(scene)}
+        for scene in (one, other.in_unit(one.unit))
+    ]
+    if other.unit != one.unit:
+        found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)
+    differ = []
+    for path in found[0] | found[1]:
+        first, second = (rows.get(path) for rows in found)
+        before, after = (row.value if row else _NONE for row in (first, second))
+        if before != after:
+            title = (first or found[1][path]).title
+            differ.append(Difference(title, (before, after)))
+    return tuple(differ)

@@ -114,6 +114,7 @@ class Lens(Element):
         tuple[Face, Face],
         about("Faces", "Front face and back face, in the order in which light meets them."),
     ]
+
     @field_validator("material", mode="wrap")
     @classmethod
     def _name_or_index(cls, value: Any, read: ValidatorFunctionWrapHandler) -> Any:

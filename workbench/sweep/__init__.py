@@ -1,1 +1,1 @@
-"""Many designs: scenes and fields that are varied, worked on side by side, in one table."""
+"""Sweeps: designs for all combinations of field values, in parallel, with one table."""

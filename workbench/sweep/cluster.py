@@ -1,29 +1,21 @@
-"""A dask.distributed cluster that works on points; its workers need this program."""
+"""Work on a dask.distributed cluster; its workers need this program."""
 
 from collections.abc import Iterator
 from typing import Any, Self, TypeVar
 
 import workbench
 from workbench.errors import Refused
-from workbench.sweep.work import DesignTask, Done, Failed, attempt
+from workbench.sweep.processes import DesignTask, Done, Failed, attempt
 
 Key = TypeVar("Key")
 
-_SECONDS = 10  # to reach it, and for its first worker
+_SECONDS = 10  # time limit for the scheduler and for its first worker
 
 
 class Cluster:
-    """Works on tasks while entered.
+    """Runs tasks on a cluster, as a context manager.
 
-    Parameters
-    ----------
-    address : str
-        Of the scheduler, as in ``tcp://host:8786``.
-
-    Raises
-    ------
-    Refused
-        If it cannot be reached, or its workers do not have this version of the program.
+    Raise Refused if the scheduler cannot be reached or workers have another version of the program.
     """
 
     def __init__(self, address: str) -> None:
@@ -50,7 +42,7 @@ class Cluster:
             raise Refused("dask", "the cluster has no worker; one is needed") from error
         try:
             versions = set(self._client.run(_version).values())
-        except Exception as error:  # whatever importing this fails with over there
+        except Exception as error:  # the import may fail with any exception
             raise Refused("dask", f"its workers cannot run this program: {error}") from error
         if versions != {workbench.__version__}:
             found = ", ".join(sorted(versions))
@@ -60,25 +52,25 @@ class Cluster:
         return self
 
     def __exit__(self, *_: Any) -> None:
-        self._client.close()  # which forgets what it has asked for
+        self._client.close()  # cancels its pending tasks
 
     def work(self, tasks: Iterator[tuple[Key, DesignTask]]) -> Iterator[tuple[Key, Done | Failed]]:
-        """Work on tasks, as `workbench.sweep.processes.Processes.work` does."""
+        """Run tasks, as `workbench.sweep.processes.Processes.work` does."""
         from distributed import as_completed
 
-        # One in advance for each, so that nobody waits; more would only take memory.
-        room = 2 * max(sum(self._client.nthreads().values()), 1)
+        # One task in advance for each worker, so that none is idle; more would only use memory.
+        most = 2 * max(sum(self._client.nthreads().values()), 1)
         waiting: dict[Any, Key] = {}
         ended = as_completed(loop=self._client.loop)
         while True:
-            while len(waiting) < room and (task := next(tasks, None)) is not None:
+            while len(waiting) < most and (task := next(tasks, None)) is not None:
                 future = self._client.submit(attempt, task[1], pure=False)
                 waiting[future] = task[0]
                 ended.add(future)
             if not waiting:
                 return
             future = next(ended)
-            error = future.exception()  # of the cluster: those of the work are in its result
+            error = future.exception()  # an error of the cluster; errors of the design are results
             yield (
                 waiting.pop(future),
                 Failed(f"the cluster gave it up: {error}") if error else future.result(),

@@ -1,5 +1,6 @@
-"""Points of a sweep: one design each."""
+"""Points of a sweep: one design for each combination of field values."""
 
+import copy
 import hashlib
 import itertools
 import json
@@ -8,6 +9,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,26 +20,116 @@ from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
 
+Value = bool | int | float | str | tuple[int | float, ...]
+MOST_POINTS = 10_000
+"""Most values of a field and most points of a sweep."""
+_WHOLE = r"[-+]?\d+"
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
+_RANGE = re.compile(rf"({_WHOLE})\.\.({_WHOLE})")
+_STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d+)\]")
 _LONGEST_NAME = 100
+
+
+@dataclass(frozen=True)
+class Variation:
+    """A field, by its path as in ``source.position[2]``, and its values."""
+
+    path: str
+    values: tuple[Value, ...]
+
+    @classmethod
+    def parse(cls, text: str) -> "Variation":
+        """Parse ``field=values``; raise Refused if that fails.
+
+        Values are separated by commas: numbers, integers from ``a..b``, ``AxB`` for a list of
+        numbers, true, false; anything else is text.
+        """
+        path, sign, values = text.partition("=")
+        if not sign:
+            raise Refused("usage", f"--vary {text!r}; field=values is needed, as in run.seed=0..4")
+        _steps(path)
+        found = dict.fromkeys(v for part in values.split(",") for v in _values(path, part))
+        return cls(path, tuple(found))
+
+
+def shown(value: Value) -> str:
+    """A value as it is typed."""
+    if isinstance(value, tuple):
+        return "x".join(map(shown, value))
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def varied(scene: Scene, changes: dict[str, Value]) -> Scene:
+    """Return a scene with some fields changed; unset fields follow these changes.
+
+    A single number for a list field sets each of its elements. Raise Refused if the scene is not
+    possible.
+    """
+    data = scene.model_dump(mode="json", exclude_unset=True, exclude_none=True)
+    full = scene.settled().to_data()
+    for path, value in changes.items():
+        _put(data, full, path, value)
+    return Scene.from_data(data).with_contents_of(scene)
+
+
+def _values(path: str, text: str) -> list[Value]:
+    if not text:
+        raise Refused(path, "a value is empty; values stand between commas, as in 0,1,2")
+    if ends := _RANGE.fullmatch(text):
+        first, last = int(ends[1]), int(ends[2])
+        if not first <= last < first + MOST_POINTS:
+            raise Refused(path, f"{text}; 1 to {MOST_POINTS} whole numbers upwards are possible")
+        return list(range(first, last + 1))
+    if all(_NUMBER.fullmatch(end) for end in text.split("..")) and ".." in text:
+        raise Refused(path, f"{text}; from a to b goes with whole numbers only")
+    parts = text.split("x")
+    if all(_NUMBER.fullmatch(part) for part in parts):
+        numbers = tuple(map(_number, parts))
+        return [numbers if len(numbers) > 1 else numbers[0]]
+    return [{"true": True, "false": False}.get(text, text)]
+
+
+def _number(text: str) -> int | float:
+    return int(text) if re.fullmatch(_WHOLE, text) else float(text)
+
+
+def _steps(path: str) -> list[str | int]:
+    if not re.fullmatch(rf"(?:{_STEP.pattern})+", path) or path.startswith((".", "[")):
+        raise Refused("usage", f"--vary {path!r}; a field is needed, as in lens.control_points")
+    return [int(found[2]) if found[2] else found[1] for found in _STEP.finditer(path)]
+
+
+def _put(data: Any, full: Any, path: str, value: Value) -> None:
+    steps: list[Any] = _steps(path)
+    *parents, last = steps
+    for step in parents:
+        full = _child(full, step)
+        if isinstance(data, dict) and step not in data:
+            # Objects complete themselves with defaults; lists must be complete.
+            data[str(step)] = copy.deepcopy(full) if isinstance(full, list) else {}
+        data = _child(data, step)
+    if isinstance(last, int) != isinstance(data, list) or not isinstance(data, list | dict):
+        raise Refused(path, "unknown field; there is no such part of the scene")
+    if isinstance(last, int) and last >= len(data):
+        raise Refused(path, f"there are only {len(data)} of them; 0 to {len(data) - 1}")
+    before = _child(full, last)
+    listed: Any = list(value) if isinstance(value, tuple) else value
+    if isinstance(before, list) and isinstance(value, int | float):
+        listed = [value] * len(before)
+    data[last] = listed
+
+
+def _child(part: Any, step: str | int) -> Any:
+    try:
+        return part[step]
+    except (KeyError, IndexError, TypeError):
+        return None
 
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """A scene with some fields changed.
-
-    Attributes
-    ----------
-    path : Path
-        File of the scene.
-    base : Session
-        That scene and its target.
-    changes : dict
-        Values by field.
-    scene : Scene or Refused
-        What comes of it, or why nothing does.
-    """
+    """A scene file with some fields changed; ``scene`` is the result, or why there is none."""
 
     path: Path
     base: Session
@@ -46,31 +138,25 @@ class Point:
 
     @property
     def name(self) -> str:
-        """What people call it."""
+        """Name of the point, with its values."""
         return " ".join([self.path.stem, *(f"{k}={shown(v)}" for k, v in self.changes.items())])
 
     def session(self) -> Session:
-        """The design task with its target.
-
-        Raises
-        ------
-        Refused
-            If there is none, or the target cannot be read.
-        """
+        """Return the design task with its target; raise Refused if there is none."""
         if isinstance(self.scene, Refused):
             raise self.scene
         base = Session(self.base.scene, self.base.target, picture=self.base.picture)
         return with_task(base, self.scene, self.path.parent)
 
     def file_name(self, key: str) -> str:
-        """A file name without ending that no other point has."""
+        """File name without ending that no other point has."""
         return f"{re.sub(r'[^A-Za-z0-9._=+-]+', '-', self.name)[:_LONGEST_NAME]}-{key[:10]}"
 
 
 def key_of(session: Session, rays: int) -> str:
-    """What a result depends on, as 64 hexadecimal digits: task, target, rays of the check, program.
+    """Return a digest of all that a result depends on: task, target, rays, program version.
 
-    Where the target comes from plays no part.
+    The path of the target is not part of it.
     """
     data = session.scene.to_data() | {"target": None}
     described = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
@@ -82,12 +168,9 @@ def key_of(session: Session, rays: int) -> str:
 
 
 def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point]:
-    """All scenes with all combinations of values, the last field changing first.
+    """Return all combinations of scenes and values, the last field varying fastest.
 
-    Raises
-    ------
-    Refused
-        If a scene cannot be read, there are too many points or none of them is possible.
+    Raise Refused if a scene cannot be read, there are too many points, or none of them is possible.
     """
     return points_of([(path, open_design(path)) for path in dict.fromkeys(paths)], variations)
 
@@ -95,7 +178,7 @@ def points(paths: Sequence[Path], variations: Sequence[Variation]) -> list[Point
 def points_of(
     designs: Sequence[tuple[Path, Session]], variations: Sequence[Variation]
 ) -> list[Point]:
-    """As `points`, of designs that are open, each with what its file is or would be called."""
+    """Return all combinations for open designs, each with the path of its file; see `points`."""
     for number, variation in enumerate(variations):
         if variation.path in [other.path for other in variations[:number]]:
             raise Refused(variation.path, Said("is varied twice; all its values belong together"))

@@ -1,7 +1,7 @@
-"""Processes of this machine that work on points side by side.
+"""Work in parallel processes of this machine: each designs a lens and checks it.
 
-Each has a pipe of its own. A process that is killed costs the point it worked on, no more; and
-all of them end when the one that started them does, however that happens.
+Each process has its own pipe. A killed process loses only its point; all processes end with their
+parent.
 """
 
 import multiprocessing
@@ -12,26 +12,73 @@ from collections.abc import Iterator
 from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
-from typing import Any, Self, TypeVar
+from typing import Any, NamedTuple, Self, TypeVar
 
+from workbench.arrays import Array
+from workbench.defects import unexpected
+from workbench.design.design_run import DesignRun
+from workbench.design.session import Session, result_of
+from workbench.design.snapshot import Result
+from workbench.errors import Refused, RunFailed
 from workbench.interruption import check_interruption
-from workbench.sweep.work import DesignTask, Done, Failed, attempt
+from workbench.scene import Scene
 
 Key = TypeVar("Key")
+_POLL_SECONDS = 0.1  # between checks for interruption
 
-_OFTEN = 0.1  # seconds after which it may be interrupted
+
+class DesignTask(NamedTuple):
+    """A scene, its target (n_y, n_x), and the least number of rays of the check."""
+
+    scene: Scene
+    target: Array
+    rays: int
+
+
+class Done(NamedTuple):
+    """A lens and the figures of its independent check (`Validation.to_data`)."""
+
+    result: Result
+    check: dict[str, Any]
+
+
+class Failed(NamedTuple):
+    """Why there is no lens, in one sentence."""
+
+    reason: str
+
+
+def attempt(task: DesignTask, threads: int | None = None) -> Done | Failed:
+    """Design and check a lens; a failure is part of the result."""
+    try:
+        return _design(task, threads)
+    except (Refused, RunFailed) as failure:
+        return Failed(str(failure))
+    except Exception as error:  # one point must not end the sweep
+        return Failed(unexpected(error))
+
+
+def _design(task: DesignTask, threads: int | None) -> Done:
+    import torch  # takes seconds; the parent process does not need it
+
+    from workbench.analysis.validation import validate
+    from workbench.design.kernels import compile_all
+
+    if threads is not None:
+        torch.set_num_threads(threads)
+    compile_all()  # not part of the run time
+    run = DesignRun(Session(task.scene, task.target))
+    for _ in run:
+        pass
+    result = result_of(run.session)
+    check = validate(
+        task.scene, task.target, result.state.heights, task.rays, threads=threads
+    ).to_data()
+    return Done(result, check)
 
 
 class Processes:
-    """Works on tasks while entered.
-
-    Parameters
-    ----------
-    count : int
-        How many processes, at most.
-    threads : int
-        Threads of each.
-    """
+    """Runs tasks in up to ``count`` processes of ``threads`` threads, as a context manager."""
 
     def __init__(self, count: int, threads: int) -> None:
         self._count, self._threads = count, threads
@@ -40,7 +87,7 @@ class Processes:
 
     @classmethod
     def of(cls, points: int, jobs: int | None = None) -> Self:
-        """As many as there are cores, or points, or ``jobs``; all cores are shared among them."""
+        """Return processes that share all cores: at most one for each core, point and job."""
         cores = os.cpu_count() or 1
         count = min(jobs or cores, points)
         return cls(count, max(cores // count, 1))
@@ -56,28 +103,21 @@ class Processes:
         self._all.clear()
 
     def work(self, tasks: Iterator[tuple[Key, DesignTask]]) -> Iterator[tuple[Key, Done | Failed]]:
-        """Work on tasks, which are asked for as they are needed.
+        """Run tasks, drawn from the iterator as processes become free.
 
-        Yields
-        ------
-        tuple
-            What came with a task, and what became of it; in the order in which they end.
-
-        Raises
-        ------
-        Interrupted
-            If it is to end; see `workbench.interruption`.
+        Yield each task's key and result, in the order of completion. Raise Interrupted if the
+        program is interrupted; see `workbench.interruption`.
         """
         busy: dict[Connection, Key] = {}
         while True:
             while len(busy) < self._count and (task := next(tasks, None)) is not None:
                 pipe = self._idle.pop() if self._idle else self._start()
                 busy[pipe] = task[0]
-                with suppress(OSError):  # a process that is gone tells so by its answer
+                with suppress(OSError):  # `_answer` reports a process that has ended
                     pipe.send(task[1])
             if not busy:
                 return
-            while not (ready := wait(list(busy), _OFTEN)):
+            while not (ready := wait(list(busy), _POLL_SECONDS)):
                 check_interruption()
             for pipe in [pipe for pipe in busy if pipe in ready]:
                 yield busy.pop(pipe), self._answer(pipe)
@@ -87,7 +127,7 @@ class Processes:
         ours, theirs = context.Pipe()
         process = context.Process(target=_serve, args=(theirs, self._threads))
         process.start()
-        theirs.close()  # so that its end is seen here
+        theirs.close()  # so that the end of the process closes the pipe
         self._all[ours] = process
         return ours
 
@@ -104,8 +144,7 @@ class Processes:
 
 
 def _serve(pipe: Connection, threads: int) -> None:
-    """Work on what comes through a pipe until nobody is there."""
-    for name in ("SIGINT", "SIGHUP"):  # of the terminal, for the one that started this
+    for name in ("SIGINT", "SIGHUP"):  # the parent handles signals of the terminal
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
@@ -121,4 +160,4 @@ def _end_with_parent() -> None:
     parent = multiprocessing.parent_process()
     assert parent is not None
     parent.join()
-    os.kill(os.getpid(), signal.SIGTERM)  # whatever the thread of the work does
+    os.kill(os.getpid(), signal.SIGTERM)  # ends the process whatever its main thread does

@@ -1,4 +1,4 @@
-"""The target: an image of light on the screen's pixels."""
+"""Target image: light on the receiver's pixels."""
 
 from workbench.targets.prepare import draw_target, load_target, picture_aspect
 

@@ -1,12 +1,13 @@
-"""How much light the stored colours of a picture are: by the file itself, or by a scene's tone.
+"""Conversion of stored picture values to light, by the picture file or by the scene's tone.
 
-A colour profile (ICC), or in a PNG the chunks sRGB or gAMA with cHRM, say what stored values mean.
-Light is the luminance that a monitor with the white D65 shows: the weights of an sRGB profile are
-those of Rec. 709.
+A colour profile (ICC), or in a PNG the chunks sRGB or gAMA with cHRM, defines stored values. Light
+is the luminance on a monitor with the white point D65: the weights of an sRGB profile are those of
+Rec. 709.
 """
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cache
 from io import BytesIO
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,41 +18,88 @@ from PIL import Image
 
 from workbench.arrays import Array
 from workbench.said import Said
-from workbench.targets.tone import SRGB, Tone
 
 if TYPE_CHECKING:
     from PIL.ImageCms import ImageCmsProfile, ImageCmsTransform
 
+# sRGB: linear below these stored and light values.
+_STRAIGHT_SHADE, _STRAIGHT_LIGHT, _STEEPNESS = 0.04045, 0.0031308, 12.92
+_OFFSET, _POWER = 0.055, 2.4
 REC_709 = np.array([0.2126, 0.7152, 0.0722])
 """Luminance weights of red, green and blue."""
-
-# Luminance for a monitor of white D65, of X, Y and Z in the white D50 of profiles: a row of the
+# Luminance for white point D65 of X, Y and Z for white point D50 (of profiles): a row of the
 # Bradford transform (Lindbloom, Chromatic Adaptation).
 _TO_D65 = np.array([-0.0282895, 1.0099416, 0.0210077])
 _D50 = (0.9642, 1.0, 0.8249)
-_ALIKE = 0.01  # of the largest value: nobody sees less
+_INVISIBLE = 0.01  # difference relative to the largest value
 _DEEP = 65535.0
 _HDR_VIDEO = 16, 18  # PQ and HLG, by ITU-T H.273
-_LAB_LIGHT, _LAB_STRAIGHT = 8.0, 903.3  # below that lightness, CIE 1976 is straight
+_LAB_LIGHT, _LAB_STRAIGHT = 8.0, 903.3  # CIE 1976 is linear below this lightness
+
+
+@dataclass(frozen=True)
+class Tone:
+    """Monotonic relation of stored values and light, both in [0, 1].
+
+    ``name`` is that of ``target.tone`` or of a file's statement; ``stored`` is the inverse of
+    ``light``.
+    """
+
+    name: str
+    light: Callable[[Array], Array]
+    stored: Callable[[Array], Array]
+
+    @classmethod
+    def power(cls, exponent: float) -> "Tone":
+        """Light is a power of the stored value."""
+        return cls(
+            f"power {exponent:g}",
+            lambda stored: stored**exponent,
+            lambda light: light ** (1 / exponent),
+        )
+
+    @classmethod
+    def measured(cls, light: Array) -> "Tone":
+        """Tone that interpolates light (values,) at equally spaced stored values; monotonic."""
+        stored = np.linspace(0.0, 1.0, len(light))
+        return cls(
+            "measured",
+            lambda values: np.interp(values, stored, light),
+            lambda values: np.interp(values, light, stored),
+        )
+
+
+def _identity(values: Array) -> Array:
+    return values
+
+
+def _light_of_srgb(stored: Array) -> Array:
+    power = ((stored + _OFFSET) / (1 + _OFFSET)) ** _POWER
+    return np.where(stored <= _STRAIGHT_SHADE, stored / _STEEPNESS, power)
+
+
+def _srgb_of_light(light: Array) -> Array:
+    power = (1 + _OFFSET) * light ** (1 / _POWER) - _OFFSET
+    return np.where(light <= _STRAIGHT_LIGHT, light * _STEEPNESS, power)
+
+
+LINEAR = Tone("linear", _identity, _identity)
+"""The stored value is the light."""
+
+NUMBERS = Tone("linear", _identity, _identity)
+"""The stored value is the light, without an upper limit: tones of monitors do not apply."""
+
+SRGB = Tone("srgb", _light_of_srgb, _srgb_of_light)
+"""Light of a monitor for the stored value; IEC 61966-2-1."""
+
+TONES = {tone.name: tone for tone in (LINEAR, SRGB)}
 
 
 class Colour(NamedTuple):
-    """Relation of stored colours and light.
+    """Conversion of stored colours to light.
 
-    Attributes
-    ----------
-    tone : Tone
-        Of greys.
-    tones : sequence of Tone
-        Of red, green and blue.
-    weights : ndarray, shape (3,)
-        Luminance of red, green and blue.
-    transform : ImageCmsTransform, optional
-        In place of these where a profile is more than that.
-    mode : str
-        In which a transform takes an image.
-    remarks : tuple of Said
-        What a person should know of it.
+    ``tone`` holds for greys, ``tones`` for red, green and blue, with their luminance ``weights``
+    (3,). A ``transform``, which expects images of ``mode``, replaces these for a complex profile.
     """
 
     tone: Tone
@@ -63,16 +111,16 @@ class Colour(NamedTuple):
 
     @classmethod
     def plain(cls, tone: Tone, weights: Array = REC_709) -> "Colour":
-        """Colours of one tone."""
+        """Conversion with one tone for all channels."""
         return cls(tone, (tone,) * 3, weights)
 
     @classmethod
     def of(cls, image: Image.Image, tone: Tone) -> "Colour":
-        """Colours of an image: as it says itself, else of a tone."""
+        """Conversion by the image itself, else by a tone."""
         plain = cls.plain(tone)
         try:
-            found, statement = _stated(image)
-        except Exception as error:  # whatever a damaged profile makes its readers stumble over
+            found, statement = _declared(image)
+        except Exception as error:  # damaged profiles raise any exception
             broken = Said(
                 "has a colour profile that cannot be used ({why}); "
                 "“Brightness” (target.tone) counts",
@@ -88,20 +136,20 @@ class Colour(NamedTuple):
         return found._replace(remarks=(stated,))
 
     def is_like(self, other: "Colour") -> bool:
-        """Whether nobody would see a difference."""
+        """Whether the difference of two conversions is invisible."""
         values = np.linspace(0.0, 1.0, 33)
         pairs = zip((self.tone, *self.tones), (other.tone, *other.tones), strict=True)
         apart = [np.abs(one.light(values) - two.light(values)).max() for one, two in pairs]
         apart.append(np.abs(self.weights - other.weights).max())
-        return self.transform is None and max(apart) < _ALIKE
+        return self.transform is None and max(apart) < _INVISIBLE
 
     def light(self, image: Image.Image) -> Array:
-        """Light of an image without transparency, shape (rows, columns)."""
+        """Return the light (rows, columns) of an opaque image."""
         if self.transform is not None:
             return _deep(self.transform, image.convert(self.mode))
         if image.mode in ("1", "L"):
             return _light_of(np.asarray(image.convert("L")), self.tone)
-        # Channel by channel: three of them as floats take eight times the memory of the picture.
+        # Channel by channel: all three as floats take eight times the memory of the picture.
         grey = np.zeros((image.height, image.width))
         channels = image.convert("RGB").split()
         for channel, tone, weight in zip(channels, self.tones, self.weights, strict=True):
@@ -110,12 +158,9 @@ class Colour(NamedTuple):
 
 
 def luminance_weights(primaries: Sequence[Sequence[float]], white: Sequence[float]) -> Array:
-    """Luminance of red, green and blue, together 1, from their chromaticities x, y.
+    """Return luminance weights of primaries, with a sum of 1, from chromaticities x, y.
 
-    Raises
-    ------
-    ValueError
-        If these are the primaries of no light.
+    Raise ValueError if no light has such primaries.
     """
     columns = np.array([(x / y, 1.0, (1 - x - y) / y) for x, y in (*primaries, white)]).T
     weights: Array = np.linalg.solve(columns[:, :3], columns[:, 3])
@@ -125,7 +170,7 @@ def luminance_weights(primaries: Sequence[Sequence[float]], white: Sequence[floa
 
 
 def grey_of_lab(lightness: npt.NDArray[np.uint8]) -> Array:
-    """Light of a lightness L* of CIE 1976, in 255ths of its largest value."""
+    """Return the light of a lightness L* of CIE 1976, stored in 255ths of its maximum."""
     full = 100 * (np.arange(256) / 255.0)
     light = np.where(full > _LAB_LIGHT, ((full + 16) / 116) ** 3, full / _LAB_STRAIGHT)
     found: Array = light[lightness]
@@ -136,8 +181,7 @@ def _light_of(stored: npt.NDArray[np.uint8], tone: Tone) -> Array:
     return tone.light(np.arange(256) / 255.0)[stored]
 
 
-def _stated(image: Image.Image) -> tuple[Colour | None, str]:
-    """What an image says of its colours, and by what; None where it says nothing."""
+def _declared(image: Image.Image) -> tuple[Colour | None, str]:
     info = image.info
     if content := info.get("icc_profile"):
         return _of_profile(image, content)
@@ -162,7 +206,7 @@ def _stated(image: Image.Image) -> tuple[Colour | None, str]:
 
 
 def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
-    from PIL import ImageCms  # late: few pictures have a profile
+    from PIL import ImageCms  # few pictures have a profile
 
     profile = ImageCms.getOpenProfile(BytesIO(content))
     name = " ".join((profile.profile.profile_description or "").split()) or "ICC"
@@ -179,7 +223,7 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
     if space == "GRAY":
         ramp = Image.fromarray(np.arange(65536, dtype=np.uint16).reshape(256, 256))
         light = _deep(_to_light(profile, "I;16"), ramp).ravel()
-        return Colour.plain(_rising(light)), statement
+        return Colour.plain(_measured_tone(light)), statement
     if space == "CMYK":
         return _transformed(_to_light(profile, "CMYK"), "CMYK"), statement
     transform = _to_light(profile, "RGB")
@@ -194,26 +238,24 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
     ramps = np.zeros((3, 256, 3), dtype=np.uint8)
     for channel in range(3):
         ramps[channel, :, channel] = np.arange(256)
-    tones = [_rising(light) for light in _deep(transform, Image.fromarray(ramps))]
+    tones = [_measured_tone(light) for light in _deep(transform, Image.fromarray(ramps))]
     values = np.linspace(0.0, 1.0, 256)
     greys = Tone.measured(weights @ np.array([tone.light(values) for tone in tones]))
     return Colour(greys, tones, weights), statement
 
 
 def _transformed(transform: "ImageCmsTransform", mode: str) -> Colour:
-    """Colours of a profile that is more than tones and weights."""
     if mode == "CMYK":
         greys = np.zeros((1, 256, 4), dtype=np.uint8)
         greys[0, :, 3] = np.arange(256)[::-1]
         ramp = Image.frombytes("CMYK", (256, 1), greys.tobytes())
     else:
         ramp = Image.fromarray(np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2))
-    tone = _rising(_deep(transform, ramp)[0])
+    tone = _measured_tone(_deep(transform, ramp)[0])
     return Colour.plain(tone)._replace(transform=transform, mode=mode)
 
 
-def _rising(light: Array) -> Tone:
-    """Tone of a ramp of light, relative to its end."""
+def _measured_tone(light: Array) -> Tone:
     light = np.maximum.accumulate(light)
     if not light[-1] > 0:
         raise ValueError("its white is black")
@@ -225,22 +267,19 @@ def _to_light(profile: "ImageCmsProfile", mode: str) -> "ImageCmsTransform":
 
     linear = ImageCms.getOpenProfile(BytesIO(_linear_grey_profile()))
     intent = ImageCms.Intent.RELATIVE_COLORIMETRIC
-    # The darkest ink is black, as on a monitor: a black ground gets no light.
+    # The darkest ink maps to zero light, as on a monitor.
     flags = ImageCms.Flags.BLACKPOINTCOMPENSATION
     return ImageCms.buildTransform(profile, linear, mode, "I;16", intent, flags)
 
 
 def _deep(transform: "ImageCmsTransform", image: Image.Image) -> Array:
-    """Light of an image by a transform, in 65535ths."""
     return np.asarray(transform.apply(image)) / _DEEP
 
 
 @cache
 def _linear_grey_profile() -> bytes:
-    """A profile whose grey values are luminance, to which a colour engine transforms; ICC.1:2001.
-
-    Pillow has none whose result has more than 8 bits.
-    """
+    # Grey values of this profile (ICC.1:2001) are luminance; pillow has no profile whose result has
+    # more than 8 bits.
 
     def place(*xyz: float) -> bytes:
         return struct.pack(">4s4x3i", b"XYZ ", *(round(value * 65536) for value in xyz))

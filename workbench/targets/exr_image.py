@@ -1,4 +1,4 @@
-"""Reads light from OpenEXR."""
+"""OpenEXR files."""
 
 import json
 import subprocess
@@ -23,30 +23,22 @@ from workbench.targets.picture import (
 )
 
 _MAGIC = b"\x76\x2f\x31\x01"
-_SQUARE = 1e-3  # pixels are, if their aspect is 1 up to this
-_PATIENCE_S = 120.0
+_SQUARE = 1e-3  # tolerance of the aspect of square pixels
+_TIME_LIMIT_S = 120.0
 
 
 def is_exr(beginning: bytes) -> bool:
-    """Whether a file that begins like this is OpenEXR."""
+    """Whether a file with this beginning is OpenEXR."""
     return beginning.startswith(_MAGIC)
 
 
 def read_exr(content: bytes) -> Picture:
-    """Read the luminance of the first part: of R, G and B, of Y, or of its only channel.
+    """Read the luminance of the first part: of R, G and B, of Y, or of the only channel.
 
-    Parameters
-    ----------
-    content : bytes
-        The file.
-
-    Raises
-    ------
-    UnusablePicture
-        If it is damaged, too large, or has other channels.
+    Raise UnusablePicture if it is damaged, too large, or has other channels.
     """
-    with tempfile.TemporaryDirectory(prefix="freeform-") as place:
-        folder = Path(place)
+    with tempfile.TemporaryDirectory(prefix="freeform-") as name:
+        folder = Path(name)
         (folder / "picture.exr").write_bytes(content)
         header = _unpacked(folder)
         names = exr_reader.chosen(header["names"])
@@ -66,7 +58,6 @@ def read_exr(content: bytes) -> Picture:
 
 
 def _unpacked(folder: Path) -> Mapping[str, Any]:
-    """The header, once the channels lie in the folder."""
     command = [
         sys.executable,
         "-I",
@@ -75,7 +66,7 @@ def _unpacked(folder: Path) -> Mapping[str, Any]:
         str(MOST_PIXELS),
     ]
     try:
-        done = subprocess.run(command, capture_output=True, timeout=_PATIENCE_S, check=False)
+        done = subprocess.run(command, capture_output=True, timeout=_TIME_LIMIT_S, check=False)
         header: Mapping[str, Any] = json.loads((folder / exr_reader.HEADER).read_text("utf-8"))
     except (OSError, ValueError, subprocess.TimeoutExpired) as error:
         raise UnusablePicture(Said("is damaged or incomplete")) from error
@@ -99,7 +90,6 @@ def _displayed(
     corner: tuple[int, int],
     size: tuple[int, int],
 ) -> Picture:
-    """What is to be displayed of data whose upper left corner lies there; black around them."""
     (first_row, first_column), (rows, columns) = corner, size
     height, width = pixels[0].shape
     left, right = max(0, first_column), min(columns, first_column + width)
@@ -119,7 +109,6 @@ def _displayed(
 
 
 def _weights(stated: Sequence[float] | None) -> Array:
-    """Luminance of red, green and blue: those of Rec. 709 unless the file has others."""
     if stated is None:
         return REC_709
     red, green, blue, white = np.reshape(stated, (4, 2)).tolist()

@@ -1,7 +1,7 @@
-"""A program of its own: unpacks the OpenEXR file of its first argument into a folder.
+"""Program that unpacks the OpenEXR file of its first argument into the file's folder.
 
-The library prints what is wrong to standard output, and damaged files may end its process. The
-folder gets ``header.json``, and each channel of the picture as ``0.npy``, ``1.npy`` and so on,
+It runs as its own process: the library prints errors to standard output, and damaged files may end
+the process. The folder gets ``header.json``, and each channel as ``0.npy``, ``1.npy`` and so on,
 unless the second argument is less than the number of pixels.
 """
 
@@ -15,7 +15,7 @@ HEADER = "header.json"
 
 
 def chosen(names: list[str]) -> list[str]:
-    """Channels that hold a picture: R, G and B, Y, or the only one; empty if there is none."""
+    """Return the channels of a picture: R, G and B, Y, or the only one; empty if there is none."""
     layers = sorted((name[:-1] for name in names if name.endswith("R")), key=len)
     for group in ([f"{layer}{colour}" for colour in "RGB"] for layer in layers):
         if set(group) <= set(names):
@@ -26,7 +26,7 @@ def chosen(names: list[str]) -> list[str]:
 
 
 def main(path: str, most: int) -> None:
-    """Unpack it."""
+    """Unpack the file."""
     import OpenEXR  # only here: the caller imports `chosen`
 
     folder = Path(path).parent

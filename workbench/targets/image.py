@@ -1,47 +1,53 @@
-"""Reads an image file as brightness."""
+"""Image files of all formats."""
 
+import math
+import warnings
 import zlib
-from io import BytesIO
+from io import SEEK_END, BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
+import numpy as np
+
 from workbench.errors import Refused
 from workbench.said import Said
+from workbench.targets.colour import LINEAR, NUMBERS, Tone
 from workbench.targets.exr_image import is_exr, read_exr
-from workbench.targets.npy_image import read_npy
-from workbench.targets.picture import Picture, UnusablePicture
+from workbench.targets.picture import Picture, UnusablePicture, check_size, gathered
 from workbench.targets.radiance_image import is_radiance, read_radiance
 from workbench.targets.raster_image import FORMATS, read_raster
 from workbench.targets.svg import draw_svg, is_svg
-from workbench.targets.tone import LINEAR, NUMBERS, Tone
 
 KNOWN = (*FORMATS, "EXR", "HDR", "SVG", "SVGZ", "NPY")
-"""Formats that are read, as people name them."""
-
-_BEGINNING = 1024  # bytes that tell the format
+"""Names of the formats for messages."""
+_BEGINNING = 1024  # bytes that identify the format
 _LARGEST_DRAWING = 16 << 20  # bytes of SVG
 _GZIP, _GZIP_WINDOW = b"\x1f\x8b", 31
+_LONGEST_HEADER = 1 << 14  # bytes; a forged header may claim four billion
+_HEADER_READERS = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
 
 
 def read_picture(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Picture:
     """Read an image file as light.
 
     Colour becomes grey by the luminance of each channel. A colour profile in the file, or a gAMA
-    or sRGB chunk of a PNG, says what stored values mean; else the tone of the scene does, with the
-    weights of Rec. 709. What is transparent gives no light. Where all that is drawn on a
-    transparent ground is black, as in many a logo, the drawing itself is the light: its opacity
-    counts. A 16-bit grey image keeps its precision (16-bit colour is read with 8 bits); of several
-    frames or pages the first counts; an orientation noted in the file is honoured. An SVG is drawn
-    on a transparent ground. Files in EXR, Radiance HDR and ``.npy`` hold light.
+    or sRGB chunk of a PNG, defines stored values; without it the tone of the scene does, with the
+    weights of Rec. 709. Transparent areas are black; if everything drawn on a transparent ground
+    is black, as in many logos, the opacity is the light. 16-bit grey keeps its precision (16-bit
+    colour is read with 8 bits). Of several frames or pages the first is read. An orientation in
+    the file is applied. EXR, Radiance HDR and ``.npy`` hold light.
 
     Parameters
     ----------
     path : Path
         Image file in one of `KNOWN`; a .npy holds a 2-D array of numbers.
     side : int
-        Pixels of the longer side of an SVG, which has none of its own.
+        Pixels of the longer side of an SVG, which has no pixels.
     tone : Tone
-        What a stored value means where the file does not say it.
+        Conversion of stored values if the file defines none.
 
     Returns
     -------
@@ -51,9 +57,9 @@ def read_picture(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Picture:
     Raises
     ------
     Refused
-        If the file is missing, not such an image, damaged or empty, has more than `MOST_PIXELS`,
+        If the file is missing, no such image, damaged or empty, has more than `MOST_PIXELS`,
         holds a negative or non-finite value, links to another picture, has letters that no font
-        has, or holds numbers without a largest one while the tone is that of a monitor.
+        has, or holds unbounded numbers while the tone is that of a monitor.
     """
     try:
         if path.is_dir():
@@ -67,16 +73,9 @@ def read_picture(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Picture:
 
 
 def decode_picture(path: Path, file: BinaryIO, side: int = 1024, tone: Tone = LINEAR) -> Picture:
-    """Read the content of an image file, as `read_picture` does.
+    """Read the content of an image file as `read_picture` does.
 
-    Parameters
-    ----------
-    path : Path
-        What refusals call it; its ending tells a .npy.
-    file : BinaryIO
-        The content, which can be sought.
-    side, tone
-        As for `read_picture`.
+    The ending of ``path`` identifies a .npy; messages name it.
     """
     try:
         found = _decoded(path, file, side, tone)
@@ -115,13 +114,12 @@ def _decoded(path: Path, file: BinaryIO, side: int, tone: Tone) -> Picture:
                 Said("is an SVG of more than {most} MB", most=_LARGEST_DRAWING >> 20)
             )
         file = BytesIO(draw_svg(content, side))
-    # An open file, not its path: pillow would map an uncompressed TIFF and then garble one that is
-    # stored lying on its side.
+    # An open file, not its path: pillow maps an uncompressed TIFF into memory and then garbles one
+    # with a rotated orientation.
     return read_raster(file, tone, KNOWN)
 
 
 def _as_light(found: Picture, tone: Tone) -> Picture:
-    """A picture whose format says that it holds light."""
     if tone is LINEAR:
         return found
     light = Said("holds light itself; “Brightness” (target.tone) does not count")
@@ -129,7 +127,6 @@ def _as_light(found: Picture, tone: Tone) -> Picture:
 
 
 def _unpacked(content: bytes) -> bytes:
-    """Content of a gzip file, at most a little more than the largest drawing."""
     try:
         return zlib.decompressobj(_GZIP_WINDOW).decompress(content, _LARGEST_DRAWING + 1)
     except zlib.error as error:
@@ -138,3 +135,37 @@ def _unpacked(content: bytes) -> bytes:
 
 def _refused(path: Path, reason: Said) -> Refused:
     return Refused("target.image", Said("'{path}' {reason}", path=path, reason=reason))
+
+
+def read_npy(file: BinaryIO) -> Picture:
+    """Read a 2-D array of real numbers, never unpickling; raise UnusablePicture otherwise."""
+    header = BytesIO(file.read(_LONGEST_HEADER))
+    try:
+        # Check the shape before allocating memory.
+        with warnings.catch_warnings(action="ignore"):
+            version = np.lib.format.read_magic(header)
+            shape, fortran, dtype = _HEADER_READERS[version](header)
+            shape = tuple(map(int, shape))  # numpy lets True be a length
+    except Exception as error:  # the header is a Python literal: whatever parsing one raises
+        raise UnusablePicture(
+            Said("is not a whole .npy array of numbers: {why}", why=error)
+        ) from error
+    if len(shape) != 2:
+        raise UnusablePicture(
+            Said("has {count} dimensions; 2 (rows, columns) are needed", count=len(shape))
+        )
+    if dtype.kind not in "buif":
+        raise UnusablePicture(
+            Said("holds values of type {kind}; real numbers are needed", kind=dtype)
+        )
+    check_size(*shape)
+    begin, size = header.tell(), dtype.itemsize * math.prod(shape)
+    if file.seek(0, SEEK_END) - begin < size:
+        raise UnusablePicture(
+            Said("is not a whole .npy array of numbers: it lacks some of {size} bytes", size=size)
+        )
+    file.seek(begin)
+    stored = np.frombuffer(file.read(size), dtype).reshape(shape, order="F" if fortran else "C")
+    with np.errstate(over="ignore"):  # too large for float64 becomes infinite, refused as such
+        found = gathered(*shape, lambda top, end: stored[top:end].astype(np.float64))
+    return found._replace(tone=NUMBERS)

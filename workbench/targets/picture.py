@@ -1,4 +1,4 @@
-"""Light of an image file, and what every reader of a format shares: limits and strips."""
+"""Light of an image file, size limits, and reading in strips."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -7,28 +7,22 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.said import Said
-from workbench.targets.tone import LINEAR, Tone
+from workbench.targets.colour import LINEAR, Tone
 
 LARGEST_SIDE = 8192
-"""Most rows or columns that are kept; a larger picture is reduced."""
+"""Most rows or columns; a larger picture is reduced."""
 MOST_PIXELS = 2**28
-"""Most pixels that are decoded; keeps a forged header from filling the memory."""
+"""Most pixels that are decoded; a forged header must not fill the memory."""
 
 # Pixels of a strip of rows: its light in float64 takes 32 MB for each channel.
 _STRIP = 1 << 22
 
 
 class Picture(NamedTuple):
-    """Light of an image file.
+    """Light (rows, columns) of an image file, finite and >= 0, row 0 at the top.
 
-    Attributes
-    ----------
-    light : ndarray, shape (rows, columns)
-        Finite values >= 0, row 0 at the top.
-    tone : Tone
-        What the stored values mean: that of the scene, or of the file where it says so.
-    remarks : tuple of Said
-        What a person should know; each continues a sentence that begins with the name of the file.
+    ``tone`` is that of the scene, or of the file if it defines one. Each remark continues a
+    sentence that begins with the name of the file.
     """
 
     light: Array
@@ -37,13 +31,7 @@ class Picture(NamedTuple):
 
 
 class UnusablePicture(Exception):
-    """Content that is no usable picture.
-
-    Parameters
-    ----------
-    reason : Said
-        Continues a sentence that begins with the name of the file.
-    """
+    """Content that is no usable picture; the reason continues a sentence after the file name."""
 
     def __init__(self, reason: Said) -> None:
         super().__init__(reason)
@@ -51,13 +39,7 @@ class UnusablePicture(Exception):
 
 
 def check_size(rows: int, columns: int) -> None:
-    """Refuse a picture without pixels, or with more than may be decoded.
-
-    Raises
-    ------
-    UnusablePicture
-        If it has none or more than `MOST_PIXELS`.
-    """
+    """Raise UnusablePicture for a picture without pixels or with more than `MOST_PIXELS`."""
     size = {"columns": columns, "rows": rows}
     if min(rows, columns) < 1:
         raise UnusablePicture(Said("has {columns} × {rows} pixels; at least one is needed", **size))
@@ -72,19 +54,10 @@ def check_size(rows: int, columns: int) -> None:
 
 
 def gathered(rows: int, columns: int, light_of: Callable[[int, int], Array]) -> Picture:
-    """Light of a picture, strip by strip; reduced where a side is larger than `LARGEST_SIDE`.
+    """Read light in strips; reduce the picture if a side is larger than `LARGEST_SIDE`.
 
-    Parameters
-    ----------
-    rows, columns : int
-        Pixels of the file, as `check_size` allows them.
-    light_of : callable
-        Return the light from one row up to another one, shape (those rows, columns).
-
-    Raises
-    ------
-    UnusablePicture
-        If a value is negative, NaN or infinite.
+    ``light_of`` returns the light of the rows from one up to another. Raise UnusablePicture for
+    values that are negative, NaN or infinite.
     """
     factor = -(-max(rows, columns) // LARGEST_SIDE)
     step = factor * max(1, _STRIP // (factor * columns))
@@ -117,7 +90,6 @@ def _check_values(light: Array) -> None:
 
 
 def _block_means(light: Array, factor: int) -> Array:
-    """Means of blocks of ``factor`` × ``factor`` pixels; the last ones may be smaller."""
     if factor == 1:
         return light
     starts = [np.arange(0, size, factor) for size in light.shape]

@@ -1,4 +1,4 @@
-"""From the target in the scene to light on the pixels of the receiver."""
+"""Target of a scene as light on the pixels of its receiver."""
 
 from io import BytesIO
 from pathlib import Path
@@ -11,28 +11,21 @@ from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene import ImageTarget, Scene
 from workbench.scene.viewing import as_viewed
-from workbench.targets.coverage import coverage
+from workbench.targets.colour import TONES, Tone
 from workbench.targets.image import decode_picture, read_picture
 from workbench.targets.picture import Picture
-from workbench.targets.raster import put
+from workbench.targets.raster import coverage, put
 from workbench.targets.shapes import draw
-from workbench.targets.tone import TONES, Tone
 
-# Pixels of a drawn SVG for each of the screen, along its longer side; and in all, at most.
+# Pixels of a drawn SVG per pixel of the receiver along its longer side; most pixels of a side.
 _FINENESS, _FINEST = 4, 4096
 _QUARTERS = {"none": 0, "left": 1, "around": 2, "right": 3}  # of a turn to the left
 
 
 class DrawnLight(NamedTuple):
-    """A target on the pixels of the screen.
+    """Target (n_y, n_x) on the receiver's pixels, with remarks on the image file.
 
-    Attributes
-    ----------
-    light : ndarray, shape (n_y, n_x)
-        Finite, >= 0 and not all zero; row 0 at +y, column 0 at −x.
-    remarks : tuple of Said
-        What a person should know of the picture: that it is reduced, or says itself how bright
-        its values are.
+    The light is finite, >= 0 and not all zero; row 0 at +y, column 0 at −x.
     """
 
     light: Array
@@ -40,28 +33,27 @@ class DrawnLight(NamedTuple):
 
 
 def load_target(scene: Scene, folder: Path, kept: bytes | None = None) -> Array:
-    """Draw the target image on the pixels of the screen; `draw_target` without its remarks."""
+    """Return the target image on the receiver's pixels; `draw_target` without remarks."""
     return draw_target(scene, folder, kept).light
 
 
 def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnLight:
-    """Draw the target image on the pixels of the screen.
+    """Return the target image on the receiver's pixels.
 
-    The picture is cut and turned as the target says, fitted into the screen less the padding, or
-    made to fill that, with its aspect kept, averaged over the screen's pixels by area, and blurred;
-    light that the blur carries off the screen is lost. Inversion turns bright to dark within the
-    picture, what is transparent included, and leaves the border around it black. Only ratios count:
-    the brightest value of the picture is taken as 1. All of that is as the viewer shall see it; in
-    the end it is laid onto the screen as `as_viewed` says.
+    The picture is cropped, turned, fitted into the receiver less the padding, or made to fill it,
+    with its aspect kept, averaged over pixels by area, and blurred; light that the blur carries
+    off the receiver is lost. Inversion acts within the picture, transparent areas included, and
+    leaves the border black. Only ratios matter: the brightest value of the picture is 1. All this
+    is in the viewer's orientation; `as_viewed` then lays the image onto the receiver.
 
     Parameters
     ----------
     scene : Scene
-        Its target and screen are used.
+        Its target and receiver are used.
     folder : Path
-        Where a relative image path starts.
+        Base of a relative image path.
     kept : bytes, optional
-        Content of the image file, which is not read then.
+        Content of the image file, used instead of the file.
 
     Returns
     -------
@@ -71,7 +63,7 @@ def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnL
     Raises
     ------
     Refused
-        If the image file cannot be used or nothing is left that is bright.
+        If the image file is unusable or the target is black.
     """
     target, receiver = scene.target, scene.receiver
     inside = 1 - 2 * target.padding
@@ -95,32 +87,21 @@ def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnL
 
 
 def picture_aspect(target: ImageTarget, kept: bytes | None = None) -> float:
-    """Width over height of a picture as it lies on the screen: what is left of it, turned.
+    """Return width over height of the cropped and turned picture; raise Refused if unusable.
 
-    Parameters
-    ----------
-    target : ImageTarget
-        With the absolute name of its file.
-    kept : bytes, optional
-        Content of the file, which is not read then.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be used.
+    ``kept`` is the content of the file, used instead of the file.
     """
     rows, columns = _picture(target, Path(target.image), _FINEST // _FINENESS, kept).light.shape
     return float(columns / rows)
 
 
 def _blurred(light: Array, sigma: float) -> Array:
-    from scipy.ndimage import gaussian_filter  # late: it takes long to import
+    from scipy.ndimage import gaussian_filter  # slow import
 
     return np.asarray(gaussian_filter(light, sigma, mode="constant"))
 
 
 def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> Picture:
-    """An image file as it lies on the screen; its brightest value is 1."""
     tone = TONES[target.tone]
     if kept is None:
         picture = read_picture(path, side, tone)
@@ -132,7 +113,6 @@ def _picture(target: ImageTarget, path: Path, side: int, kept: bytes | None) -> 
 
 
 def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
-    """What is left of a picture, in whole pixels and at least one, of what is not cut away."""
     rows, columns = picture.shape
     left, top = (round(cut * n) for cut, n in zip(crop[:2], (columns, rows), strict=True))
     right, bottom = (round(cut * n) for cut, n in zip(crop[2:], (columns, rows), strict=True))
@@ -141,7 +121,6 @@ def _cropped(picture: Array, crop: tuple[float, float, float, float]) -> Array:
 
 
 def _bright_pixels(path: Path, picture: Array, invert: bool, tone: Tone) -> Array:
-    """Pixels of an image file scaled to a maximum of 1, inverted as they are stored on request."""
     if not picture.any():
         black = Said("'{path}' is black all over; some light is needed", path=path)
         raise Refused("target.image", black)

@@ -1,4 +1,4 @@
-"""Reads light from Radiance HDR (Ward, The RADIANCE picture file format, 1991)."""
+"""Radiance HDR files (Ward, The RADIANCE picture file format, 1991)."""
 
 import re
 
@@ -19,24 +19,15 @@ Bytes = npt.NDArray[np.uint8]
 
 
 def is_radiance(beginning: bytes) -> bool:
-    """Whether a file that begins like this is Radiance HDR."""
+    """Whether a file with this beginning is Radiance HDR."""
     return beginning.startswith((b"#?RADIANCE", b"#?RGBE"))
 
 
 def read_radiance(content: bytes) -> Picture:
-    """Read the luminance of a picture in RGBE or XYZE, packed or not.
+    """Read the luminance of a picture in RGBE or XYZE, compressed or not.
 
-    An exposure in the file does not matter: only ratios count.
-
-    Parameters
-    ----------
-    content : bytes
-        The file.
-
-    Raises
-    ------
-    UnusablePicture
-        If it is damaged, incomplete or too large.
+    The exposure in the file is ignored: only ratios matter. Raise UnusablePicture if the file is
+    damaged, incomplete or too large.
     """
     head, found, _ = content[:_LONGEST_HEADER].partition(b"\n\n")
     begin = len(head) + 2
@@ -48,7 +39,7 @@ def read_radiance(content: bytes) -> Picture:
     check_size(lines, length)
     weights = _weights(dict(line.partition(b"=")[::2] for line in head.split(b"\n")))
     rest = np.frombuffer(content, np.uint8, offset=end + 1)
-    if len(rest) < lines:  # a line has at least some bytes: no memory for a forged header
+    if len(rest) < lines:  # each line has bytes: do not allocate memory for a forged header
         raise _incomplete()
     light, place = np.empty((lines, length), dtype=np.float32), 0
     for number in range(lines):
@@ -64,7 +55,6 @@ def read_radiance(content: bytes) -> Picture:
 def _upright(
     light: npt.NDArray[np.float32], first: bytes, second: bytes
 ) -> npt.NDArray[np.float32]:
-    """Rows from the top, columns from the left, by the axes of the file."""
     if first[1:] == b"X":
         light, first, second = light.T, second, first
     if first == b"+Y":
@@ -73,7 +63,6 @@ def _upright(
 
 
 def _weights(header: dict[bytes, bytes]) -> Array:
-    """Luminance of the three channels."""
     if header.get(b"FORMAT", b"").strip() == b"32-bit_rle_xyze":
         return np.array([0.0, 1.0, 0.0])
     if b"PRIMARIES" not in header:
@@ -87,7 +76,6 @@ def _weights(header: dict[bytes, bytes]) -> Array:
 
 
 def _line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
-    """Pixels of a line, shape (length, 4), and where the next line begins."""
     head = rest[place : place + 4]
     if len(head) < 4:
         raise _incomplete()
@@ -119,7 +107,6 @@ def _line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
 
 
 def _old_line(rest: Bytes, place: int, length: int) -> tuple[Bytes, int]:
-    """A line of whole pixels, in which one of (1, 1, 1, n) repeats that before it n times."""
     pixels = np.empty((length, 4), np.uint8)
     done, shift = 0, 0
     while done < length:

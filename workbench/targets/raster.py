@@ -1,8 +1,10 @@
-"""A picture, a raster of light, put onto the pixels of the receiver."""
+"""Polygons and pictures averaged over the pixels of a receiver."""
 
+from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
+import numpy.typing as npt
 from scipy.sparse import csr_array
 
 from workbench.arrays import Array
@@ -15,23 +17,23 @@ def put(
     half_extent: tuple[float, float],
     fit: Literal["whole", "fill"] = "whole",
 ) -> Array:
-    """Average a picture over pixels of a receiver, with its aspect kept.
+    """Average a picture (rows, columns) over the pixels (n_y, n_x) of a receiver.
 
     Parameters
     ----------
     picture : ndarray, shape (rows, columns)
-        Light, row 0 at +y.
+        Light, row 0 at +y; its aspect is kept.
     receiver : AnyReceiver
         Pixel raster.
     half_extent : tuple of two float
-        The part of the receiver that the picture is for, about its middle, in its coordinates.
+        Half-sizes of the area for the picture, about the receiver's middle.
     fit : {"whole", "fill"}
-        Whether all of the picture is seen there, or all of that part is filled by the picture.
+        Whether the picture fits into the area or fills it.
 
     Returns
     -------
     ndarray, shape (n_y, n_x)
-        Black outside that part.
+        Black outside the area.
     """
     rows, columns = picture.shape
     sizes = [half / count for half, count in zip(half_extent, (columns, rows), strict=True)]
@@ -46,7 +48,7 @@ def put(
 
 
 def averaged(image: Array, shape: tuple[int, ...]) -> Array:
-    """An image averaged over the pixels of another raster that covers the same.
+    """Average an image over another raster of the same rectangle.
 
     Examples
     --------
@@ -65,7 +67,6 @@ def averaged(image: Array, shape: tuple[int, ...]) -> Array:
 
 
 def _edges(receiver: AnyReceiver, half_u: float, half_v: float) -> list[tuple[float, float]]:
-    """Columns of left and right, rows of top and bottom of a rectangle about the middle."""
     u, v = receiver.middle
     left, top = receiver.to_pixels(u - half_u, v + half_v)
     right, bottom = receiver.to_pixels(u + half_u, v - half_v)
@@ -73,10 +74,6 @@ def _edges(receiver: AnyReceiver, half_u: float, half_v: float) -> list[tuple[fl
 
 
 def _overlap(edges: Array, count: int, frame: tuple[float, float]) -> csr_array:
-    """Which fraction of the unit cells 0..count-1 each of the cells between ``edges`` covers.
-
-    Only what lies within the frame counts.
-    """
     low, high = max(edges[0], frame[0], 0), min(edges[-1], frame[1], count)
     cuts = np.union1d(np.union1d(edges, np.arange(count + 1)), (low, high))
     cuts = cuts[(cuts >= low) & (cuts <= high)]
@@ -84,3 +81,57 @@ def _overlap(edges: Array, count: int, frame: tuple[float, float]) -> csr_array:
     pixels = np.minimum(start.astype(int), count - 1)
     cells = np.minimum(np.searchsorted(edges, start, side="right"), len(edges) - 1) - 1
     return csr_array((np.diff(cuts), (pixels, cells)), shape=(count, len(edges) - 1))
+
+
+def coverage(outline: npt.ArrayLike, receiver: AnyReceiver) -> Array:
+    """Return the fraction (n_y, n_x) of each pixel's area inside a simple polygon.
+
+    Corners (n, 2) are relative to the receiver's middle, in its coordinates, in either sense of
+    rotation.
+    """
+    return paint([(outline, 1.0)], receiver)
+
+
+def paint(polygons: Iterable[tuple[npt.ArrayLike, float]], receiver: AnyReceiver) -> Array:
+    """Return the sum of polygons, each of one grey, averaged over each pixel (n_y, n_x)."""
+    n_x, n_y = receiver.pixels
+    change = np.zeros((n_y, n_x + 1))  # from pixel to pixel along a row
+    for outline, grey in polygons:
+        u, v = (np.asarray(outline, dtype=np.float64) + receiver.middle).T
+        corners = np.stack(receiver.to_pixels(u, v), axis=1)  # [n, (column, row)]
+        start, end = _cut_at_pixel_edges(corners, np.roll(corners, -1, axis=0))
+        turning = np.sign((start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]).sum())
+
+        # Green's theorem, row by row: a piece of the outline that crosses some part of a row's
+        # height changes every pixel to its right by that part, and its own pixel by the share
+        # of it that lies to the right of the piece.
+        middle = (start + end) / 2
+        column = np.clip(np.floor(middle[:, 0]).astype(int), 0, n_x - 1)
+        row = np.clip(np.floor(middle[:, 1]).astype(int), 0, n_y - 1)
+        light = -turning * grey * (end[:, 1] - start[:, 1])
+        left_part = middle[:, 0] - column
+        np.add.at(change, (row, column), light * (1 - left_part))
+        np.add.at(change, (row, column + 1), light * left_part)
+    # Rounded, so that pixels wholly inside or outside are exactly the grey or 0.
+    painted: Array = np.cumsum(change, axis=1)[:, :n_x].round(12)
+    return painted
+
+
+def _cut_at_pixel_edges(start: Array, end: Array) -> tuple[Array, Array]:
+    lines = np.stack([start, end], axis=1)
+    # Most lines of a fine outline already lie within a pixel.
+    whole = (np.ceil(lines.max(axis=1)) - np.floor(lines.min(axis=1)) <= 1).all(axis=1)
+    cut = [_pieces(*line) for line in lines[~whole]]
+    pieces = np.concatenate([lines[whole], *cut])
+    return pieces[:, 0], pieces[:, 1]
+
+
+def _pieces(start: Array, end: Array) -> Array:
+    cuts = [np.array([0.0, 1.0])]
+    for a, b in zip(start, end, strict=True):
+        lines = np.arange(np.ceil(min(a, b)), max(a, b))
+        if a != b:
+            cuts.append((lines - a) / (b - a))
+    along = np.unique(np.clip(np.concatenate(cuts), 0.0, 1.0))[:, None]
+    points = start + along * (end - start)
+    return np.stack([points[:-1], points[1:]], axis=1)

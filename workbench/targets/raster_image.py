@@ -1,4 +1,4 @@
-"""Reads light from the pixels of a picture, in formats that pillow knows."""
+"""Image files in formats of pillow."""
 
 import struct
 import warnings
@@ -11,7 +11,7 @@ from PIL import Image, UnidentifiedImageError
 
 from workbench.arrays import Array
 from workbench.said import Said
-from workbench.targets.colour import Colour, grey_of_lab
+from workbench.targets.colour import LINEAR, NUMBERS, Colour, Tone, grey_of_lab
 from workbench.targets.picture import (
     MOST_PIXELS,
     Picture,
@@ -19,7 +19,6 @@ from workbench.targets.picture import (
     check_size,
     gathered,
 )
-from workbench.targets.tone import LINEAR, NUMBERS, Tone
 
 # Named one by one because pillow knows formats that start other programs (EPS: Ghostscript).
 _OF_PILLOW = (
@@ -35,9 +34,9 @@ _OF_PILLOW = (
     "AVIF",
 )
 FORMATS = (*_OF_PILLOW, "HEIF")
-"""Image formats that are read, by pillow's names."""
+"""Image formats by pillow's names."""
 
-# What is no brighter counts as black: rounding of transparent edges makes as much of black.
+# Largest value of black: rounding of transparent edges reaches it.
 _BLACK = 2 / 255
 _ORIENTATION = 0x0112  # of EXIF and TIFF
 _PHOTOMETRIC, _WHITE_IS_ZERO, _BLACK_IS_ZERO = 262, 0, 1
@@ -47,21 +46,10 @@ Image.MAX_IMAGE_PIXELS = MOST_PIXELS // 2
 
 
 def read_raster(file: BinaryIO, tone: Tone, known: Sequence[str]) -> Picture:
-    """Read a picture.
+    """Read a picture; ``known`` lists the formats for messages.
 
-    Parameters
-    ----------
-    file : BinaryIO
-        Its content.
-    tone : Tone
-        What a stored value means where the file does not say it.
-    known : sequence of str
-        Formats that a refusal names.
-
-    Raises
-    ------
-    UnusablePicture
-        If it is no picture, damaged or too large.
+    ``tone`` converts stored values if the file does not define it. Raise UnusablePicture if the
+    file is no picture, damaged or too large.
     """
     try:
         with warnings.catch_warnings():
@@ -78,7 +66,7 @@ def read_raster(file: BinaryIO, tone: Tone, known: Sequence[str]) -> Picture:
         raise UnusablePicture(
             Said("has too many pixels; at most {most} million", most=MOST_PIXELS // 10**6)
         ) from error
-    except Exception as error:  # decoders raise whatever a damaged file makes them stumble over
+    except Exception as error:  # damaged files raise any exception in decoders
         raise UnusablePicture(Said("is damaged or incomplete: {why}", why=error)) from error
 
 
@@ -87,7 +75,7 @@ def _read(file: BinaryIO, tone: Tone) -> Picture:
     formats: tuple[str, ...] = _OF_PILLOW
     file.seek(0)
     if beginning[4:8] == b"ftyp":
-        from pillow_heif import register_heif_opener  # late: few pictures need it
+        from pillow_heif import register_heif_opener  # few pictures need it
 
         register_heif_opener()
         formats = FORMATS
@@ -109,7 +97,7 @@ def _read(file: BinaryIO, tone: Tone) -> Picture:
 
 def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
     check_size(image.height, image.width)
-    image.load()  # which turns a TIFF upright, and may give it another size
+    image.load()  # applies the orientation of a TIFF and may change its size
     light_of, meant, remarks = _reader(image, tone, is_negative)
     found = gathered(
         image.height,
@@ -126,7 +114,6 @@ def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
 
 
 def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Tone, list[Said]]:
-    """How light is read from a strip of an image, what its values mean, and remarks."""
     # Pillow reads 16 bits of a PGM as 32, from 0 to 65535.
     is_deep = image.mode.startswith("I;16") or (image.mode == "I" and image.format == "PPM")
     if image.mode in ("I", "F") and not is_deep:  # 32 bits a pixel
@@ -154,10 +141,9 @@ def _reader(image: Image.Image, tone: Tone, is_negative: bool) -> tuple[Any, Ton
 
 
 def _over_black(image: Image.Image, colour: Colour) -> Any:
-    """How light is read from a strip of an image with transparency."""
     plain = Colour.plain(LINEAR)
     brightest, least, most = 0.0, 1.0, 0.0
-    # By strips too: of a large picture all floats together fill the memory.
+    # In strips: a large picture as floats fills the memory.
     step = max(1, (1 << 22) // image.width)
     for top in range(0, image.height, step):
         strip = image.crop((0, top, image.width, min(top + step, image.height))).convert("RGBA")
@@ -175,7 +161,6 @@ def _over_black(image: Image.Image, colour: Colour) -> Any:
 
 
 def _upright(light: Array, orientation: int) -> Array:
-    """A picture as it is to be seen, by its orientation in EXIF."""
     turns = {3: 2, 6: -1, 8: 1}
     if orientation in turns:
         return np.rot90(light, turns[orientation])
@@ -189,7 +174,6 @@ def _upright(light: Array, orientation: int) -> Array:
 
 
 def _with_black_as_zero(beginning: bytes, file: BinaryIO) -> BytesIO | None:
-    """A TIFF in which zero is white, as if it were black; None for any other file."""
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(beginning[:4])
     if order is None:
         return None

@@ -1,4 +1,4 @@
-"""The built-in targets, drawn as polygons with exact pixel coverage, centred on the screen."""
+"""Built-in targets, drawn as polygons with exact pixel coverage, centred on the receiver."""
 
 from itertools import combinations
 
@@ -14,8 +14,7 @@ from workbench.scene import (
     TextTarget,
     TopHatTarget,
 )
-from workbench.targets.coverage import coverage, paint
-from workbench.targets.raster import put
+from workbench.targets.raster import coverage, paint, put
 from workbench.targets.text import picture_of_text
 
 _CORNERS_OF_DISC = 1440
@@ -54,22 +53,7 @@ Builtin = TopHatTarget | FlameTarget | BallTarget | RectangleTarget | RingTarget
 
 
 def draw(target: Builtin, receiver: AnyReceiver, scale: float) -> Array:
-    """Draw a built-in target.
-
-    Parameters
-    ----------
-    target : Builtin
-        Shape and its size relative to the receiver.
-    receiver : AnyReceiver
-        Pixel raster.
-    scale : float
-        Shrinks the shape about the centre, in (0, 1].
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Values in [0, 1], row 0 at +y; black outside the shape.
-    """
+    """Draw a built-in target (n_y, n_x) in [0, 1], row 0 at +y, shrunk by ``scale``."""
     half_u, half_v = (scale * half for half in receiver.half_extent)
     unit = min(half_u, half_v)
     match target:
@@ -89,54 +73,29 @@ def draw(target: Builtin, receiver: AnyReceiver, scale: float) -> Array:
 
 
 def top_hat(receiver: AnyReceiver, radius: float) -> Array:
-    """Uniform disc; ``radius`` in coordinates of the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Fraction of each pixel inside the disc.
-    """
+    """Uniform disc (n_y, n_x); ``radius`` in coordinates of the receiver."""
     angle = 2 * np.pi * np.arange(_CORNERS_OF_DISC) / _CORNERS_OF_DISC
     return coverage(radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), receiver)
 
 
 def rectangle(receiver: AnyReceiver, half_extent: tuple[float, float]) -> Array:
-    """Uniform rectangle; its half-extent in coordinates of the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Fraction of each pixel inside the rectangle.
-    """
+    """Uniform rectangle (n_y, n_x); half-extent in coordinates of the receiver."""
     corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     return coverage(corners * half_extent, receiver)
 
 
 def flame(receiver: AnyReceiver, height: float) -> Array:
-    """Logo of a flame with three curved tongues; ``height`` in coordinates of the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Fraction of each pixel inside the flame.
-    """
+    """Logo of a flame with three curved tongues (n_y, n_x), of a height in receiver coordinates."""
     return paint(((height * _closed_curve(np.array(tongue)), 1.0) for tongue in _TONGUES), receiver)
 
 
 def ball(receiver: AnyReceiver, radius: float) -> Array:
-    """Ball of flat triangular facets, each of one grey; ``radius`` in coordinates of the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Grey between 0.15 and 1 on the ball, linear in Lambert's cosine.
-    """
+    """Ball of triangular facets (n_y, n_x), greys from 0.15 to 1, linear in Lambert's cosine."""
     facets, greys = _ball_facets()
     return paint(zip(radius * facets, greys, strict=True), receiver)
 
 
 def _closed_curve(curves: Array) -> Array:
-    """Points along a closed chain of Bézier curves given as (start, handle, handle)."""
     ends = np.roll(curves[:, :1], -1, axis=0)
     control = np.concatenate([curves, ends], axis=1)  # [curve, 4, xy]
     t = np.arange(_POINTS_PER_CURVE) / _POINTS_PER_CURVE
@@ -146,23 +105,21 @@ def _closed_curve(curves: Array) -> Array:
 
 
 def _ball_facets() -> tuple[Array, Array]:
-    """Corners (x, y) of the facets that face the viewer, (n, 3, 2), and their greys, (n,)."""
     facets = _geodesic_sphere() @ _turned().T
     normals = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     normals *= np.sign(np.sum(normals * facets[:, 0], axis=1, keepdims=True))  # outwards
-    # The ball is convex: the facets that face the viewer are those that are seen, whole.
+    # The ball is convex: facets that face the viewer are fully visible.
     seen = normals[:, 2] > 0
     towards = _TOWARDS_LIGHT / np.linalg.norm(_TOWARDS_LIGHT)
     cosine = normals[seen] @ towards
-    # Lambert's cosine, stretched over the facets that are seen: clipped at the terminator it
-    # would leave the whole shadow side one grey.
+    # Lambert's cosine, stretched over the visible facets: clipped at the terminator, the whole
+    # shadow side would have one grey.
     grey = _DARKEST + (1 - _DARKEST) * (cosine - cosine.min()) / np.ptp(cosine)
     return facets[seen, :, :2], grey
 
 
 def _geodesic_sphere() -> Array:
-    """Facets of an icosahedron with every edge halved, corners on the unit sphere; (80, 3, 3)."""
     golden = (1 + 5**0.5) / 2
     signs = [(a, b) for a in (-1.0, 1.0) for b in (-golden, golden)]
     corners = np.array([np.roll([0.0, a, b], k) for k in range(3) for a, b in signs])
@@ -182,7 +139,6 @@ def _geodesic_sphere() -> Array:
 
 
 def _turned() -> Array:
-    """Rotation that shows the ball from no special side."""
     a, b = np.deg2rad([17.0, 27.0])
     about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
     about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])

@@ -1,7 +1,7 @@
-"""Draws SVG, in a process of its own.
+"""Drawing of SVG in a separate process.
 
-The renderer follows what is nested by calling itself: a file made for it, or a damaged one, can end
-the process that it runs in, or keep it busy for hours.
+The renderer recurses into nested elements: a malicious or damaged file can crash its process or
+keep it busy for hours.
 """
 
 import re
@@ -12,18 +12,18 @@ from pathlib import Path
 from workbench.said import Said
 from workbench.targets.picture import UnusablePicture
 
-_PATIENCE_S = 60.0
+_TIME_LIMIT_S = 60.0
 
 _PROGRAM = Path(__file__).with_name("svg_renderer.py")
 _UTF_16 = (b"\xff\xfe", b"\xfe\xff", b"<\0", b"\0<")  # with a mark of the byte order, or without
 _BEGINNINGS = (b"<?xml", b"<svg", b"<!")
-# What the renderer logs where no font has a letter.
+# Log line of the renderer for a letter that no font has.
 _NO_FONT = re.compile(r"U\+([0-9A-F]{2,6}) character")
 _LINK = re.compile(r"link to a picture: (.*)")
 
 
 def is_svg(beginning: bytes) -> bool:
-    """Whether a file that begins like this is to be drawn as SVG."""
+    """Whether a file with this beginning is SVG."""
     if beginning.startswith(_UTF_16):
         beginning = (
             beginning.replace(b"\xff\xfe", b"").replace(b"\xfe\xff", b"").replace(b"\0", b"")
@@ -32,32 +32,20 @@ def is_svg(beginning: bytes) -> bool:
 
 
 def draw_svg(content: bytes, side: int) -> bytes:
-    """Draw an SVG as large as fits into a square.
+    """Draw an SVG as a PNG with transparency, fitted into a square of ``side`` pixels.
 
-    Parameters
-    ----------
-    content : bytes
-        The file.
-    side : int
-        Pixels of the square's side.
-
-    Returns
-    -------
-    bytes
-        A PNG with transparency.
-
-    Raises
-    ------
-    UnusablePicture
-        If it cannot be drawn, links to another picture, or has a letter that no font has.
+    Raise UnusablePicture if it cannot be drawn, links to another picture, or has a letter that no
+    font has.
     """
     command = [sys.executable, "-I", str(_PROGRAM), str(side)]
     try:
         done = subprocess.run(
-            command, input=content, capture_output=True, timeout=_PATIENCE_S, check=False
+            command, input=content, capture_output=True, timeout=_TIME_LIMIT_S, check=False
         )
     except subprocess.TimeoutExpired as error:
-        raise _undrawable(Said("it cannot be drawn within {most:g} s", most=_PATIENCE_S)) from error
+        raise _undrawable(
+            Said("it cannot be drawn within {most:g} s", most=_TIME_LIMIT_S)
+        ) from error
     log = done.stderr.decode(errors="replace")
     if missing := _NO_FONT.search(log):
         raise missing_letter(chr(int(missing[1], 16)))
@@ -72,7 +60,7 @@ def draw_svg(content: bytes, side: int) -> bytes:
 
 
 def missing_letter(letter: str) -> UnusablePicture:
-    """What is raised for a letter that no font has."""
+    """Return the exception for a letter that no font has."""
     return UnusablePicture(
         Said(
             "has the letter {letter} (U+{number:04X}), which no font here has; install one",

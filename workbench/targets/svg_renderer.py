@@ -1,8 +1,8 @@
-"""A program of its own: draws the SVG on standard input as PNG on standard output.
+"""Program that draws the SVG on standard input as PNG on standard output.
 
-Its argument is the number of pixels along the longer side. What is wrong is the last line on
-standard error, where the renderer also logs which letters no font has. An SVG that links to
-pictures in other files is refused.
+Its argument is the number of pixels of the longer side. The last line on standard error is the
+error; above it the renderer logs letters that no font has. An SVG that links to pictures in other
+files is refused.
 """
 
 import math
@@ -27,7 +27,7 @@ _DRAWN = {f"{{{_SVG}}}{name}" for name in ("image", "feImage", "use")}
 
 
 def main(side: int) -> None:
-    """Draw it."""
+    """Draw the picture."""
     content = sys.stdin.buffer.read().removeprefix(b"\xef\xbb\xbf")
     # The renderer logs to standard output, which is for the picture.
     output = os.fdopen(os.dup(1), "wb")
@@ -55,7 +55,6 @@ def main(side: int) -> None:
 
 
 def _parsed(content: bytes) -> ElementTree.Element:
-    """The drawing; elements without a namespace are those of SVG, as in a page of the web."""
     try:
         root = ElementTree.fromstring(content)
     except ElementTree.ParseError as error:
@@ -71,7 +70,6 @@ def _parsed(content: bytes) -> ElementTree.Element:
 
 
 def _check_links(root: ElementTree.Element) -> None:
-    """Refuse pictures that would be read from other files; other links draw nothing."""
     for element in root.iter():
         for name in _LINKS:
             link = element.get(name, "").strip()
@@ -102,7 +100,6 @@ def _drawn(root: ElementTree.Element) -> bytes:
 
 
 def _size(root: Mapping[str, str]) -> tuple[float, float] | None:
-    """Width and height in any unit, where the drawing says them."""
     width, height = _pixels(root.get("width")), _pixels(root.get("height"))
     if width and height:
         return width, height
@@ -114,7 +111,6 @@ def _size(root: Mapping[str, str]) -> tuple[float, float] | None:
 
 
 def _pixels(length: str | None) -> float | None:
-    """A length that is a size; None for one of which only the surroundings know what it is."""
     found = _LENGTH.fullmatch(length or "")
     if found is None or found[2] not in _PIXELS:
         return None
@@ -123,7 +119,6 @@ def _pixels(length: str | None) -> float | None:
 
 
 def _measured(root: ElementTree.Element) -> tuple[int, int]:
-    """Width and height as the renderer finds them."""
     header = _drawn(root)[16:24]
     return int.from_bytes(header[:4], "big"), int.from_bytes(header[4:], "big")
 

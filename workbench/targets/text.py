@@ -1,4 +1,4 @@
-"""Words as a picture."""
+"""Text as a picture."""
 
 import unicodedata
 from functools import cache
@@ -21,30 +21,16 @@ _LARGEST = 8192  # pixels of the picture's longer side
 _FONT = "mpl-data/fonts/ttf/DejaVuSans-Bold.ttf"  # Latin, Greek, Cyrillic and many signs
 _LINE = 1.2  # letter heights from line to line
 _WIDEST = 12  # letter heights: more than any sign is wide
-_ROUGH = 2048  # pixels of the picture that tells where the words are
+_ROUGH = 2048  # pixels of the first picture, which locates the text
 _MARGIN = 2  # of these pixels
 
 
 def picture_of_text(text: str) -> Array:
-    r"""Draw words in bold letters, centred line by line.
+    """Draw text in bold letters, centred line by line; values (rows, columns) in [0, 1].
 
-    Letters that the program's own font lacks come from fonts of the system.
-
-    Parameters
-    ----------
-    text : str
-        The words; ``\n``, as one character or as the two that a person types, begins a new line. A
-        tab is a space.
-
-    Returns
-    -------
-    ndarray, shape (rows, columns)
-        Values in [0, 1], row 0 at the top, cut to what is drawn.
-
-    Raises
-    ------
-    Refused
-        If no font has one of the letters, or nothing is drawn by these characters.
+    A newline, or a backslash and n, begins a new line; a tab is a space. Letters that the program's
+    own font lacks come from fonts of the system. Raise Refused if no font has one of the letters,
+    or the text draws nothing.
     """
     lines = "\n".join(text.replace("\\n", "\n").splitlines())
     text = unicodedata.normalize("NFC", lines.replace("\t", " "))
@@ -60,7 +46,6 @@ def picture_of_text(text: str) -> Array:
 
 
 def _is_simple(text: str) -> bool:
-    """Whether the program's font has all letters, and they stand one after the other."""
     return all(
         letter == "\n"
         or (
@@ -83,7 +68,6 @@ def _drawn(text: str) -> Image.Image:
 
 
 def _drawn_by_system(text: str) -> Image.Image:
-    """Words with letters of other fonts, or that join, or run from right to left."""
     for letter in text:
         if unicodedata.category(letter) in ("Cc", "Cs") and letter != "\n":
             raise missing_letter(letter)
@@ -103,7 +87,6 @@ def _drawn_by_system(text: str) -> Image.Image:
 
 
 def _drawn_svg(lines: list[str], box: tuple[float, float, float, float], side: int) -> Image.Image:
-    """The part of the words within a box (x, y, width, height), in letter heights."""
     spans = "".join(
         f'<text x="0" y="{_LINE * number}" xml:space="preserve">{escape(line)}</text>'
         for number, line in enumerate(lines)
@@ -119,8 +102,7 @@ def _drawn_svg(lines: list[str], box: tuple[float, float, float, float], side: i
 
 @cache
 def _letters() -> frozenset[int]:
-    """Code points that the program's font has."""
-    from fontTools.ttLib import TTFont  # late: only words need it
+    from fontTools.ttLib import TTFont  # slow import
 
     with TTFont(_font_file(), lazy=True) as font:
         return frozenset(font.getBestCmap())
@@ -131,7 +113,6 @@ def _font(size: int) -> ImageFont.FreeTypeFont:
 
 
 def _font_file() -> Path:
-    """A font that comes with matplotlib, which is not imported for it."""
     spec = find_spec("matplotlib")
     if spec is None or spec.origin is None:
         raise FileNotFoundError("matplotlib, whose font draws words, is not installed")
@@ -139,5 +120,4 @@ def _font_file() -> Path:
 
 
 def _box(text: str, font: ImageFont.FreeTypeFont) -> tuple[float, float, float, float]:
-    """Left, top, right and bottom of what is drawn."""
     return ImageDraw.Draw(Image.new("L", (1, 1))).textbbox((0, 0), text, font, align="center")

@@ -46,12 +46,6 @@ def test_a_run_that_fails_is_a_row_that_says_why(impossible, progress):
     assert "no light reaches the screen" in row.to_markdown()
 
 
-def test_a_refused_run_is_a_row_that_says_why(make_example, progress):
-    example = make_example({"filter": {"kind": "box"}, "run.method": "paper"})
-    found = design(example, "paper", RAYS, progress)
-    assert found.failure.startswith("filter.kind")
-
-
 def test_every_experiment_of_the_paper_is_there():
     shipped = {each.name for each in resources.EXAMPLES}
     assert {*DESIGNS, *DERIVATIVES} <= shipped
@@ -59,19 +53,6 @@ def test_every_experiment_of_the_paper_is_there():
     methods = {name: [method for _, method in experiments._methods(name)] for name in DESIGNS}
     for name, each in methods.items():
         assert each == (["paper"] if name.startswith("tophat") else ["paper", "auto"])
-
-
-def test_the_paper_takes_a_thousand_iterations_and_keeps_the_stages():
-    (paper, _), (auto, _) = experiments._methods("flame-stages")
-    assert paper.scene.run.method == "paper" and auto.scene.run.method == "auto"
-    assert [part.run.iterations for part in paper.scene.stage_scenes()] == [200, 800]
-    assert paper.scene.stage_scenes()[0].source.kind == "point"
-
-
-def test_fewer_iterations_shrink_the_stages_too():
-    example = experiments._limited(BenchmarkTask.of("flame-stages"), 6)
-    assert [part.run.iterations for part in example.scene.stage_scenes()] == [4, 2]
-    assert experiments._limited(example, None) is example
 
 
 def test_derivatives_move_light_and_make_none():

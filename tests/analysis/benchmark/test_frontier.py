@@ -14,7 +14,6 @@ from workbench.analysis.benchmark.frontier import (
     verified,
 )
 from workbench.analysis.benchmark.methods import METHODS, MethodLens
-from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 
 
@@ -90,34 +89,6 @@ def test_speed_up_counts_from_the_slowest_method(scripted, progress):
     assert [course.sooner for course in courses(effort, progress)] == [1.0, 8.0, None]
 
 
-def test_cells_and_random_rays_verify_the_same(make_example, monkeypatch):
-    example = make_example()
-    lens = 0.5 + 0.02 * np.outer(np.cos(np.linspace(0, 3, 12)), np.cos(np.linspace(0, 3, 10)))
-    light = validate(example.scene, example.target, {"exit": lens}, 400_000)
-    cells = verified(example, lens)
-    low, high = light.relative_l2_corrected_interval
-    assert low - cells.bound < cells.error < high + cells.bound
-    assert cells.efficiency == pytest.approx(light.efficiency, rel=1e-3)
-
-    def refused(*_):
-        yield 1.0
-
-    monkeypatch.setattr(frontier, "imaging", refused)
-    rays = verified(example, lens)
-    assert abs(rays.error - cells.error) < rays.bound + cells.bound
-    assert rays.bound != cells.bound
-
-
-def test_auto_says_what_it_is_verified_to_be_and_what_a_user_waits(effort, progress, processes):
-    effort = replace(effort, methods=("paper", "transport", "auto"))
-    paper, transport, auto = courses(effort, progress)
-    assert processes == [("small", 4, 1)]
-    assert auto.waited == 7.5 and auto.megabytes == 300.0 and paper.waited is None
-    assert auto.own_over_verified == pytest.approx(1, abs=0.05)
-    assert auto.own_curve[-1][0] == auto.seconds
-    assert transport.own_curve == () and transport.own is None
-
-
 def test_every_method_runs_and_gets_better(effort, progress, processes):
     found = list(courses(effort, progress))
     assert [course.method for course in found] == list(METHODS)
@@ -167,17 +138,3 @@ def test_table_agrees_with_the_courses():
     assert row == (
         "| flame | auto | 12.50% | 0.10% | 12.00% | 0.960 | 90.0% | 1.0 | 3.0 | 100 | 2 | – |  |"
     )
-
-
-def test_time_to_an_error():
-    course = Course("flame", "auto", times=(0.1, 1.0, 2.0), errors=(0.5, 0.25, 0.3))
-    assert course.time_to(0.25) == 1.0
-    assert course.time_to(0.6) == 0.1
-    assert course.time_to(0.2) is None
-
-
-@pytest.mark.parametrize("make", [frontier.quick, frontier.frontier, frontier.large])
-def test_an_effort_limits_iterations_and_has_scenes(make):
-    assert make(7).iterations == 7
-    scenes = [example.name for example in make(None).examples]
-    assert len(set(scenes)) == len(scenes) >= 2

@@ -1,9 +1,7 @@
 """Light of an LED on a rectangle."""
 
-import numpy as np
 import pytest
 
-from workbench.analysis.benchmark import leds
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.leds import designed, table
 
@@ -23,12 +21,3 @@ def test_a_lens_is_checked_where_the_target_is_bright(plane_exit, monkeypatch):
     assert found.merit == pytest.approx(found.efficiency * (1 - found.deviation))
     assert progress[0] == ("led", "iteration 0") and progress[-1] == ("led", "its check")
     assert "| led | " in table([found]).to_markdown()
-
-
-def test_the_scatter_of_rays_is_no_unevenness():
-    rng, even = np.random.default_rng(3), np.ones((40, 50))
-    wave = even + 0.1 * np.sin(np.arange(50))
-    noisy = [wave + 0.2 * rng.standard_normal(wave.shape) for _ in range(2)]
-    found = leds._deviation(noisy, even > 0)
-    assert found == pytest.approx(np.std(wave), rel=0.1)
-    assert leds._deviation([even, even], even > 0) == 0

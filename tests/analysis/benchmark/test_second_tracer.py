@@ -19,6 +19,8 @@ from workbench.analysis.benchmark.second_tracer import (
 from workbench.geometry.body import check_body
 from workbench.scene import Source
 
+pytestmark = pytest.mark.full
+
 
 def test_every_source_meets_every_receiver_within_every_outline():
     found = list(cases())

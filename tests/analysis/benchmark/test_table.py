@@ -1,4 +1,3 @@
-import dataclasses
 import json
 from types import SimpleNamespace
 
@@ -28,20 +27,9 @@ def test_markdown(table):
     )
 
 
-def test_a_note_stands_below(table):
-    noted = dataclasses.replace(table, note="Parts of what.")
-    assert noted.to_markdown() == f"{table.to_markdown()}\nParts of what.\n"
-
-
 def test_data_has_every_column_unrounded(table):
     assert table.to_data() == [
         {"name": "a|b", "part": 0.25, "curve": [1, 2]},
         {"name": "c", "part": None, "curve": []},
     ]
     assert json.loads(json.dumps(table.to_data())) == table.to_data()
-
-
-def test_no_rows():
-    table = Table("None", COLUMNS, [])
-    assert table.to_data() == []
-    assert table.to_markdown().count("\n") == 4

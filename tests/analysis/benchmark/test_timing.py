@@ -3,7 +3,7 @@ import itertools
 import pytest
 
 from tests.benchmarks import timing
-from tests.benchmarks.timing import Times, in_turns
+from tests.benchmarks.timing import in_turns
 
 
 @pytest.fixture
@@ -41,13 +41,3 @@ def test_medians_and_ratios_are_of_rounds(clock):
     assert times["b"].median == 2.0
     assert times["b"].ratio(times["a"]) == 2.0
     assert times["a"].ratio(times["a"]) == 1.0
-
-
-def test_stops_in_time_but_not_before_three_rounds(clock):
-    assert len(in_turns({"a": clock.call(5.0)}, seconds=1.0)["a"].seconds) == 3
-    assert len(in_turns({"a": clock.call(5.0)}, seconds=21.0)["a"].seconds) == 5
-
-
-def test_ratio_needs_the_same_rounds():
-    with pytest.raises(ValueError, match="zip"):
-        Times((1.0,)).ratio(Times((1.0, 2.0)))

@@ -5,9 +5,6 @@ import math
 import numpy as np
 import pytest
 
-from tests.analysis.cells.test_lattice import distance, flux_of
-from tests.analysis.lenses import net_of
-from workbench.analysis.cells import grading
 from workbench.analysis.cells.grading import Grading
 
 
@@ -30,14 +27,3 @@ def test_places_of_light_from_afar_are_even(make_scene):
             place, stretch = grade(even)
             assert np.array_equal(place, even)
             assert np.array_equal(stretch, np.ones(5))
-
-
-def test_graded_cells_have_less_error_near_a_point_source(make_scene, monkeypatch):
-    near = {"kind": "point", "position": [0.1, 0, -0.2], "emission": "lambertian"}
-    scene = make_scene({"source": near, "screen.half_width": [4.0, 4.0]})
-    heights = net_of(scene, lambda x, y: 0.4 - 0.1 * x**2 - 0.05 * y**2 + 0.02 * np.sin(x + 2 * y))
-    exact, graded = (flux_of(scene, heights, (n, n)) for n in (600, 60))
-    monkeypatch.setattr(grading, "_FAR", 0.0)
-    even = flux_of(scene, heights, (60, 60))
-    assert distance(graded, exact) < 0.3 * distance(even, exact)
-    assert flux_of(scene, heights, (600, 600)) == pytest.approx(exact, abs=3e-3 * exact.max())

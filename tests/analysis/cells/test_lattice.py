@@ -17,12 +17,6 @@ from workbench.geometry.outlines import Ellipse
 
 PLATE = (1 - 0.04) ** 2
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
-SOURCES = {
-    "collimated": {"kind": "collimated"},
-    "point": POINT,
-    "lambertian": POINT | {"emission": "lambertian"},
-    "grid": {"kind": "grid", "center": [0.1, 0, -4], "half_width": [0.5, 1], "points": [2, 3]},
-}
 
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
@@ -144,20 +138,6 @@ def test_the_error_falls_with_the_square_of_the_cells_and_faster_when_lifted(mak
         for coarse, fine in pairwise(errors):
             assert least < coarse / fine < most
     assert lifted[2] < plain[2] / 5 < 1e-5
-
-
-@pytest.mark.parametrize("kind", SOURCES)
-@pytest.mark.parametrize("rough", [False, True])
-def test_random_rays_agree_within_their_noise(make_scene, rng, kind, rough):
-    scene = make_scene({"source": SOURCES[kind], "screen.half_width": [1.4, 1.1]})
-    heights = 0.5 + 0.3 * rng.random((12, 10)) if rough else smooth(scene)
-    image = flux_of(scene, heights, (288, 280))
-    found = validate(scene, image, {"exit": heights}, 2_000_000)
-    low, high = found.relative_l2_corrected_interval
-    noisy = kind == "grid"  # chance deals its rays out to its points
-    assert low == 0
-    assert high < (0.02 if noisy else 0.01)
-    assert image.sum() == pytest.approx(found.efficiency, abs=5e-4 if noisy else 1e-4)
 
 
 def test_a_lens_out_of_its_place(make_scene):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.analysis.cells.test_image import found, waves
-from tests.analysis.cells.test_lattice import SOURCES, distance
+from tests.analysis.cells.test_lattice import distance
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells.spots import Spots
 from workbench.analysis.tracing.pose import Pose
@@ -14,7 +14,6 @@ from workbench.geometry.outlines import Ellipse
 
 SUN = {"kind": "collimated", "angular_diameter": 3.0}
 TILTED = SUN | {"direction": [8.0, -5.0]}
-BEAM = SUN | {"profile": {"kind": "gaussian", "radius": 0.7}}
 WIDER = {"screen.half_width": [1.5, 1.3]}
 
 
@@ -55,21 +54,6 @@ def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
     assert distance(image, exact) < 1e-3
 
 
-@pytest.mark.parametrize(
-    ("source", "outline"), [(SUN, "rectangle"), (TILTED, "ellipse"), (BEAM, "rectangle")]
-)
-def test_many_origins_make_the_same_light(make_scene, monkeypatch, source, outline):
-    scene = make_scene({"source": source, "lens.outline": outline} | WIDER)
-    by_spots = found(scene, waves(scene), accuracy=3e-3)
-    monkeypatch.setattr(Spots, "suit", lambda *_: False)
-    by_origins = found(scene, waves(scene), accuracy=2e-2)
-    apart = distance(by_spots.irradiance, by_origins.irradiance)
-    assert by_spots.bound <= 3e-3
-    assert apart < by_spots.bound + by_origins.bound
-    total = by_spots.irradiance.sum()
-    assert total == pytest.approx(by_origins.irradiance.sum(), rel=1e-3)
-
-
 def test_the_error_of_spots_is_within_its_bound(make_scene):
     scene = make_scene({"source": SUN} | WIDER)
     exact = found(scene, waves(scene), accuracy=3e-4).irradiance
@@ -108,19 +92,3 @@ def test_light_that_leaves_through_the_side_is_lost_whatever_the_width_of_cells(
     assert by_rays.account.lost["left_side"] > 3e-3
     assert coarse == pytest.approx(fine, abs=2e-4)
     assert fine == pytest.approx(by_rays.efficiency, abs=2e-4)
-
-
-@pytest.mark.parametrize(
-    ("source", "wide"),
-    [(SUN, True), (BEAM, True), (SUN | {"angular_diameter": 0.3}, False)]
-    + [(source, False) for source in SOURCES.values()],
-)
-def test_spots_are_drawn_where_they_are_wide(make_scene, source, wide):
-    scene = make_scene({"source": source})
-    assert Spots.suit(scene, train_of(scene, np.full((12, 10), 0.5))) is wide
-
-
-def test_spots_of_a_lens_without_light_are_not_drawn(make_scene):
-    scene = make_scene({"source": SUN})
-    steep = net_of(scene, lambda x, y: 2.0 + 1.9 * x + 0 * y)
-    assert not Spots.suit(scene, train_of(scene, steep))

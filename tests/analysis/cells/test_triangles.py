@@ -49,27 +49,6 @@ def test_the_orientation_of_a_cell_does_not_matter():
     assert (image >= 0).all()
 
 
-def test_a_cell_within_a_pixel_leaves_all_its_flux_there():
-    nodes = cell((1.1, 2.2), (1.9, 2.3), (1.8, 2.9), (1.2, 2.8))
-    image, _, _ = filled(nodes, 0.7, (4, 4))
-    assert image[2, 1] == pytest.approx(0.7, rel=1e-15)
-    assert np.count_nonzero(image) == 1
-
-
-def test_where_cells_overlap_their_light_adds_up():
-    columns = np.array([0.0, 3.0, 1.0])  # forth and back
-    nodes = np.stack(np.broadcast_arrays(columns[:, None], [0.0, 1.0]), axis=-1)
-    image, _, _ = filled(nodes, [[3.0], [3.0], [3.0]], (4, 1))
-    assert image == pytest.approx(np.array([[1, 2.5, 2.5, 0]]), abs=1e-14)
-
-
-@pytest.mark.parametrize("nodes", [cell((1.5, 1.5), (2.5, 2.5), (3.5, 3.5), (2.5, 2.5))])
-def test_a_cell_without_area_keeps_its_flux(nodes):
-    image, _, _ = filled(nodes, 0.7, (5, 5))
-    assert image.sum() == pytest.approx(0.7, rel=1e-14)
-    assert image.trace() == pytest.approx(0.7, rel=1e-14)
-
-
 def some_nodes(rng):
     """A wild map with folds, 20 pixels wide."""
     u = np.linspace(0, 1, 31)
@@ -88,15 +67,6 @@ def test_flux_is_conserved(rng):
     corners = (flux[:-1, :-1] + flux[1:, :-1] + flux[:-1, 1:] + flux[1:, 1:]).sum() / 4
     assert added == pytest.approx(corners, rel=1e-3)
     assert image.min() > -1e-13 * image.max()
-
-
-@pytest.mark.parametrize("shift", [(0, 0), (-6, 0), (0, -6), (8, 7), (-7, 6)])
-def test_light_beside_the_screen_changes_nothing_on_it(rng, shift):
-    nodes, flux = some_nodes(rng)
-    large, _, _ = filled(nodes + 12, flux, (48, 48))
-    image, _, _ = filled(nodes + shift, flux, (14, 16))
-    x, y = 12 - np.array(shift)
-    assert image == pytest.approx(large[y : y + 16, x : x + 14], abs=1e-13 * large.max())
 
 
 def test_pixels_agree_with_points_strewn_over_the_triangles(rng):

@@ -5,7 +5,6 @@ import pytest
 
 from workbench.analysis.photo.colour import linear_rgb, tristimulus
 from workbench.analysis.photo.light import LIGHTS, light_of, line
-from workbench.cli.verbs import pictures as verb
 
 MANY = np.linspace(0.38, 0.78, 81)
 
@@ -42,7 +41,3 @@ def test_lights_follow_from_sources(make_scene):
     assert named({"source": beam} | green) == "laser"
     assert named({"source": beam} | infrared) == "equal"
     assert named({"source": beam}) == "equal"
-
-
-def test_the_command_line_offers_all_of_them():
-    assert tuple(LIGHTS) == verb.LIGHTS

@@ -13,7 +13,6 @@ from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import at_wavelength, photograph
 from workbench.analysis.photo.png import write_png
-from workbench.errors import Refused, RunFailed
 from workbench.materials import CATALOGUE
 from workbench.scene import Scene
 from workbench.watch import finished
@@ -69,16 +68,6 @@ def test_a_prism_parts_colours_by_snells_law(make_scene):
     assert photo.step < 1
 
 
-def test_wavelengths_are_as_many_as_pixels_need(make_scene):
-    fine = {"screen": {"z": 20.0, "half_width": [6.0, 1.0], "pixels": [480, 16]}}
-    scene = make_scene(fine | DISPERSIVE)
-    photo = photograph(scene, white(scene), prism(scene))
-    pixels = 40 * (shift(CATALOGUE["PMMA"].index(0.4)) - shift(CATALOGUE["PMMA"].index(0.7)))
-    assert len(photo.wavelengths_um) == math.ceil(abs(pixels)) + 1
-    index = [CATALOGUE["PMMA"].index(each) for each in photo.wavelengths_um]
-    assert np.diff(index) == pytest.approx(np.diff(index).mean(), rel=0.01)
-
-
 def test_light_that_faces_let_through_is_conserved(make_scene):
     scene = make_scene(WIDE | DISPERSIVE | {"version": 2, "lens.reflection": "fresnel"})
     photo = photograph(scene, white(scene), plate(scene))
@@ -125,20 +114,6 @@ def test_a_mirror_has_no_dispersion():
         }
     )
     assert at_wavelength(scene, 0.4) is scene
-
-
-def test_no_light_is_no_photo(make_scene):
-    aside = WIDE["screen"] | {"center": [60.0, 0.0]}
-    scene = make_scene({"version": 2, "screen": aside})
-    with pytest.raises(RunFailed, match="no light"):
-        photograph(scene, white(scene), plate(scene))
-
-
-def test_several_images_are_refused(make_scene):
-    further = {"screen": {"z": 8.0, "half_width": [1, 1], "pixels": [8, 8]}}
-    scene = make_scene({"further_images": [further | {"target": {"builtin": "ball"}}]})
-    with pytest.raises(Refused, match="predicted photo"):
-        photograph(scene, white(scene), plate(scene))
 
 
 def test_a_far_field_is_seen_by_its_density(make_scene):

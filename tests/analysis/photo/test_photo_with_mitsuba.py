@@ -9,6 +9,8 @@ from workbench.analysis.photo.colour import linear_rgb
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import at_wavelength, photograph
 
+pytestmark = pytest.mark.full
+
 RAYS = 40_000
 
 

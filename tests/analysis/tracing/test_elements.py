@@ -118,32 +118,6 @@ class TestDielectricBoundary:
         assert behind.flux == pytest.approx([math.exp(-1), 2], rel=1e-14)
         assert lost["absorbed"] == pytest.approx(1 - math.exp(-1), rel=1e-14)
 
-    @pytest.mark.parametrize("degrees", [10.0, 60.0])  # the second is reflected totally
-    def test_one_direction_for_all_rays_is_as_good_as_one_for_each(self, degrees, rng):
-        boundary, flux = DielectricBoundary(1.5, 1.0, "fresnel_exit"), rng.random(20)
-        place = rng.random((20, 3))
-        alike, lost = boundary.turn(
-            TracedRays(place, inclined(degrees), flux), Crossings(place, UP, flux, 0.0)
-        )
-        each, lost_by_each = boundary.turn(
-            TracedRays(place, inclined(degrees).repeat(20, axis=0), flux),
-            Crossings(place, UP.repeat(20, axis=0), flux, 0.0),
-        )
-        assert lost == pytest.approx(lost_by_each, rel=1e-12)
-        assert alike.flux == pytest.approx(each.flux, rel=1e-12)
-        assert sum(lost.values()) + alike.flux.sum() == pytest.approx(flux.sum())
-        if degrees < 40:
-            assert np.broadcast_to(alike.direction, (20, 3)) == pytest.approx(each.direction)
-
-    def test_rays_without_flux_are_not_followed(self):
-        crossings = Crossings(
-            at([0, 0, 0], [np.nan] * 3), np.vstack([UP, np.nan * UP]), at(1, 0), 0.0
-        )
-        rays = TracedRays(at([0, 0, 0], [np.nan] * 3), inclined(10), at(1, 1))
-        behind, lost = DielectricBoundary(1.0, 1.5, "fresnel_entrance").turn(rays, crossings)
-        assert behind.flux[1] == 0
-        assert sum(lost.values()) + behind.flux.sum() == pytest.approx(1)
-
 
 def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
     scene = make_scene({"screen.pixels": [2, 2]})

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from workbench.design.transport.back_and_forth import Transport
-from workbench.design.transport.halves import doubled
 from workbench.design.transport.push import mapped, push
 
 
@@ -57,30 +56,6 @@ def test_pushing_keeps_all_mass(rng):
     pushed = push(mass, *mapped(3 * rng.normal(size=(20, 31)), 1.0, 2.0))
     assert pushed.sum() == pytest.approx(mass.sum(), rel=1e-12)
     assert pushed.min() >= 0
-
-
-def test_no_potential_moves_nothing(rng):
-    mass = rng.random((6, 5))
-    assert push(mass, *mapped(np.zeros((6, 5)), 1.0, 1.0)) == pytest.approx(mass, rel=1e-12)
-
-
-@pytest.mark.parametrize("axis", [0, 1])
-def test_a_finer_grid_takes_over_where_the_light_goes(axis):
-    tilted = np.moveaxis(np.broadcast_to(0.7 * np.arange(20.0), (30, 20)), 1, axis)
-    shift = mapped(np.ascontiguousarray(tilted), 1.0, 1.0)[axis] - np.indices(tilted.shape)[axis]
-    finer = 4 * doubled(tilted)
-    shift_finer = mapped(finer, 1.0, 1.0)[axis] - np.indices(finer.shape)[axis]
-    inside = slice(4, -4), slice(4, -4)
-    assert shift[inside] == pytest.approx(-0.7)
-    assert shift_finer[inside] == pytest.approx(-1.4)  # of cells half as large
-
-
-def test_the_map_of_a_fine_grid_is_as_near_as_that_of_a_coarse_one():
-    source, target = blob(256, (104, 120), 16), blob(256, (152, 132), 16)
-    to_0, to_1 = Transport(source, target, (1.0, 1.0)).map()
-    here = np.arange(256.0)
-    for error in (to_0 - here[:, None] - 48, to_1 - here - 12):
-        assert (source * np.abs(error)).sum() < 2 * 0.7
 
 
 def test_the_way_back_is_the_inverse_of_the_map():

@@ -16,20 +16,3 @@ def test_envelope_is_the_least_of_all_parabolas(rng, shape, weights):
     everything = cost_0[:, None, :, None] + cost_1[None, :, None, :] - potential
     expected = everything.min(axis=(2, 3))
     assert c_transform(potential, *weights) == pytest.approx(expected, abs=1e-12)
-
-
-def test_equal_values_leave_none_out():
-    assert c_transform(np.zeros((5, 5)), 1.0, 1.0) == pytest.approx(0.0, abs=0)
-
-
-def test_three_transforms_are_one(rng):
-    potential = rng.normal(size=(10, 8))
-    once = c_transform(potential, 1.0, 2.0)
-    assert c_transform(c_transform(once, 1.0, 2.0), 1.0, 2.0) == pytest.approx(once, abs=1e-12)
-
-
-def test_threads_share_the_lines(rng, monkeypatch):
-    potential = rng.normal(size=(9, 13))
-    alone = c_transform(potential, 1.0, 2.0)
-    monkeypatch.setattr("workbench.optics.kernels.threads.parts", lambda cells: 4)
-    assert (c_transform(potential, 1.0, 2.0) == alone).all()

@@ -7,8 +7,6 @@ from tests.measured.photometry.files import ies
 from workbench.analysis.validation import validate
 from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
-from workbench.optics import beam_plan
-from workbench.optics.beams import beam_image
 from workbench.scene import Scene
 
 SOURCES = {
@@ -100,22 +98,6 @@ def test_the_light_of_rays_comes_from_where_they_start_not_from_the_origin_of_th
     assert validate(scene, wanted, {"exit": heights}, 200_000).relative_l2_corrected < 0.2
 
 
-def test_a_lens_twice_as_large_is_the_same_lens(make_scene, corner):
-    small = make_scene({})
-    large = make_scene(
-        {
-            "lens.half_width": [2 * r for r in small.optic.half_width],
-            "lens.base.height": 2 * small.optic.base.height,
-            "lens.height_range": [2 * z for z in small.optic.height_range],
-            "lens.min_thickness": 2 * small.optic.min_thickness,
-            "screen.z": 2 * small.receiver.z,
-            "screen.half_width": [2 * r for r in small.receiver.half_width],
-        }
-    )
-    twice = transport_start(large, corner)
-    assert twice == pytest.approx(2 * transport_start(small, corner), abs=1e-9)
-
-
 def test_a_stretched_task_is_solved_as_well(make_scene, corner):
     scene = make_scene(
         {
@@ -144,20 +126,6 @@ def test_a_base_with_total_reflection_is_replaced_by_a_plate(make_scene, corner)
     )
     heights = transport_start(scene, corner)
     assert validate(scene, corner, {"exit": heights}, 200_000).relative_l2 < 0.5
-
-
-def test_the_first_lens_of_many_points_is_judged_by_few_beams_of_each(make_scene, monkeypatch):
-    seen = []
-
-    def trace(nodes, *rest):
-        seen.append(nodes[0].numel())
-        return beam_image(nodes, *rest)
-
-    monkeypatch.setattr(beam_plan, "beam_image", trace)
-    source = {"kind": "grid", "center": [0, 0, -5], "half_width": [0.2, 0.2], "points": [9, 9]}
-    scene = make_scene({"source": source | {"rays": 10}, "screen.pixels": [256, 256]})
-    assert transport_start(scene, np.ones((256, 256))) is not None
-    assert 0 < max(seen) < 2 * (1.5 * 256) ** 2
 
 
 def test_a_mirror_that_leans_sends_light_to_its_places(corner):

@@ -14,6 +14,13 @@ from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
 
+def pytest_collection_modifyitems(items):
+    """Mark tests that read a file by OpenCASCADE."""
+    for item in items:
+        if "read_solid" in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.full)
+
+
 @pytest.fixture
 def make_design(make_scene, rng):
     """A wavy lens, 2 × 1.4 wide; ``heights`` in place of the waves, fields of the scene changed.

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from workbench.errors import Refused
-from workbench.files.export.formats import ENDINGS, OF_ONE_FACE, format_of, formats_for
+from workbench.files.export.formats import ENDINGS, format_of
 from workbench.files.export.write import export
 from workbench.files.session import Session
 
@@ -49,12 +49,6 @@ def test_files_of_one_face_tell_which_of_two_they_hold(make_session, tmp_path):
     ]
 
 
-def test_only_lenses_of_two_faces_are_offered_files_of_the_entrance_face():
-    assert set(formats_for(["exit", "entrance"])) - set(formats_for(["exit"])) == {
-        found.of_entrance for found in OF_ONE_FACE
-    }
-
-
 @pytest.mark.parametrize(
     "name", ["lens", "lens.png", "lens.csv", "lens.freeform", "step", ".height"]
 )
@@ -73,20 +67,6 @@ class TestNothingIsWritten:
         message = self.refused(session, [tmp_path / "lens.step", tmp_path / "lens.dwg"])
         assert "lens.dwg: has no ending" in message
         assert list(tmp_path.iterdir()) == []
-
-    def test_if_one_folder_is_missing(self, session, tmp_path):
-        message = self.refused(session, [tmp_path / "lens.step", tmp_path / "missing" / "lens.stl"])
-        assert message.endswith("cannot be written: its folder does not exist")
-        assert list(tmp_path.iterdir()) == []
-
-    def test_for_an_entrance_face_that_is_flat(self, session, tmp_path):
-        message = self.refused(session, [tmp_path / "lens.dat", tmp_path / "lens.entrance.dat"])
-        assert message.endswith("lens.entrance.dat: the entrance face is flat, so it has no file")
-        assert list(tmp_path.iterdir()) == []
-
-    def test_without_a_lens(self, session, tmp_path):
-        task = Session(session.scene, session.target)
-        assert "holds no lens yet" in self.refused(task, [tmp_path / "lens.step"])
 
     def test_over_a_file_that_is_there_if_the_format_cannot_hold_it(self, session, tmp_path):
         path = tmp_path / "lens.stl"

@@ -9,9 +9,9 @@ import pytest
 from workbench.errors import Refused
 from workbench.files.export.cutting import Cutting
 from workbench.files.export.gcode import planning, write_gcode
+from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.geometry.tool_path import CutFace
 from workbench.watch import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
@@ -34,7 +34,7 @@ def waves(x, y):
 
 def test_a_plane_is_left_with_ridges_of_the_stated_height():
     face = face_of(lambda x, y: 0 * x + 0 * y)
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
     assert raster.tip == pytest.approx(0, abs=1e-15)
     apart = raster.y[1] - raster.y[0]
     ridge = RADIUS - math.sqrt(RADIUS**2 - (apart / 2) ** 2)
@@ -48,57 +48,19 @@ def test_a_plane_is_left_with_ridges_of_the_stated_height():
 @pytest.mark.parametrize("height", [bowl, waves, lambda x, y: 0.5 * x - 0.3 * y])
 def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sign):
     face = face_of(lambda x, y: sign * height(x, y))
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
-    cut_off, left, _ = finished(face.left(raster))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
+    cut_off, left, _ = finished(face.cut_errors(raster))
     assert cut_off < 0.02 * SCALLOP
     assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
-
-
-def test_a_raster_is_found_in_steps_that_can_be_left():
-    parts = list(face_of(waves).rastering(RADIUS, 5e-5, 10**6))
-    assert parts == sorted(parts) and parts[-1] == 1
-    assert len(parts) > 8
 
 
 def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
     """Beside a plane of slope m, a ball's tip is R (√(1 + m²) − 1) above it."""
     face = face_of(lambda x, y: 0.75 * x + 0 * y)
-    raster = finished(face.rastering(RADIUS, SCALLOP, 10**6))
+    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
     inside_x, inside_y = np.abs(raster.x) < 1 - RADIUS, np.abs(raster.y) < 0.8
     above = (raster.tip - 0.75 * raster.x[:, None])[inside_x][:, inside_y]
     assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
-
-
-def test_ridges_are_higher_where_those_asked_for_take_too_many_moves():
-    face = face_of(waves)
-    assert face.finest(RADIUS, SCALLOP, 10**6) == SCALLOP
-    higher = face.finest(RADIUS, SCALLOP, 1_000)
-    assert SCALLOP < higher < RADIUS
-    raster = finished(face.rastering(RADIUS, higher, 1_000))
-    assert 700 < raster.tip.size <= 1_000
-    with pytest.raises(Refused, match="a larger one"):
-        finished(face.rastering(RADIUS, SCALLOP, 1_000))
-
-
-@pytest.mark.parametrize("height", [bowl, waves])
-def test_normals_of_a_fine_cut_are_close_to_those_of_the_face(height, rng):
-    face = face_of(height)
-    x, y = rng.uniform(-0.7, 0.7, (2, 500))
-    _, normal = finished(face.rastering(RADIUS, 1e-4, 10**6)).cut(x, y)
-    np.testing.assert_allclose(np.linalg.norm(normal, axis=1), 1)
-    step = 1e-5
-    slopes = [
-        (height(x + dx, y + dy) - height(x - dx, y - dy)) / (2 * step)
-        for dx, dy in ((step, 0), (0, step))
-    ]
-    # The sides of ridges lean by half their distance over the radius.
-    np.testing.assert_allclose(-normal[:, :2] / normal[:, 2:], np.transpose(slopes), atol=0.05)
-
-
-def test_a_cutter_that_is_too_large_leaves_more_than_ridges():
-    face = face_of(waves)
-    cut_off, left, _ = finished(face.left(finished(face.rastering(3.0, SCALLOP, 10**6))))
-    assert max(cut_off, left) > SCALLOP
 
 
 def moves(text):
@@ -134,24 +96,6 @@ def test_a_program_is_in_millimetres_and_travels_at_a_safe_height(program):
     assert -0.1 < top < 0.1  # at the top of the face, where the ball's side touches it
     assert deviation.unit == design.unit
     assert 0 < deviation.size < 2 * 0.002
-
-
-def test_a_program_starts_the_spindle_and_waits_before_it_plunges(program):
-    values = {"feed": 480.0, "plunge_feed": 90.0, "spindle_speed": 12_000.0, "dwell": 2.5}
-    lines = program(**values)[0].getvalue().decode().splitlines()
-    lines = [line for line in lines if not line.startswith("(")]
-    kinds = [re.sub(r"([XYZ])\S+", r"\1", line) for line in lines]
-    assert kinds[:7] == [
-        "G21 G90 G17 G94",
-        "G0 Z",
-        "M3 S12000",
-        "G4 P2.5",
-        "G0 X Y",
-        "G1 Z F90",
-        "G1 X Y Z F480",
-    ]
-    assert set(kinds[7:-3]) == {"G1 X Y Z"}
-    assert kinds[-3:] == ["G0 Z", "M5", "M30"]
 
 
 def test_the_header_states_units_and_all_values(program):
@@ -236,13 +180,6 @@ def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, 
     assert max(left) < 1.3 * deviation.size * mm
 
 
-def test_moves_go_to_and_fro_and_never_far(program):
-    x, y, _ = moves(program()[0].getvalue().decode()).T
-    step = np.hypot(np.diff(x), np.diff(y))
-    assert step.max() < 1.0  # mm: lines are 0.56 mm apart
-    assert (np.diff(x) < 0).any() and (np.diff(x) > 0).any()
-
-
 def test_a_mould_is_the_face_turned_over(program):
     """The wedge's high side is at +x; turned over about y, the mould is high there, too."""
     for negative in (False, True):
@@ -259,40 +196,3 @@ def test_a_cutter_that_does_not_fit_is_refused_with_one_that_fits(program):
         program(height=height)
     (fitting,) = re.findall(r"one of (\S+) cm fits", str(no.value))
     assert 0 < program(height=height, tool_radius=float(fitting), scallop=0.004)[1].size < 0.008
-
-
-def test_faces_with_hollow_edges_take_a_smaller_cutter(make_design):
-    """No ball fits an edge, but a small one leaves no more there than ridges."""
-    x = np.linspace(-1, 1, 7)
-    heights = 0.5 + 0.04 * np.abs(x)[:, None] + np.zeros(6)
-    changes = {"lens.degree": [1, 1], "lens.control_points": [7, 6]}
-    design = replace(make_design(changes, heights), cutting=Cutting(scallop=0.0002))
-    plan = finished(planning(design))
-    assert plan.refusal("cm") is None
-    assert plan.raster.radius < 0.35
-    refusal = finished(planning(replace(design, cutting=Cutting(0.35, 0.0002)))).refusal("cm")
-    assert "a smaller one or higher ridges" in str(refusal)
-
-
-def test_too_many_moves_are_refused(program):
-    with pytest.raises(Refused, match=r"^scallop: .* more than 1,000,000"):
-        program(scallop=1e-8)
-
-
-def test_ridges_as_high_as_the_ball_are_refused():
-    with pytest.raises(Refused, match=r"^scallop: "):
-        Cutting(tool_radius=0.1, scallop=0.1)
-
-
-@pytest.mark.parametrize("degree", [2, 3])
-@pytest.mark.parametrize("seed", range(4))
-def test_the_cutter_that_is_chosen_fits_rough_faces(degree, seed):
-    """Their curvature jumps at the rim, where straight lines go on."""
-    net = ControlNet((16, 13), (degree, degree), (1.0, 0.8))
-    heights = 0.02 * np.random.default_rng(seed).normal(size=net.shape)
-    face = CutFace(net, heights, Rectangle(net.half_width))
-    raster = finished(face.rastering(face.fitting_radius, SCALLOP, 10**6))
-    cut_off, left, place = finished(face.left(raster))
-    assert cut_off < 1e-4 * SCALLOP
-    assert 0.1 * SCALLOP < left < 1.1 * SCALLOP
-    assert face.outline.contains(*place)

@@ -9,13 +9,10 @@ import pyldt
 import pytest
 
 from workbench.design.levels import COARSE
-from workbench.errors import Refused
 from workbench.files.export.far_light import directions_of
 from workbench.files.export.leaving import leaving
 from workbench.files.export.photometric import write_ies, write_ldt
-from workbench.files.export.tm25 import write_tm25
 from workbench.measured.photometry import read_photometry
-from workbench.measured.rays import read_rays
 
 
 @pytest.fixture
@@ -85,18 +82,6 @@ def test_the_stated_error_is_the_distance_from_the_closed_form(design, write, na
     assert table.lumens == pytest.approx(1000 * leaving(design).flux.sum(), rel=0.01)
 
 
-@pytest.mark.usefixtures("coarse_tables")
-def test_the_error_of_a_coarse_table_is_stated(design, write, monkeypatch):
-    monkeypatch.setattr("workbench.files.export.fitted_table.MOST_VALUES", 200)
-
-    path, deviation = write(write_ies, design, "coarse.ies")
-
-    found = distance(opened(path, read_photometry), behind_the_plate, 40.0, 48)
-    assert found > 0.05
-    assert 0.7 * deviation.size < 100 * found < deviation.size
-    assert "more than 2 %" in deviation.note
-
-
 def test_light_has_no_more_error_than_rays_scatter(make_design, write):
     """Rays of the reference, which draws no beams, go where the table says; they scatter a bit."""
     design = make_design({"source.rays": [900, 900], "lens.reflection": "none"})
@@ -141,21 +126,6 @@ def test_other_programs_read_the_same_intensity(design, write):
 
 
 @pytest.mark.usefixtures("coarse_tables")
-def test_planes_that_are_mirror_images_are_written_once(design, make_design, write):
-    """The square plate in quarters; a prism across y in halves."""
-    x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
-    source = {"kind": "point", "position": [0.0, 0.0, -1.0], "rays": 60_000}
-    changes = {"source": source, "lens.half_width": [1.0, 1.0]}
-    prism = make_design(changes, 0.5 + 0.1 * x + 0 * y)
-
-    for each, last, number in ((design, 90.0, 4), (prism, 180.0, 2)):
-        ies, _ = write(write_ies, each, f"{last}.ies")
-        ldt, _ = write(write_ldt, each, f"{last}.ldt")
-        assert photompy.IESFile.read(ies).photometry.phis.max() == last
-        assert pyldt.LdtReader.read(ldt).header.isym == number
-
-
-@pytest.mark.usefixtures("coarse_tables")
 def test_light_that_is_bent_aside_is_on_its_side(make_design, write):
     """A prism that is thicker at +x bends light to +x, which is C0, and one at +y to C270."""
     x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
@@ -165,20 +135,6 @@ def test_light_that_is_bent_aside_is_on_its_side(make_design, write):
         table = opened(path, read_photometry)
         brightest, _ = np.unravel_index(table.candela.argmax(), table.candela.shape)
         assert abs((table.c[brightest] - plane + 180) % 360 - 180) < 0.5
-
-
-@pytest.mark.usefixtures("coarse_tables")
-@pytest.mark.parametrize(("name", "writer"), WRITERS)
-@pytest.mark.parametrize("wide", [0.0, 0.02, 0.5])
-def test_flux_of_the_file_is_that_of_the_light_at_the_pole(make_design, write, name, writer, wide):
-    """A plate sends all parallel light into the nadir; a bulge sends it around there."""
-    x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
-    design = make_design({"lens.half_width": [1.0, 1.0]}, 0.5 - wide * (x**2 + y**2) / 2)
-
-    path, _ = write(writer, design, name)
-
-    table, rays = opened(path, read_photometry), leaving(design)
-    assert table.lumens == pytest.approx(1000 * rays.flux.sum(), rel=0.02)
 
 
 @pytest.mark.usefixtures("coarse_tables")
@@ -199,32 +155,6 @@ def test_a_narrow_beam_is_as_wide_as_it_is(make_design, write):
     assert table.candela.size < 50_000
     assert table.lumens == pytest.approx(1000 * rays.flux.sum(), rel=0.01)
     assert deviation.size < 8
-
-
-@pytest.mark.usefixtures("coarse_tables")
-@pytest.mark.parametrize(("name", "writer"), WRITERS)
-def test_light_of_a_mirror_is_around_the_nadir(make_mirror, write, name, writer):
-    design = make_mirror()
-
-    path, deviation = write(writer, design, name)
-
-    table, rays = opened(path, read_photometry), leaving(design)
-    assert table.lumens == pytest.approx(1000 * rays.flux.sum(), rel=2e-3)
-    assert "nadir is −z" in deviation.note
-    # Where a lamp with this file shines if it is turned about x, so that its nadir is −z.
-    backwards = rays.direction * [1, -1, -1]
-    assert np.average(table.at(backwards) > 0, weights=rays.flux) > 0.999
-
-
-@pytest.mark.usefixtures("coarse_tables")
-def test_light_that_a_mirror_sends_aside_is_on_its_side(make_mirror, write):
-    """What is reflected to +x is in C0; what is reflected to +y, towards −z, is in C90."""
-    x, y = np.linspace(-1, 1, 7)[:, None], np.linspace(-1, 1, 6)
-    for heights, plane in ((0.2 * x + 0 * y, 0.0), (0.2 * y + 0 * x, 90.0)):
-        path, _ = write(write_ies, make_mirror({}, heights), f"tilted-{plane:g}.ies")
-        table = opened(path, read_photometry)
-        brightest, _ = np.unravel_index(table.candela.argmax(), table.candela.shape)
-        assert abs((table.c[brightest] - plane + 180) % 360 - 180) < 0.5
 
 
 @pytest.mark.usefixtures("coarse_tables")
@@ -251,23 +181,3 @@ def test_files_have_the_flux_the_size_and_the_date_of_the_lens(make_design, writ
         assert tables[0].lumens == pytest.approx(2 * header.lorl, rel=1e-4)
         assert tables[0].lumens == pytest.approx(200 * leaving(design).flux.sum(), rel=0.01)
         assert "of 200 lm" in deviation.note
-
-
-def test_a_lens_without_light_has_no_intensity(make_design, write):
-    x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
-    design = make_design({"lens.half_width": [1.0, 1.0]}, 3.0 + 2.5 * x + 0 * y)
-    with pytest.raises(Refused, match="no light leaves its body of glass"):
-        write(write_ies, design, "dark.ies")
-
-
-def test_rays_behind_the_lens_are_read_again(design, write):
-    path, deviation = write(write_tm25, design, "lens.tm25ray")
-
-    found, rays = opened(path, read_rays), leaving(design)
-
-    assert found.unit == "mm"
-    assert np.allclose(found.position, 10 * rays.position, atol=1e-5)
-    assert np.allclose(found.direction, rays.direction, atol=1e-6)
-    assert found.total == pytest.approx(rays.flux.sum(), rel=1e-5)
-    assert np.allclose(found.position[:, 2], 5.0, atol=1e-5)
-    assert deviation.size < 1e-6

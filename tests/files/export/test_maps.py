@@ -6,7 +6,7 @@ import pytest
 from PIL import Image
 
 from workbench.files.export.formats import format_of
-from workbench.files.export.maps import height, irradiance
+from workbench.files.export.maps import height
 
 pytestmark = pytest.mark.usefixtures("small_grids")
 
@@ -48,18 +48,6 @@ class TestHeight:
         assert float(text["x of first column"]) == pytest.approx(-1.0)
         assert float(text["y of first row"]) == pytest.approx(0.7)
 
-    def test_a_flat_lens_is_black(self, make_design, written):
-        path, deviation = written(make_design(heights=np.full((12, 10), 0.5)), "a.height.png")
-        assert deviation.size < 1e-15
-        with Image.open(path) as image:
-            assert not np.asarray(image).any() or float(image.text["White"]) < 0.5 + 1e-14
-
-    def test_npy(self, make_design, written):
-        design = make_design()
-        path, deviation = written(design, "lens.height.npy")
-        assert np.array_equal(np.load(path), height(design).values)
-        assert deviation[:3] == ("rounding", 0.0, "cm")
-
     def test_csv(self, make_design, written):
         design = make_design({"unit": "mm"})
         path, deviation = written(design, "lens.height.csv")
@@ -74,26 +62,6 @@ class TestHeight:
 
 
 class TestIrradiance:
-    def test_pixels(self, make_design):
-        design = make_design({"screen.pixels": [4, 2], "screen.half_width": [2.0, 1.0]})
-        shown = irradiance(design)
-        assert shown.values is design.result.state.irradiance
-        assert shown.x == pytest.approx([-1.5, -0.5, 0.5, 1.5])
-        assert shown.y == pytest.approx([0.5, -0.5])
-        assert shown.unit == "1/cm^2"
-
-    def test_tiff(self, make_design, written):
-        design = make_design()
-        path, deviation = written(design, "lens.irradiance.tiff")
-        with Image.open(path) as image:
-            assert image.mode == "F"
-            found = np.asarray(image)
-            description = image.tag_v2[270]
-        assert np.array_equal(found, design.result.state.irradiance.astype(np.float32))
-        assert deviation.size == pytest.approx(np.abs(found - design.result.state.irradiance).max())
-        assert 0 < deviation.size < 1e-7
-        assert "Unit 1/cm^2" in description
-
     @pytest.mark.parametrize("ending", ["png", "npy", "csv", "tiff"])
     def test_every_kind_of_file_shows_the_same(self, make_design, written, ending):
         design = make_design()

@@ -41,11 +41,3 @@ def test_normals(make_design, write):
         slope = spline(x, y, *order)
         # Beyond the edge and all: smooth enough for a spline that knows of no edge there.
         assert -normal[..., axis] / normal[..., 2] == pytest.approx(slope, abs=1e-6)
-
-
-def test_a_plane_goes_on_as_a_plane(make_design, write):
-    x, y = make_design().net.positions
-    design = make_design(heights=0.5 + 0.1 * x[:, None] - 0.2 * y)
-    path, _ = write(write_points, design, "lens.xyz")
-    points = np.loadtxt(path)
-    assert points[:, 2] == pytest.approx(0.5 + 0.1 * points[:, 0] - 0.2 * points[:, 1], abs=1e-13)

@@ -6,10 +6,7 @@ import pytest
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.surfaces import SplineFace
-from workbench.analysis.validation import validate
 from workbench.files.export.rays import write_rays
-
-POINT = {"kind": "point", "position": [0.1, 0.0, -3.0], "rays": 3000}
 
 
 def load(path):
@@ -54,22 +51,3 @@ def test_collimated_light_by_another_tracer(gentle, write):
     way /= np.linalg.norm(way, axis=1, keepdims=True)
     assert np.column_stack([cos_x, cos_y, cos_z]) == pytest.approx(way, abs=1e-12)
     assert flux == pytest.approx(0.96 * behind.flux / len(places), rel=1e-9)
-
-
-def test_light_of_a_point(gentle, write):
-    design = gentle(POINT)
-    path, _ = write(write_rays, design, "lens.rays.csv")
-    _, (x, y, z, *cosines, flux) = load(path)
-    target = np.ones((32, 32))
-    account = validate(design.scene, target, {"exit": design.heights}, 100_000).account
-    assert flux.sum() == pytest.approx(account.on_screen + account.lost["off_screen"], rel=0.01)
-    assert np.linalg.norm(cosines, axis=0) == pytest.approx(1, abs=1e-12)
-    # Back from the screen they meet the face within the aperture.
-    back = np.full(len(x), 4.5)
-    for _ in range(20):
-        places = np.column_stack(
-            [c - back * cos / cosines[2] for c, cos in ((x, cosines[0]), (y, cosines[1]))]
-        )
-        inside = np.clip(places, [-1.0, -0.7], [1.0, 0.7])
-        back = z - meet(design, inside)[1].position[:, 2]
-    assert places == pytest.approx(inside, abs=1e-9)

@@ -1,12 +1,9 @@
 """What others make of the files: the face fitted anew and traced anew, edges included."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.interpolate import RectBivariateSpline, make_interp_spline
 
-import resources
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate
 from workbench.design.run import run
@@ -14,12 +11,10 @@ from workbench.design.snapshot import History
 from workbench.files.export.design import Design
 from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.point_cloud import write_points
-from workbench.files.session import open_design
 from workbench.geometry.surface import ControlNet
 from workbench.targets import load_target
 
 RAYS = 400_000
-EXAMPLES = Path(resources.__file__).parent / "examples"
 
 
 @pytest.fixture
@@ -85,18 +80,3 @@ def refit(design, target, write, shape):
 
 def test_splines_fitted_to_the_files_give_the_same_image(design, write):
     refit(*design, write, shape=(71, 65))  # knots elsewhere
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["flame", "photo", "flame-point"])
-def test_splines_fitted_to_files_of_the_examples_give_the_same_image(name, write):
-    session = open_design(EXAMPLES / f"{name}.json")
-    history = History()
-    for snapshot in run(session.scene, session.target):
-        history.add(snapshot)
-        if snapshot.iteration == 40:
-            break
-    design = Design(session.scene, history.result())
-    # A spline through all points, knots at each: fine faces ask for as many.
-    shape = tuple(len(c) - 1 + p for c, p in zip(design.lattice(), design.net.degree, strict=True))
-    refit(design, session.target, write, shape)

@@ -34,37 +34,8 @@ class TestChordError:
         if degree != (1, 1):
             assert measured > 0.15 * chord_error  # not wasteful
 
-    def test_a_bilinear_patch(self, make_design):
-        """z = c x y is off by c h k / 4 at the middle of the diagonal."""
-        net = {"lens.degree": [1, 1], "lens.control_points": [2, 2]}
-        x, y = np.array([[-1.0, 1.0], [-0.7, 0.7]])
-        design = make_design(net, heights=0.5 + 0.1 * x[:, None] * y, chord_error=1.0)
-        face = Tessellation.of(design)
-        assert face.z.shape == (2, 2)
-        assert face.chord_error(design) == pytest.approx(0.1 * 2.0 * 1.4 / 4)
-
-    def test_a_plane_needs_no_more_than_its_spans(self, make_design):
-        design = make_design(heights=np.full((12, 10), 0.5), chord_error=1e-9)
-        face = Tessellation.of(design)
-        assert face.z.shape == (10, 8)
-        assert face.chord_error(design) < 1e-15
-
-    def test_single_precision_counts(self, make_design, rng):
-        heights = 0.5 + 5e-4 * rng.random((12, 10))
-        design = make_design(heights=heights, chord_error=1e-6)
-        face = Tessellation.of(design, precision=2.0**-24).rounded()
-        assert face.chord_error(design) <= 1e-6
-
 
 class TestRefused:
-    def test_finer_than_single_precision(self, make_design):
-        with pytest.raises(Refused, match=r"--chord-error: 1e-09 cm is finer than the numbers"):
-            Tessellation.of(make_design(chord_error=1e-9), precision=2.0**-24)
-
-    def test_too_many_triangles(self, make_design):
-        with pytest.raises(Refused, match=r"takes \d+ triangles, .*; about .* is possible"):
-            Tessellation.of(make_design(chord_error=1e-9))
-
     def test_the_chord_error_that_a_refusal_suggests_is_possible(self, make_design):
         heights = make_design().heights
         with pytest.raises(Refused) as caught:

@@ -5,9 +5,8 @@ import pytest
 
 from tests.lamps import led
 from tests.measured.rays.files import text
-from workbench.errors import Refused
 from workbench.measured.lamps import of_known_size, placed_rays, ray_model
-from workbench.measured.rays.model import _off
+from workbench.measured.rays.model import _misplaced_flux
 from workbench.scene import Scene
 
 
@@ -72,20 +71,6 @@ def test_size_of_a_model_is_that_of_the_uniform_emitter_of_its_rays(
     assert of_known_size(found, scene.optic) is found
 
 
-def test_rays_of_one_place_have_no_size(make_scene, tmp_path):
-    directions = np.random.default_rng(1).normal(size=(2000, 3)) * [0.1, 0.1, 0] + [0, 0, 1]
-    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-    rows = np.column_stack([np.zeros((2000, 3)), directions, np.ones(2000)])
-    (tmp_path / "point.csv").write_bytes(text(rows))
-    source = {"kind": "ray_file", "file": str(tmp_path / "point.csv"), "file_unit": "cm"}
-    scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
-
-    found = of_known_size(scene.source, scene.optic)
-
-    assert max(found.half_width) < 1e-3
-    assert found.place == pytest.approx((0, 0, -3), abs=1e-3)
-
-
 def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_path):
     # 2 cm wide and slanted by 0.01 in the mean: each place of the lens sees it at that angle alone.
     generator = np.random.default_rng(1)
@@ -118,7 +103,9 @@ def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
     radiance[:, half:] *= 2
     one_sided = model._replace(radiance=radiance)
     crossing = np.column_stack([x, y])[come]
-    assert _off(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(0.5, abs=0.08)
+    assert _misplaced_flux(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(
+        0.5, abs=0.08
+    )
 
 
 def test_intensity_of_points_is_that_of_an_even_emitter(scene):
@@ -132,21 +119,3 @@ def test_intensity_of_points_is_that_of_an_even_emitter(scene):
 
     assert found.mean() == pytest.approx((directions[2] / np.pi).mean(), rel=0.02)
     assert np.allclose(found, directions[2] / np.pi, rtol=0.12)
-
-
-def test_rays_that_all_go_elsewhere_are_refused(make_scene, tmp_path):
-    source = led(tmp_path) | {"rotation": [180.0, 0.0, 0.0]}
-    scene = make_scene({"source": source})
-
-    with pytest.raises(Refused, match=r"^source\.file: .* gives the lens no light: no ray of it"):
-        ray_model(scene.source, scene.optic, 16)
-
-
-def test_a_file_without_a_unit_needs_one_in_the_scene(make_scene, tmp_path):
-    path = tmp_path / "led.csv"
-    path.write_text("0,0,0,0,0,1,1\n0,0,0,0.6,0,0.8,1\n")
-    source = {"kind": "ray_file", "file": str(path), "position": [0.0, 0.0, -3.0]}
-
-    with pytest.raises(Refused, match=r"^source\.file_unit: missing; .*led\.csv"):
-        placed_rays(make_scene({"source": source}).source)
-    assert len(placed_rays(make_scene({"source": source | {"file_unit": "cm"}}).source).flux) == 2

@@ -1,5 +1,4 @@
 import io
-import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -46,43 +45,12 @@ def test_optional_columns_of_tm25_files_are_at_their_places() -> None:
     assert all((a == b).all() for a, b in zip(found.spectra, spectra, strict=True))
 
 
-def test_rays_without_any_flux_in_their_columns_are_alike() -> None:
-    found = read(tm25(TABLE[:, :6], (1, 1, 0, 0, 0, 0, 0, 0)))
-
-    assert (found.flux == 1).all()
-
-
 @pytest.mark.parametrize(("number", "unit"), list(enumerate(("m", "inch", "cm", "feet", "mm"))))
 def test_opticstudio_files_hold_their_rays_and_unit(number: int, unit: str) -> None:
     found = read(dat(TABLE, number), "led.DAT")
 
     assert holds(found, TABLE)
     assert found.unit == unit
-
-
-def test_opticstudio_files_hold_wavelengths_in_micrometres() -> None:
-    found = read(dat(np.column_stack([TABLE, np.full(1000, 0.555)])), "led.dat")
-
-    assert holds(found, TABLE)
-    assert np.allclose(found.wavelength_nm, 555)
-
-
-def test_opticstudio_files_of_text_are_read() -> None:
-    found = read(text(TABLE, " ", "\r\n", head="1000 4\r\n"), "led.dat")
-
-    assert holds(found, TABLE)
-    assert found.unit == "mm"
-
-
-@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
-@pytest.mark.parametrize("separator", [",", ";", "\t", " ", ", "])
-def test_text_is_read_whatever_stands_between_its_columns(separator: str, end: str) -> None:
-    assert holds(read(text(TABLE, separator, end), "led.csv"), TABLE)
-
-
-@pytest.mark.parametrize("separator", [";", "\t", " "])
-def test_decimal_commas_are_read(separator: str) -> None:
-    assert holds(read(text(TABLE, separator).replace(b".", b","), "led.csv"), TABLE)
 
 
 @pytest.mark.parametrize(
@@ -136,21 +104,6 @@ def test_rays_in_text_of_any_encoding_are_read(name: str, head: str, encoding: s
     assert found.unit == "cm"
 
 
-def test_an_eighth_column_of_text_is_the_wavelength() -> None:
-    found = read(text(np.column_stack([TABLE, np.full(1000, 450.0)])), "led.csv")
-
-    assert np.allclose(found.wavelength_nm, 450)
-
-
-def test_directions_are_made_unit_vectors() -> None:
-    table = TABLE.copy()
-    table[:, 3:6] *= 1.004
-
-    lengths = np.linalg.norm(read(tm25(table)).direction, axis=1)
-
-    assert np.allclose(lengths, 1, atol=1e-6)
-
-
 def with_value(row: int, column: int, value: float) -> np.ndarray:
     table = TABLE.copy()
     table[row, column] = value
@@ -185,14 +138,6 @@ def test_tm25_files_that_are_wrong_are_refused_in_a_sentence(content: bytes, sai
         read(content)
 
     assert said in str(refused.value)
-
-
-def test_spectra_of_lying_length_are_refused() -> None:
-    content = bytearray(tm25(TABLE, spectra=[np.ones((3, 2))]))
-    content[36288:36292] = (1 << 30).to_bytes(4, "little")
-
-    with pytest.raises(Refused, match="spectra has 1073741824 points"):
-        read(bytes(content))
 
 
 @pytest.mark.parametrize(
@@ -235,11 +180,6 @@ def test_text_that_is_wrong_is_refused(content: bytes, said: str) -> None:
     assert len(str(refused.value)) < 200
 
 
-def test_other_files_are_refused() -> None:
-    with pytest.raises(Refused, match=r"is no ray file; \.tm25ray, \.dat, \.csv, \.txt are known"):
-        read(b"", "led.ray")
-
-
 def test_many_rays_are_thinned_and_their_flux_stays() -> None:
     table = rays(100_000)
 
@@ -250,33 +190,6 @@ def test_many_rays_are_thinned_and_their_flux_stays() -> None:
     assert found.total == pytest.approx(table[:, 6].sum(dtype=float), rel=1e-6)
     kept = {row.tobytes() for row in found.position}
     assert kept < {row.tobytes() for row in np.ascontiguousarray(table[:, :3])}
-
-
-def test_thinned_rays_are_drawn_by_their_flux() -> None:
-    table = rays(100_000)
-    table[:, 6] = np.where(table[:, 0] > 0, 3.0, 1.0)
-
-    found = gathered(iter([table]), Columns(), 100_000, "mm", most=10_000)
-
-    right = found.flux[found.position[:, 0] > 0].sum() / found.flux.sum()
-    assert right == pytest.approx(0.75, abs=0.01)
-    bright = (found.position[:, 0] > 0).mean()
-    assert 0.7 < bright < 0.76  # one in two without that
-
-
-def test_memory_does_not_grow_with_the_file() -> None:
-    def chunks(count: int):  # type: ignore[no-untyped-def]
-        for _ in range(count):
-            yield rays(100_000)
-
-    peaks = []
-    for count in (10, 40):
-        tracemalloc.start()
-        gathered(chunks(count), Columns(), 100_000 * count, "mm", most=10_000)
-        peaks.append(tracemalloc.get_traced_memory()[1])
-        tracemalloc.stop()
-
-    assert peaks[1] < 1.1 * peaks[0]
 
 
 @pytest.mark.parametrize("name", ["led.tm25ray", "led.dat", "led.csv"])

@@ -77,13 +77,6 @@ def test_all_light_of_a_narrow_lamp_passes_flat_faces(optic, outline):
     assert abs(account.lost["left_side"]) < WITHIN
 
 
-def test_the_light_of_a_lamp_is_the_same_of_few_cells_and_of_many():
-    scene = scene_of(5.0, 0.6, aside=True)
-    few, many = traced(scene, 24), traced(scene, 96)
-
-    assert few.on_screen == pytest.approx(many.on_screen, abs=WITHIN)
-
-
 @pytest.mark.parametrize("width", [0.6, 5.0, 40.0])
 def test_directions_of_a_table_have_its_flux(width):
     table = intensity_of(scene_of(width, 1.0, aside=False).source)

@@ -8,7 +8,6 @@ from tests.lamps import PLATE, behind_plate, crooked_lamp, downlight
 from workbench.geometry.surface import ControlNet
 from workbench.measured.lamps import intensity_of
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.plan import Plan
 from workbench.optics.sources import emitter_of
 
 
@@ -50,15 +49,6 @@ def test_all_light_of_the_lamp_is_accounted_for(crooked, fused):
     account = light.account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
     assert account.lost["missed_lens"] > 0.5
-
-
-def test_rays_that_are_drawn_carry_the_light_of_corners(crooked):
-    plan = Plan(crooked, dtype=torch.float64)
-    drawn = plan.trace(flat(crooked)) if hasattr(plan, "trace") else plan(flat(crooked))
-    even = BeamPlan(crooked, (60, 60), dtype=torch.float64).trace(flat(crooked))
-
-    assert drawn.account.on_screen == pytest.approx(even.account.on_screen, rel=2e-3)
-    assert drawn.account.on_screen + sum(drawn.account.lost.values()) == pytest.approx(1, abs=1e-9)
 
 
 def test_the_lamp_is_turned_about_x_then_y_then_z(crooked):

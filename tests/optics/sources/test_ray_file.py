@@ -12,7 +12,6 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
-from workbench.optics.sources import emitter_of
 
 
 @pytest.fixture
@@ -38,19 +37,6 @@ def test_beams_of_points_make_the_image_of_the_rays(scene):
     assert relative_l2(light.flux.numpy(), found.by_cells.irradiance) < 5e-3
     assert found.account.on_screen == pytest.approx(light.account.on_screen, rel=0.02)
     assert found.account.on_screen + sum(found.account.lost.values()) == pytest.approx(1, abs=1e-9)
-
-
-def test_a_design_says_how_far_its_points_are_from_the_rays(scene):
-    notes = BeamPlan(scene, Corners(40, 40, 16)).notes
-    assert any(note.startswith("16 points stand for the rays of the file: ") for note in notes)
-
-
-def test_light_of_the_middle_of_the_rays_alone_is_that_of_one_point(scene):
-    sharp = emitter_of(scene.source.sharp, scene.optic, Corners(8, 8, 16)).origins.places
-    all_of_it = emitter_of(scene.source, scene.optic, Corners(8, 8, 16)).origins.places
-
-    assert sharp.shape == (1, 3) and all_of_it.shape == (16, 3)
-    assert sharp[0] == pytest.approx(all_of_it.mean(axis=0), abs=0.01)
 
 
 def test_all_light_of_the_file_is_accounted_for(scene):

@@ -108,16 +108,6 @@ def test_a_check_shows_nothing_if_the_lens_changed_meanwhile(window, gate, qtbot
     assert window.log.toPlainText().count("Check with") == 1
 
 
-def test_the_progress_of_a_check_is_shown(window, gate, qtbot):
-    window.commands["check"].trigger()
-    gate.release(1)
-    qtbot.waitUntil(lambda: figures(window) == "checking… 25 %")
-    gate.release(2)
-    qtbot.waitUntil(lambda: figures(window) == "checking… 75 %")
-    gate.release(1)
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
-
-
 def test_the_command_again_cancels_the_check(window, gate, qtbot):
     check = window.commands["check"]
     check.trigger()
@@ -152,26 +142,6 @@ def test_escape_cancels_the_check_where_no_tool_needs_the_key(window, gate, qtbo
     assert len(gate.left) == 1
 
 
-def test_a_cancelled_check_can_be_started_again_at_once(window, gate, qtbot):
-    window.commands["check"].trigger()
-    qtbot.waitUntil(lambda: len(gate.begun) == 1)
-    for _ in range(2):
-        window.commands["check"].trigger()
-    assert figures(window).startswith("checking…")
-    gate.release(1 + STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
-    assert len(gate.begun) == 2
-
-
-def test_a_lens_that_is_checked_is_not_checked_again(window, gate, qtbot):
-    window.commands["check"].trigger()
-    gate.release(STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"))
-    window.commands["check"].trigger()
-    assert figures(window).startswith("Checked")
-    assert len(gate.begun) == 1
-
-
 def test_a_check_that_fails_shows_the_reason(window, monkeypatch, qtbot):
     def dark(*lens, threads, accuracy):
         raise RunFailed("no light of this lens reaches the screen")
@@ -196,16 +166,6 @@ def test_closing_the_window_ends_a_check(window, gate, qtbot):
     next_step.join()
     assert not check._background.running
     assert gate.left == gate.begun
-
-
-def test_no_check_can_be_started_during_a_run(window, as_run, qtbot):
-    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
-    window.commands["start"].trigger()
-    assert not window.commands["check"].isEnabled()
-    window.commands["pause"].trigger()
-    assert window.commands["check"].isEnabled()
-    window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
 
 
 @pytest.fixture

@@ -1,19 +1,15 @@
 """All figures of a check in a dock: told, explained, copied; and the choice of rays."""
 
-import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication
 
-from tests.scene.test_further_image import SECOND
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
 from ui.check.figures import CheckFigures
-from ui.words import speak
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.validation import validate, validating
-from workbench.design.task import begin
-from workbench.report.figures import account_rows, check_rows, percent
+from workbench.report.figures import account_rows, check_rows
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -61,35 +57,6 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
-
-
-def test_the_light_of_regions_is_listed_and_explained(figures, make_scene, designed, tmp_path):
-    desk = {"name": "Desk", "size": [0.5, 0.5]}
-    session = begin(make_scene({"regions": [desk, desk]}), tmp_path)
-    heights = designed.result.state.heights
-    found = validate(session.scene, session.target, heights, RAYS)
-    figures.show_check(CheckedLens(session, heights), found, 0.0321)
-    assert rows(figures)["Desk"] == found.regions[0].words
-    assert figures.text.count("Desk") == 2
-    table = figures._table
-    shown = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "Desk")
-    assert "1 is even" in table.item(shown, 0).toolTip()
-
-
-def test_figures_of_each_image_are_listed(figures, make_scene, designed, tmp_path):
-    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    heights = designed.result.state.heights
-    found = validate(session.scene, session.target, heights, RAYS)
-    own = found.further[0].irradiance
-    figures.show_check(CheckedLens(session, heights, further=(own,)), found, 0.0321)
-    received = rows(figures)
-    for number, image in enumerate(found.images, start=1):
-        assert received[f"Image {number}: relative L2 error"] == percent(image.relative_l2)
-    assert received["Image 1: off the optimiser's image"] == "3.210 %"
-    assert received["Image 2: off the optimiser's image"] == percent(0.0)
-    errors = [image.relative_l2_corrected for image in found.images]
-    together = np.sqrt((errors[0] ** 2 + 2 * errors[1] ** 2) / 3)
-    assert found.verified.relative_l2_corrected == pytest.approx(together)
 
 
 def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
@@ -173,50 +140,3 @@ def test_another_number_of_rays_allows_another_check_of_the_same_lens(window, qt
         qtbot.waitUntil(lambda: not window.loaded.check._background.busy, timeout=60_000)
         check.trigger()  # nothing more to find out
     assert window.asked == [1_000_000, 64_000_000]
-
-
-def test_the_figures_begin_with_the_error_without_random_rays(settings, designed, qtbot):
-    lens = designed.result.state.heights
-    found = validate(designed.scene, designed.target, lens, RAYS, accuracy=0.1)
-    widget = CheckFigures(settings, QAction("Check lens"))
-    qtbot.addWidget(widget)
-    widget.show_check(CheckedLens(designed, lens), found, 0.01)
-    first, interval, cells, apart = widget.text.splitlines()[:4]
-    assert first == f"Verified error\t{percent(found.by_cells.relative_l2_corrected)}"
-    assert interval.startswith("It is surely\t")
-    assert cells.startswith("Cells\t")
-    assert apart.endswith(" times their noise")
-
-
-@pytest.mark.parametrize(
-    ("language", "interval", "noise"), [("de", " % bis ", "Rauschens"), ("fr", " % à ", "bruit")]
-)
-def test_figures_are_said_in_the_language_of_the_window(
-    settings, designed, qapp, qtbot, language, interval, noise
-):
-    lens = designed.result.state.heights
-    found = validate(designed.scene, designed.target, lens, RAYS, accuracy=0.1)
-    speak(qapp, language)
-    try:
-        widget = CheckFigures(settings, QAction("Check lens"))
-        qtbot.addWidget(widget)
-        widget.show_check(CheckedLens(designed, lens), found, 0.01)
-        _, low_to_high, _, apart = widget.text.splitlines()[:4]
-    finally:
-        speak(qapp, "en")
-    assert interval in low_to_high
-    assert apart.endswith(noise)
-
-
-@pytest.mark.parametrize("width", [270, 400])
-def test_no_figure_is_cut_off_in_a_narrow_dock(figures, designed, found, qtbot, width):
-    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0321)
-    figures.resize(width, 380)
-    table = figures._table
-    columns = table.columnWidth, table.viewport().width
-    qtbot.waitUntil(lambda: columns[0](0) + columns[0](1) == columns[1]())
-    assert table.columnWidth(1) >= columns[1]() // 2
-    for row in range(table.rowCount()):
-        for column in range(2):
-            needed = table.sizeHintForIndex(table.model().index(row, column))
-            assert needed.height() <= table.rowHeight(row)

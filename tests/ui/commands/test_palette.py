@@ -4,7 +4,6 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QTreeWidget
-from shiboken6 import delete
 
 from ui.commands.palette import CommandPalette
 
@@ -108,21 +107,3 @@ def test_disabled_commands_are_not_run(window, palette, qtbot):
     assert palette.isVisible()
     qtbot.keyClick(palette._field, Qt.Key.Key_Escape)
     assert not palette.isVisible()
-
-
-def test_a_command_that_is_gone_is_neither_run_nor_shown(palette, qtbot):
-    gone = QAction("Goes", palette)
-    palette._entries = [("Goes", gone)]
-    qtbot.keyClicks(palette._field, "go")
-    assert listed(palette) == [("Goes", "")]
-    delete(gone)
-    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
-    assert listed(palette) == []
-    assert palette.isVisible()
-
-
-def test_text_without_a_match_leaves_an_empty_list(palette, qtbot):
-    qtbot.keyClicks(palette._field, "xyzzy")
-    assert listed(palette) == []
-    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
-    assert palette.isVisible()

@@ -3,12 +3,11 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
 from tests.ui.hands import editor
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
-from ui.widgets import theme
 
 
 def holds_focus(pane):
@@ -55,25 +54,6 @@ def test_a_pane_restores_the_focus_of_its_last_field(window, qtbot):
     assert field.hasFocus()
 
 
-def test_one_dock_at_a_time_is_marked(window):
-    for name in ("design", "loss"):
-        window.commands[f"go_{name}"].trigger()
-    docks = window.workspace.docks
-    assert [name for name, dock in docks.items() if dock.property("active")] == ["loss"]
-
-
-def test_the_3d_scene_shows_its_focus_as_other_panes_do(display, application, window):
-    theme.apply(application)
-    window.build()
-    window.commands["go_scene"].trigger()
-    centre = window.centralWidget()
-    assert holds_focus(centre) and centre.property("active") is True
-    framed = centre.grab().toImage().pixelColor(0, centre.height() // 2)
-    window.commands["go_design"].trigger()
-    assert centre.property("active") is False
-    assert centre.grab().toImage().pixelColor(0, centre.height() // 2) != framed
-
-
 def test_nothing_on_the_window_is_without_a_name_for_screen_readers(window):
     nameless = [
         (widget, widget.parent())
@@ -106,17 +86,6 @@ def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
     offered = {action for _, action in window.commands.entries()}
     missing = [name for name in COMMANDS if window.commands[name] not in offered]
     assert missing == []
-
-
-def test_every_dock_has_a_widget_and_every_widget_a_dock(window):
-    workspace = window.workspace
-    views = {name: QWidget() for name in PANES.keys() - {"scene", "design", "history", "log"}}
-    with pytest.raises(ValueError, match=r"\['runs'\]"):
-        workspace.put_views(QWidget(), {k: v for k, v in views.items() if k != "runs"})
-    with pytest.raises(ValueError, match=r"\['ghost'\]"):
-        workspace.put_views(QWidget(), {**views, "ghost": QWidget()})
-    workspace.put_views(QWidget(), views)
-    assert all(workspace.docks[name].widget() is view for name, view in views.items())
 
 
 def test_each_dock_begins_where_the_table_puts_it(window):

@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtGui import QPalette
 
-from ui.commands.table import THEMES
 from ui.commands.theme_choice import THEME
 from ui.widgets import theme
 
@@ -29,16 +28,4 @@ def test_the_theme_of_the_system_comes_back(coloured, window, settings):
     assert coloured.palette().color(QPalette.ColorRole.Window) != ground
     window.commands["theme_system"].trigger()
     assert coloured.palette().color(QPalette.ColorRole.Window) == ground
-    assert THEME.kept(settings) == "system"
-
-
-def test_another_window_shows_which_theme_is_on(coloured, open_window, qtbot):
-    one, other = open_window(), open_window()
-    one.commands["theme_dark"].trigger()
-    qtbot.waitUntil(other.commands["theme_dark"].isChecked)
-    assert [name for name in THEMES if other.commands[name].isChecked()] == ["theme_dark"]
-
-
-def test_an_unknown_choice_is_that_of_the_system(settings):
-    settings.setValue("window/theme", "pink")
     assert THEME.kept(settings) == "system"

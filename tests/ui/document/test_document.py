@@ -57,16 +57,6 @@ def move_screen(document, z, key="screen.z"):
     document.edit(changed(document.session.scene, "screen", z=float(z)), "change of screen", key)
 
 
-def test_an_edit_can_be_undone_and_redone(document):
-    move_screen(document, 7)
-    assert document.session.scene.receiver.z == 7
-    assert document.undo_stack.undoText() == "change of screen"
-    document.undo_stack.undo()
-    assert document.session.scene.receiver.z == 5
-    document.undo_stack.redo()
-    assert document.session.scene.receiver.z == 7
-
-
 def test_consecutive_edits_of_one_field_are_one_step(document):
     for z in (6, 7, 8):
         move_screen(document, z)
@@ -96,15 +86,6 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
     document.undo_stack.undo()
     assert document.session.scene.receiver.z == 6
     assert not document.dirty
-
-
-def test_a_signal_says_when_the_dirty_state_changes(document, tmp_path, qtbot):
-    with qtbot.waitSignal(document.dirty_changed) as received:
-        move_screen(document, 6)
-    assert received.args == [True]
-    with qtbot.waitSignal(document.dirty_changed) as received:
-        document.save(tmp_path / "a.freeform")
-    assert received.args == [False]
 
 
 def test_another_screen_loads_the_target_for_its_pixels(document):
@@ -201,15 +182,6 @@ def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tm
     assert document.path is None
 
 
-def test_merged_edits_restore_the_result_of_the_first_value(document):
-    document.set_result(lens_result(), "design run")
-    move_screen(document, 6)
-    assert document.session.result is None
-    move_screen(document, 5)
-    assert document.session.result is not None
-    assert document.undo_stack.count() == 2
-
-
 def test_undoing_a_new_task_gives_name_and_file_back(document, tmp_path):
     document.save(tmp_path / "first.freeform")
     first, other = (
@@ -230,12 +202,3 @@ def test_undoing_a_new_task_gives_name_and_file_back(document, tmp_path):
     document.undo_stack.redo()
     assert document.session is other
     assert (document.name, document.path) == ("Torch", None)
-
-
-def test_a_task_that_was_saved_keeps_its_file_when_done_again(document, tmp_path):
-    document.begin(Session(small_scene(), document.session.target), "Torch")
-    document.save(tmp_path / "torch.freeform")
-    document.undo_stack.undo()
-    assert document.path is None and document.name == "small"
-    document.undo_stack.redo()
-    assert document.path == tmp_path / "torch.freeform" and not document.dirty

@@ -79,15 +79,6 @@ def test_a_step_costs_what_only_the_session_before_it_holds(walk):
     assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
 
 
-def test_a_step_to_another_image_costs_the_picture_before(walk):
-    walk.go("image", picture=bytes(2 * MEGABYTE))
-    assert walk.steps.cost < MEGABYTE
-    walk.go("padding", view={"padding": 1})
-    assert walk.steps.cost < MEGABYTE  # both have the same picture
-    walk.go("another image", picture=bytes(10))
-    assert walk.steps.cost == pytest.approx(2 * MEGABYTE, abs=MEGABYTE / 8)
-
-
 def test_the_oldest_steps_are_dropped_beyond_the_memory_limit(walk):
     forgotten = []
     walk.steps.forgot.connect(forgotten.append)
@@ -133,20 +124,6 @@ def test_the_saved_step_stays_clean_until_it_is_dropped(walk):
     assert not walk.steps.canUndo() and not walk.steps.isClean()
 
 
-def test_dropping_steps_does_not_change_which_steps_merge(walk):
-    walk.go("large", result=lens(4))
-    walk.go("small", result=lens(1))
-    walk.go("typed", "key", view={"a": 1})
-    walk.steps.setClean()
-    walk.go("typed", "key", view={"a": 2})  # another step, as the one before was saved
-    walk.steps.setClean()
-    walk.go("late", result=lens(3))
-    walk.go("typed", "key", result=lens(1))
-    assert walk.texts == ["typed"] * 2 + ["late", "typed"]
-    walk.go("typed", "key", result=lens(1))
-    assert walk.steps.count() == 4
-
-
 def test_the_origin_is_that_of_the_current_step(walk):
     assert walk.steps.origin("key") is None
     before = walk.now
@@ -167,14 +144,6 @@ def test_merged_undo_steps_release_arrays(walk):
     assert passed() is None
 
 
-def test_heights_of_a_lens_count_as_memory_of_a_step(walk):
-    cost = walk.steps.cost
-    heights = FaceArrays({"exit": np.zeros((300, 300))})
-    walk.go("design", result=lens().with_state(heights=heights))
-    walk.go("forget it", result=None)
-    assert walk.steps.cost - cost > MEGABYTE + heights["exit"].nbytes
-
-
 def test_an_amended_step_leads_to_the_other_session_and_stays_one_step(walk, session):
     walk.go("edit", start=None)
     better = replace(walk.now, result=lens())
@@ -184,24 +153,3 @@ def test_an_amended_step_leads_to_the_other_session_and_stays_one_step(walk, ses
     assert walk.now is session
     walk.steps.redo()
     assert walk.now is better
-
-
-def test_an_amended_step_is_no_longer_the_saved_one(walk):
-    walk.go("edit", start=None)
-    walk.steps.setClean()
-    walk.steps.amend(replace(walk.now, result=lens()))
-    assert not walk.steps.isClean()
-
-
-def test_without_a_step_there_is_nothing_to_amend(walk, session):
-    walk.steps.amend(replace(session, result=lens()))
-    assert walk.steps.isClean()
-    assert walk.steps.count() == 0
-
-
-def test_an_amended_step_costs_what_only_its_beginning_holds(walk):
-    walk.go("design", result=lens())
-    walk.go("edit", result=None)
-    before = walk.steps.cost
-    walk.steps.amend(replace(walk.now, result=walk.steps._all()[1].before.result))
-    assert walk.steps.cost < before - MEGABYTE // 2

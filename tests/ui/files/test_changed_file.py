@@ -65,14 +65,6 @@ def test_save_as_leaves_the_changed_file_as_it_is(
     assert read_session(tmp_path / "new.freeform").scene.receiver.z == 7
 
 
-def test_save_as_to_the_same_name_asks_too(window, session, path, answers, monkeypatch):
-    write_elsewhere(session, path, 9)
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: path.parent / "." / path.name)
-    answers.append(ChangedFileChoice.CANCEL)
-    assert not window.files.save_as()
-    assert read_session(path).scene.receiver.z == 9
-
-
 def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, path, answers):
     write_elsewhere(session, path, 9)
     answers.append(ChangedFileChoice.RELOAD)
@@ -94,23 +86,6 @@ def test_save_asks_before_a_deleted_file_is_written_again(window, path, answers)
     assert read_session(path).scene.receiver.z == 7
 
 
-def test_a_file_replaced_by_renaming_another_is_a_changed_one(window, session, path):
-    write_elsewhere(session, path.with_name("new"), 9)
-    path.with_name("new").rename(path)
-    assert window.document.on_disk(path) is OnDisk.CHANGED
-
-
-def test_a_link_to_another_file_is_a_changed_one(window, session, tmp_path):
-    first, second, link = tmp_path / "1.freeform", tmp_path / "2.freeform", tmp_path / "l.freeform"
-    link.symlink_to(first)
-    window.document.save(link)
-    assert link.is_symlink() and window.document.on_disk(link) is OnDisk.KNOWN
-    write_elsewhere(session, second, 9)
-    link.unlink()
-    link.symlink_to(second)
-    assert window.document.on_disk(link) is OnDisk.CHANGED
-
-
 @pytest.mark.usefixtures("answers")
 def test_own_saves_and_equal_content_need_no_question(window, path):
     assert window.files.save()
@@ -121,13 +96,6 @@ def test_own_saves_and_equal_content_need_no_question(window, path):
     move_screen(window.document, 9)
     assert window.files.save()
     assert read_session(path).scene.receiver.z == 9
-
-
-def test_a_file_opened_and_changed_since_is_asked_about(window, session, path, answers):
-    window.document.open(path)
-    write_elsewhere(session, path, 9)
-    answers.append(ChangedFileChoice.CANCEL)
-    assert not window.files.save()
 
 
 def test_a_file_that_cannot_be_read_is_not_overwritten(window, path):
@@ -179,27 +147,8 @@ def test_the_question_about_a_changed_file(window, path, word, choice):
     assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}
 
 
-def test_the_question_about_a_deleted_file(window, path):
-    seen = []
-    press("Save there again", seen)
-    assert changed.ask(path, OnDisk.GONE, window) is ChangedFileChoice.OVERWRITE
-    assert seen[0][1] == {"Save there again", "Save as…", "Cancel"}
-    press("Save as…", seen)
-    assert changed.ask(path / "gone.freeform", OnDisk.GONE, window) is ChangedFileChoice.SAVE_AS
-    assert seen[1][1] == {"Save as…", "Cancel"}
-
-
 def test_the_message_after_saving_names_the_file(window, path):
     window.commands["save"].trigger()
     said = window.status.text
     assert said.startswith("Saved mine.freeform, ") and said.endswith("kB")
     assert window.log.toPlainText().endswith(said)
-
-
-def test_a_design_changed_after_saving_is_not_called_saved(window, path):
-    document = window.document
-    move_screen(document, 7.5)
-    window.commands["save"].trigger()
-    assert window.status.text.startswith("Saved ")
-    window.commands["undo"].trigger()
-    assert document.dirty and window.status.text == "Loading…"

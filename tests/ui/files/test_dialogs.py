@@ -3,14 +3,11 @@
 import numpy as np
 import pytest
 from PIL import Image
-from PySide6.QtCore import QStandardPaths
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from tests.ui.hands import choose
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
-
-DOCUMENTS = QStandardPaths.StandardLocation.DocumentsLocation
 
 
 @pytest.fixture
@@ -44,26 +41,6 @@ def folders(tmp_path):
     for folder in made:
         folder.mkdir()
     return made
-
-
-def test_an_untitled_design_does_not_begin_in_the_working_folder(make, document, asked, tmp_path):
-    begun, _ = asked
-    make(document).to_open("design", "Open", "")
-    documents = QStandardPaths.writableLocation(DOCUMENTS)
-    assert begun[0] in (
-        documents,
-        QStandardPaths.writableLocation(QStandardPaths.StandardLocation.HomeLocation),
-    )
-
-
-def test_a_dialog_begins_in_the_folder_of_the_design(make, document, asked, folders):
-    designs, *_ = folders
-    begun, _ = asked
-    dialogs = make(document)
-    document.save(designs / "mine.freeform")
-    for kind in ("design", "image"):
-        dialogs.to_open(kind, "Open", "")
-    assert begun == [str(designs)] * 2
 
 
 def test_each_kind_of_file_has_a_folder_of_its_own(make, document, asked, folders):

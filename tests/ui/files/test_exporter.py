@@ -109,12 +109,6 @@ def test_closing_waits_for_an_export(window, held, tmp_path):
     assert held.is_set() and not window.exporter._background.running
 
 
-def test_without_a_lens_there_is_nothing_to_export(window):
-    assert window.commands["export"].isEnabled()
-    window.commands["new_tophat"].trigger()
-    assert not window.commands["export"].isEnabled()
-
-
 def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qtbot):
     window.document.save(tmp_path / "mine.freeform")
     formats = accept_as("*.height.npy")

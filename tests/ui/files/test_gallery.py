@@ -16,11 +16,6 @@ def gallery(window, qtbot):
     return found
 
 
-def named(gallery, name):
-    row = [example.name for example in EXAMPLES].index(name)
-    return gallery._list.item(row)
-
-
 def test_every_example_has_a_picture_of_its_target(gallery):
     items = [gallery._list.item(row) for row in range(gallery._list.count())]
     assert [item.text() for item in items] == [example.title for example in EXAMPLES]
@@ -43,20 +38,3 @@ def test_typing_a_name_and_enter_open_it(window, gallery, qtbot):
     qtbot.keyClick(gallery, Qt.Key.Key_Return)
     assert window.document.name == "letter"
     qtbot.waitUntil(lambda: window.findChild(Gallery) is None)
-
-
-def test_a_double_click_opens_it(window, gallery, qtbot):
-    item = named(gallery, "photo")
-    gallery._list.scrollToItem(item)
-    place = gallery._list.visualItemRect(item).center()
-    viewport = gallery._list.viewport()
-    qtbot.mouseClick(viewport, Qt.MouseButton.LeftButton, pos=place)
-    qtbot.mouseDClick(viewport, Qt.MouseButton.LeftButton, pos=place)
-    assert window.document.name == "photo"
-
-
-def test_escape_changes_nothing(window, gallery, qtbot):
-    session = window.document.session
-    qtbot.keyClick(gallery, Qt.Key.Key_Escape)
-    assert not gallery.isVisible()
-    assert window.document.session is session

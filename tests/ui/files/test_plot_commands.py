@@ -7,18 +7,12 @@ from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import Commands
 from ui.commands.colour_choice import keep_colours
-from ui.commands.table import COLOURS
-from workbench.pictures.axes import UNSIGNED
 
 
 @pytest.fixture
 def window(display, window):
     window.build()
     return window
-
-
-def test_there_is_a_command_for_each_choice_of_colours():
-    assert tuple(COLOURS.values()) == UNSIGNED
 
 
 def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
@@ -36,15 +30,6 @@ def test_colours_reach_all_views_and_the_next_window(window, settings, qtbot):
     commands.connect_choices({"colours_cividis": lambda: received.append("cividis")})
     keep_colours(settings, commands)
     assert received == ["cividis"] and commands["colours_cividis"].isChecked()
-
-
-def test_colours_that_are_not_known_are_left_out(settings, qtbot):
-    settings.setValue("view/colours", "jet")
-    window = QMainWindow()
-    qtbot.addWidget(window)
-    commands = Commands(window)
-    keep_colours(settings, commands)
-    assert commands["colours_inferno"].isChecked()
 
 
 def test_the_plot_on_show_is_copied_by_a_key(window, qtbot):

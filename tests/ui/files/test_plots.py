@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QImage
+from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from ui.document.document import Document
@@ -59,13 +59,6 @@ def test_the_picture_of_the_plot_that_was_clicked_is_copied(plots, views, qtbot)
     assert "loss" in plots._messages.text
 
 
-def test_the_view_looks_as_before(plots, views):
-    before = views["surface"].grab().toImage()
-    plots._last = "surface"
-    plots.copy()
-    assert views["surface"].grab().toImage() == before
-
-
 def test_pictures_are_saved(plots, tmp_path):
     plots.save("irradiance", tmp_path / "light.png")
     assert QImage(str(tmp_path / "light.png")).width() > 300
@@ -91,29 +84,6 @@ def test_a_file_that_cannot_be_written_is_reported(plots, tmp_path):
     plots.save("loss", folder / "loss.bmp")
     assert plots._messages.text == "loss.bmp: a plot is saved as one of .png, .svg, .csv"
     assert list(folder.iterdir()) == []
-
-
-def test_a_hidden_plot_is_replaced_by_a_visible_one(plots, views):
-    plots._touch("surface")
-    views["surface"].hide()
-    assert plots._current() == "irradiance"
-    for view in views.values():
-        view.hide()
-    plots.copy()
-    assert "no plot to be seen" in plots._messages.text
-
-
-def test_plots_are_chosen_by_keyboard(plots, views, qtbot):
-    views["surface"]._canvas.setFocus(Qt.FocusReason.TabFocusReason)
-    assert plots._current() == "surface"
-
-
-def test_a_menu_on_the_plot_offers_the_commands(plots, views, qtbot):
-    action = QAction("Copy", plots)
-    plots.offer([action])
-    for view in views.values():
-        assert view._canvas.actions() == [action]
-        assert view._canvas.contextMenuPolicy() == Qt.ContextMenuPolicy.ActionsContextMenu
 
 
 def test_the_axes_of_the_loss_are_chosen_in_its_menu(views, frame, qtbot):

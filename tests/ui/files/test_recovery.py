@@ -17,7 +17,6 @@ from ui.files import left_behind
 from ui.files.left_behind import RecoveryChoice
 from ui.files.recovery import Recovery
 from workbench.errors import Refused
-from workbench.files.atomic import replacing
 from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -63,31 +62,6 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
 
 
-def test_the_view_is_kept_with_the_work(document, keeping):
-    recovery = keeping()
-    recovery.look = lambda: {"on": ["target_log"]}
-    move_screen(document, 7)
-    recovery.keep_now()
-    assert read_session(recovery._file).view == {"on": ["target_log"]}
-
-
-def test_work_is_kept_every_minute(document, keeping, qtbot):
-    recovery = keeping()
-    assert recovery._timer.isActive() and recovery._timer.interval() == 60_000
-    move_screen(document, 7)
-    recovery._timer.timeout.emit()
-    qtbot.waitUntil(lambda: bool(kept(recovery)))
-
-
-def test_unchanged_work_is_not_written_again(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    recovery._file.unlink()
-    recovery.keep_now()
-    assert not kept(recovery)
-
-
 def test_closing_a_window_removes_its_recovery_file(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
@@ -105,19 +79,6 @@ def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
     assert read_session(work.file).scene.receiver.z == 7
     assert work.about.ended
     work.put_back()
-
-
-def test_temporary_files_of_a_kill_are_removed_with_the_work(document, tmp_path):
-    file = tmp_path / "work.freeform"
-    with replacing(file) as half:
-        half.write(b"half")
-    file.rename(half.name)
-    write_session(document.session, tmp_path / "whole")
-    (tmp_path / "whole").rename(file)
-    assert len(list(tmp_path.iterdir())) == 2
-    (work,) = left_behind.find(tmp_path)
-    work.remove()
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_work_of_an_open_window_is_not_offered(document, keeping):
@@ -169,26 +130,6 @@ def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path
     work.remove()
 
 
-def test_a_file_opened_after_a_recovery_is_not_modified(document, tmp_path):
-    path = tmp_path / "mine.freeform"
-    document.save(path)
-    document.recover(document.session, "lost", None, None)
-    assert document.dirty
-    document.open(path)
-    assert not document.dirty
-
-
-def test_work_with_a_damaged_description_is_still_found(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    crash(recovery)
-    left_behind.about_of(recovery._file).write_text('{"path": 3}')
-    (work,) = left_behind.find(recovery.folder)
-    assert work.about == left_behind.About("recovered")
-    work.remove()
-
-
 def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
     def full(session, path):
         raise Refused(str(path), "No space left on device")
@@ -201,36 +142,6 @@ def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
         assert not recovery.keep_now()
     qtbot.waitUntil(lambda: bool(received))
     assert len(received) == 1 and "No space left" in received[0]
-
-
-def test_a_read_only_folder_is_reported_once_and_blocks_nothing(document, keeping, tmp_path, qtbot):
-    (tmp_path / "recovery").write_text("no folder")  # removing in it fails for any user
-    received = []
-    recovery = Recovery(document, tmp_path / "recovery")
-    recovery.failed.connect(received.append)
-    recovery.start()
-    recovery.keep()  # nothing is unsaved
-    move_screen(document, 7)
-    assert not recovery.keep_now()
-    recovery.close(leave=True)
-    assert len(received) == 1
-
-
-def test_work_that_cannot_be_removed_is_offered_again(document, keeping, monkeypatch):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    crash(recovery)
-
-    def refuse(path, missing_ok=False):
-        raise OSError(30, "Read-only file system")
-
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: RecoveryChoice.DISCARD)
-    with monkeypatch.context() as read_only:
-        read_only.setattr("pathlib.Path.unlink", refuse)
-        assert not left_behind.offer(left_behind.find(recovery.folder), lambda work: False, None)
-    (work,) = left_behind.find(recovery.folder)
-    work.remove()
 
 
 def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, tmp_path, qtbot):
@@ -283,29 +194,6 @@ def test_the_question_has_three_answers(window, document, keeping, qtbot, button
     QTimer.singleShot(200, answer)
     assert left_behind.ask(work, window) is choice
     assert "small" in received[0] and "not closed" in received[0]
-    work.remove()
-
-
-def test_work_kept_at_the_end_of_a_session_opens_without_a_warning(
-    window, document, keeping, qtbot
-):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.close(leave=True)
-    (work,) = left_behind.find(recovery.folder)
-    boxes = []
-
-    def answer():
-        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
-        boxes.append((box.text(), box.icon()))
-        assert box.textFormat() is Qt.TextFormat.PlainText
-        qtbot.keyClick(box, Qt.Key.Key_Escape)
-
-    QTimer.singleShot(200, answer)
-    assert left_behind.ask(work, window) is RecoveryChoice.LATER
-    ((text, icon),) = boxes
-    assert "asked to end" in text and "not closed" not in text
-    assert icon is QMessageBox.Icon.Information
     work.remove()
 
 

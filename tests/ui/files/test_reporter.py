@@ -5,7 +5,6 @@ import sys
 
 import pytest
 
-from tests.ui.hands import accept_as
 from ui.files import reporter
 
 
@@ -106,15 +105,3 @@ def test_closing_ends_the_process_of_the_report(window, endless, tmp_path, qtbot
     window.discard_and_close()
     assert endless[0].returncode not in (None, 0)
     assert not list(tmp_path.glob("*.pdf"))
-
-
-def test_without_a_lens_there_is_nothing_to_report(window):
-    assert window.commands["report"].isEnabled()
-    window.commands["new_tophat"].trigger()
-    assert not window.commands["report"].isEnabled()
-
-
-def test_the_dialog_adds_the_ending(window, tmp_path):
-    window.document.save(tmp_path / "mine.freeform")
-    accept_as("*.pdf")
-    assert window.reporter.ask_for_name() == tmp_path / "mine.pdf"

@@ -1,8 +1,7 @@
 """The manual beside the window: its pages, their pictures, and the search in all of them."""
 
 import pytest
-from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QTextDocument
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QTextBrowser
 
 from resources.manual_pages import pages
@@ -23,20 +22,6 @@ def listed(manual):
     return [row.text() for row in rows if not row.isHidden()]
 
 
-def widths(browser):
-    """Of all pictures on a page, as they are shown."""
-    found, kind = [], QTextDocument.ResourceType.ImageResource.value
-    block = browser.document().begin()
-    while block.isValid():
-        for part in block:
-            if part.fragment().charFormat().isImageFormat():
-                name = part.fragment().charFormat().toImageFormat().name()
-                image = browser.document().resource(kind, QUrl(name))
-                found.append(image.width() / image.devicePixelRatio())
-        block = block.next()
-    return found
-
-
 def title(manual):
     return manual.findChild(QTextBrowser).toPlainText().partition("\n")[0]
 
@@ -52,24 +37,6 @@ def test_each_page_is_listed_and_shows_its_title_and_tables(manual):
         tables = [frame.columns() for frame in frames if hasattr(frame, "columns")]
         lines = page.text.splitlines()
         assert tables == [line.count("|") - 1 for line in lines if line.startswith("|---")]
-
-
-def test_a_link_leads_to_its_page_and_the_list_follows(manual):
-    browser = manual.findChild(QTextBrowser)
-    browser.setSource(browser.source().resolved(QUrl("limits.md")))
-    assert title(manual) == "Limits"
-    assert manual._list.currentItem().text() == "Limits"
-
-
-def test_pictures_fit_into_the_page_when_the_dialog_gets_narrower(manual, qtbot):
-    browser = manual.findChild(QTextBrowser)
-    row = next(row for row, page in enumerate(pages()) if "](images/" in page.text)
-    manual._list.setCurrentRow(row)
-    for width in (1100, 700):
-        manual.resize(width, 600)
-        qtbot.waitUntil(lambda width=width: manual.width() == width)
-        qtbot.waitUntil(lambda: widths(browser) and max(widths(browser)) < browser.width())
-        assert max(widths(browser)) > browser.width() / 2
 
 
 class TestSearch:
@@ -102,13 +69,6 @@ class TestSearch:
             manual._list.setCurrentRow(row)
             shown += len(browser.extraSelections())
         assert len(places) == shown
-
-    def test_without_words_all_pages_are_listed_again(self, manual, field, qtbot):
-        qtbot.keyClicks(field, "zebra")
-        assert listed(manual) == []
-        field.clear()
-        assert listed(manual) == [page.title for page in pages()]
-        assert manual.findChild(QTextBrowser).extraSelections() == []
 
 
 def test_words_that_no_page_has_are_said_to_be_on_none(manual, qtbot):

@@ -42,15 +42,6 @@ def test_the_tour_is_stepped_through_by_keyboard(window, bubble, qtbot):
     assert window.findChild(Bubble) is None
 
 
-def test_escape_ends_the_tour_which_can_be_started_again(window, bubble, qtbot):
-    gone = []
-    bubble.destroyed.connect(lambda: gone.append(True))
-    qtbot.keyClick(bubble.on, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: bool(gone))
-    window.commands["tour"].trigger()
-    assert window.findChild(Bubble) is not None
-
-
 def test_the_tour_lies_in_the_window_beside_what_it_explains(window, bubble, qtbot):
     for stop in STOPS:
         place = window.help._place(stop.place)
@@ -61,17 +52,6 @@ def test_the_tour_lies_in_the_window_beside_what_it_explains(window, bubble, qtb
             corner = place.mapTo(window, place.rect().topLeft())
             assert not bubble.geometry().intersects(place.rect().translated(corner))
         bubble.on.click()
-
-
-def test_hidden_docks_are_shown_for_their_stop_only(window, bubble, qtbot):
-    docks = window.workspace.docks
-    at = [stop.place for stop in STOPS].index("history")
-    assert not docks["history"].isVisible()
-    for _ in range(at):
-        bubble.on.click()
-    qtbot.waitUntil(lambda: not docks["history"].visibleRegion().isEmpty())
-    bubble.on.click()
-    assert not docks["history"].isVisible()
 
 
 def test_the_tour_is_offered_once(window, settings, qtbot):

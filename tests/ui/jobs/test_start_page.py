@@ -14,7 +14,6 @@ from ui.jobs.page import StartPage
 from ui.panels.edits import Edit
 from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
-from workbench.jobs.mirror import MirrorJob
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 from workbench.scene.kinds import title_of
@@ -32,13 +31,6 @@ def page(window, qtbot):
 
 def row_of(page, path):
     return next(row for row in page.form.rows if row.path == path)
-
-
-def test_no_title_of_a_job_is_cut(page):
-    jobs = page._jobs
-    wide = [jobs.visualItemRect(jobs.item(row)).width() for row in range(jobs.count())]
-    assert jobs.viewport().width() >= max(wide)
-    assert not jobs.horizontalScrollBar().isVisible()
 
 
 def choose(page, kind):
@@ -89,12 +81,6 @@ def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
     assert window.document.session.scene.optic.half_width == (30.0, 15.0)
 
 
-def test_text_typed_last_counts_without_enter(window, page, qtbot):
-    fill(qtbot, row_of(page, "distance").editors["distance"], "700", key=None)
-    begin(page, qtbot)
-    assert window.document.session.scene.receiver.z == 700.0
-
-
 def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbot):
     row = row_of(page, "distance")
     editor = row.editors["distance"]
@@ -107,19 +93,6 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
     assert page.isVisible()
     qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert not row.refusal and editor.text() == "500" and button.isEnabled()
-
-
-def test_two_answers_that_are_possible_only_together_are_taken(page, qtbot):
-    fill(qtbot, row_of(page, "distance").editors["distance"], "12")
-    assert page.form.refused
-    size = row_of(page, "size")
-    fill(qtbot, size.editors["size[0]"], "20")
-    fill(qtbot, size.editors["size[1]"], "20")
-    image = row_of(page, "image_size")
-    fill(qtbot, image.editors["image_size[0]"], "10")
-    fill(qtbot, image.editors["image_size[1]"], "10")
-    assert not page.form.refused
-    assert page.form.job.distance == 12.0
 
 
 def test_a_word_can_be_the_picture(window, page, qtbot):
@@ -143,26 +116,6 @@ def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path,
     assert Path(page.form.job.target.image) == tmp_path / "picture.png"
 
 
-def test_an_image_takes_the_aspect_of_a_picture_whose_name_is_typed(page, tmp_path, qtbot):
-    Image.new("L", (60, 40), 200).save(tmp_path / "picture.png")
-    field = row_of(page, "target.image").editor
-    fill(qtbot, field, str(tmp_path / "picture.png"))
-    assert page.form.job.image_size == (200.0, 133.0)
-    fill(qtbot, field, str(tmp_path / "none.png"))  # said where it is drawn
-    assert page.form.job.image_size == (200.0, 133.0)
-
-
-def test_figures_come_without_blocking_the_page(page, qtbot):
-    choose(page, MirrorJob)  # it is estimated soon
-    qtbot.waitUntil(lambda: "Error at best" in page._outlook.text, timeout=90_000)
-    said = page._outlook.text
-    for name in ("Blur of the light", "Diffraction", "Largest slope", "Light at best", "Proposed"):
-        assert name in said
-    choose(page, Torch)
-    assert "Computing" in page._outlook.text
-    qtbot.waitUntil(lambda: "Computing" not in page._outlook.text)
-
-
 def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
@@ -175,13 +128,6 @@ def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, 
     chooser.setCurrentIndex(chooser.findData("ring"))
     chooser.activated.emit(chooser.currentIndex())
     assert not page._told.isVisible()
-
-
-def test_a_file_that_is_missing_is_said_also_when_begin_was_pressed_before(page, qtbot):
-    page.form.choose_image(Path("/nowhere/none-256.png"))
-    page.begin()
-    qtbot.waitUntil(lambda: "none-256.png" in page._told.text())
-    assert page.isVisible()
 
 
 @pytest.mark.parametrize("answer", [Answer.CANCEL, Answer.DISCARD])
@@ -204,18 +150,6 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
     assert (window.start_page.page is page) is kept
 
 
-def test_escape_changes_nothing(window, page, qtbot):
-    session = window.document.session
-    qtbot.keyClick(page, Qt.Key.Key_Escape)
-    assert window.start_page.page is None
-    assert window.document.session is session
-
-
-def test_only_one_start_page_opens(window, page):
-    window.commands["new"].trigger()
-    assert len(window.findChildren(StartPage)) == 1
-
-
 def test_a_window_closes_with_its_page(window, page):
     window.discard_and_close()
     assert window.start_page.page is None
@@ -235,13 +169,6 @@ def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(pa
     assert page.form.job.target.viewed_from == "back"
 
 
-def test_another_picture_is_for_the_same_viewer(page, tmp_path):
-    choose(page, SunPlate)
-    Image.new("L", (20, 10), 255).save(tmp_path / "wide.png")
-    page.form.choose_image(tmp_path / "wide.png")
-    assert page.form.job.target.viewed_from == "front"
-
-
 def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
     choose(page, SunPlate)
     qtbot.waitUntil(lambda: "Largest slope" in page._outlook.text, timeout=90_000)
@@ -255,8 +182,3 @@ def test_figures_of_other_answers_are_marked_until_new_ones_come(page, qtbot):
     assert all(label.isEnabled() for label in outlook._labels)
     row.edited.emit(Edit("distance", "distance", {"distance": -1.0}))
     assert page.form.refused and "The figures are of the answers before." in outlook.text
-
-
-def test_an_estimate_says_how_far_it_is(page):
-    page._outlook.show_progress(0.4)
-    assert "Estimating… 40 %" in page._outlook.text

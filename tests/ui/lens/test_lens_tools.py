@@ -4,15 +4,13 @@ import numpy as np
 import pytest
 import torch
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QFocusEvent, QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.hands import move_screen
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
 from ui.files.scene_pictures import ScenePictures
-from workbench.analysis.metrics import paper_loss
 from workbench.optics.plan import Plan
-from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -60,25 +58,6 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
     assert document.session.result is None
 
 
-def test_a_drag_right_after_an_edit_of_the_target_is_shown_against_the_new_one(
-    sculpting, drag, make_session, qtbot
-):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    frames = []
-    tools.control.runner.frame_ready.connect(frames.append)
-    document.edit(make_session({"target": {"builtin": "ball"}}).scene, "another target", "")
-    tools.control._preview.stop()  # whose frame has not come yet
-    held = drag(view, control_point(tools, (6, 5)))
-    held.move(upwards(view, 0.05))
-    qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
-    frame = frames[-1]
-    assert frame.session.target is document.session.target
-    seen = paper_loss(frame.state.irradiance, frame.session.target)
-    assert frame.state.loss == pytest.approx(seen, rel=1e-3)
-    held.release()
-    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-
-
 def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     tools, view = sculpting, sculpting.view
     held = drag(view, control_point(tools, (6, 5)))
@@ -112,16 +91,6 @@ def test_the_brush_takes_a_smooth_bump_and_stays_in_range(sculpting, drag, qtbot
     qtbot.waitUntil(lambda: tools.heights().max() > 0.7, timeout=20_000)
     assert tools.heights().max() == pytest.approx(0.8)  # the end of the height range
     assert tools.document.undo_stack.count() == 2
-
-
-def test_beside_the_lens_the_camera_turns(sculpting, drag):
-    view = sculpting.view
-    position = view._plotter.camera.position
-    held = drag(view, QPoint(3, 3))
-    held.move(QPoint(40, 30))
-    held.release()
-    assert view._plotter.camera.position != position
-    assert sculpting.document.undo_stack.count() == 0
 
 
 def wheel(view, place, keys):
@@ -172,40 +141,6 @@ def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
     qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
     assert document.undo_stack.count() == 1
     assert (view.frame.state.heights["exit"] == 0.5).all()
-
-
-def test_nothing_is_done_to_a_lens_that_is_not_shown_yet(sculpting, drag, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    data = document.session.scene.to_data()
-    other = Scene.from_data({**data, "lens": {**data["lens"], "control_points": [8, 8]}})
-    for tool in ("sculpt", "lock"):
-        tools.commands[tool]()
-        document.edit(other, "net", "")
-        held = drag(view, control_point(tools, (6, 5)))
-        held.move(upwards(view, 0.1))
-        held.release()
-        assert "no lens" in tools.said[-1] and not document.session.locked
-        document.undo_stack.undo()
-    assert document.session.result is None
-
-
-def test_the_text_of_a_tool_does_not_change_the_picture(tools, qtbot):
-    view = tools.view
-    qtbot.waitUntil(lambda: view._plotter is not None, timeout=30_000)
-    place = view._plotter.geometry()
-    tools.commands["sculpt"]()
-    view._hint.setText("as many words as it takes for some lines of them " * 5)
-    # A drawing under way says the hint of the tool again, and layouts follow in their turn.
-    qtbot.waitUntil(lambda: view._hint.height() >= view._hint.heightForWidth(place.width()))
-    assert view._hint.isVisible() and view._plotter.geometry() == place
-    assert view._hint.geometry().bottom() == place.bottom()
-
-
-@pytest.mark.parametrize("command", ["sculpt", "lock"])
-def test_the_keys_of_the_brush_are_on_one_line_of_the_hint(tools, command):
-    tools.commands[command]()
-    keys = "[ and ]".replace(" ", "\N{NO-BREAK SPACE}")
-    assert f"Brush, {keys}: " in tools.view._hint.text()
 
 
 def test_locked_points_do_not_move(sculpting, drag):
@@ -331,19 +266,6 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     assert "to scale" in tools.said[-1]
 
 
-def test_a_small_source_is_moved_by_any_of_its_corners_and_keeps_its_size(make_tools, drag, qtbot):
-    tools = make_tools({"source": {**GRID, "half_width": [0.02, 0.02]}})
-    view, corner = tools.view, (0.02, 0.02, -3.0)
-    tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
-    held = drag(view, seen_at(view, corner))
-    held.move(seen_at(view, (0.52, 0.02, -3.0)) - seen_at(view, corner))
-    held.release()
-    source = tools.document.session.scene.source
-    assert source.half_width == (0.02, 0.02)
-    assert source.center == (pytest.approx(0.5, abs=0.05), pytest.approx(0, abs=0.05), -3.0)
-
-
 def test_keys_without_a_tool_move_the_camera(tools, qtbot):
     view, camera = tools.view, tools.view._plotter.camera
     fitted, scale = camera.position, camera.parallel_scale
@@ -386,20 +308,6 @@ def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
     assert view.nets.brush is None
 
 
-def test_a_brush_beyond_another_net_is_not_drawn(sculpting, qtbot):
-    view, document = sculpting.view, sculpting.document
-    for _ in range(6):
-        qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view.nets.brush[0] == (11, 5)
-    data = document.session.scene.to_data()
-    coarse = {**data["lens"], "control_points": [8, 4]}
-    document.edit(Scene.from_data({**data, "lens": coarse}), "net", "")
-    qtbot.waitUntil(lambda: view._shown is document.session, timeout=20_000)
-    assert view.nets.picture._brush is None
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view.nets.brush[0] == (7, 3)
-
-
 def hold_key(view, key, times, as_repeats=True):
     """A key that is pressed and repeats itself, and is not released yet."""
     for time in range(times):
@@ -434,34 +342,6 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert document.session.result is None
-
-
-def test_escape_undoes_a_held_key_and_losing_the_focus_ends_it(sculpting, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    hold_key(view, Qt.Key.Key_PageDown, 3)
-    qtbot.waitUntil(lambda: view.frame.state.heights["exit"].min() < 0.5, timeout=20_000)
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: (view.frame.state.heights["exit"] == 0.5).all(), timeout=20_000)
-    again = QKeyEvent(
-        QEvent.Type.KeyPress, Qt.Key.Key_PageDown, Qt.KeyboardModifier.NoModifier, "", True
-    )
-    QApplication.sendEvent(view._plotter, again)  # it is held still
-    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageDown)
-    qtbot.waitUntil(lambda: view._tool_input._held is None)
-    assert document.undo_stack.count() == 0 and not tools.put_away
-    hold_key(view, Qt.Key.Key_PageDown, 3)
-    QApplication.sendEvent(view._plotter, QFocusEvent(QEvent.Type.FocusOut))
-    qtbot.waitUntil(lambda: document.undo_stack.count() == 1, timeout=20_000)
-    assert tools.heights().min() == pytest.approx(0.482)
-
-
-def test_keys_are_refused_as_drags_are(sculpting, qtbot):
-    tools, view = sculpting, sculpting.view
-    tools.commands["lock_all"]()
-    hold_key(view, Qt.Key.Key_PageUp, 5)
-    qtbot.keyRelease(view._plotter, Qt.Key.Key_PageUp)
-    assert len(tools.said) == 1 and "locked" in tools.said[0]
-    assert tools.document.session.result is None
 
 
 def test_space_locks_and_unlocks_what_is_in_the_brush(tools, qtbot):
@@ -500,23 +380,6 @@ def test_keys_move_the_source(make_tools, qtbot):
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
     assert document.undo_stack.index() == 2
-
-
-def test_projection_and_ray_colours_stay_for_another_design(tools, qtbot):
-    view, document = tools.view, tools.document
-    view.see_in_perspective(True)
-    view.colour_rays(by_weight=True)
-    assert not view._plotter.camera.parallel_projection
-    data = document.session.scene.to_data()
-    farther = Scene.from_data({**data, "screen": {**data["screen"], "z": 9.0}})
-    old = view._contents.picture
-    document.edit(farther, "distance", "z")
-    qtbot.waitUntil(lambda: view._contents.picture is not old, timeout=20_000)
-    assert not view._plotter.camera.parallel_projection
-    assert view._contents.picture._by_weight
-    view.see_in_perspective(False)
-    view.colour_rays(by_weight=False)
-    assert view._plotter.camera.parallel_projection and not view._contents.picture._by_weight
 
 
 def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):
@@ -559,25 +422,3 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     file.unlink()
     commands["save_scene_1"].trigger()
     assert not file.exists() and "hidden" in window.messages.text
-
-
-def test_keys_of_the_3d_widget_itself_do_nothing(tools, qtbot):
-    view = tools.view
-    before = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
-    position = view._plotter.camera_position
-    for key in "wsprv3qbC":  # wireframe, picking, other cameras, stereo, closing
-        qtbot.keyClicks(view._plotter, key)
-    now = [actor.prop.style for actor in view._plotter.actors.values() if hasattr(actor, "prop")]
-    assert now == before and "Surface" in now
-    assert view._plotter.camera_position == position
-
-
-def test_a_lens_of_automatic_range_is_shaped(make_tools, drag, qtbot):
-    tools = make_tools({"lens.height_range": None, "lens.max_thickness": None})
-    tools.commands["sculpt"]()
-    qtbot.waitUntil(lambda: tools.view.nets.picture._shown)
-    held = drag(tools.view, control_point(tools, (6, 5)))
-    held.move(upwards(tools.view, 0.1))
-    held.release()
-    qtbot.waitUntil(lambda: tools.document.session.result is not None, timeout=20_000)
-    assert tools.heights().max() > 0.55 and not tools.said

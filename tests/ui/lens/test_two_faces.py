@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from tests.ui.lens.tool_window import control_point, upwards
-from workbench.geometry.faces import ControlPoint
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -63,29 +62,6 @@ def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     assert document.session.result is None
 
 
-@pytest.mark.parametrize("look, face", [("lens", "exit"), ("entrance", "entrance")])
-def test_no_control_point_is_behind_what_the_tool_says(sculpting, look, face):
-    view = sculpting.view
-    assert view._hint.isVisible() and view._hint.height() > 0
-    view.fit(look)
-    places = view.nets._pictures[face].places
-    assert view.sight.pixels(places.reshape(-1, 3))[:, 1].min() > view._hint.height()
-
-
-def test_a_drag_of_each_face_in_turn_keeps_both(sculpting, drag, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    for look in ("lens", "entrance"):
-        view.fit(look)
-        face = {"lens": "exit", "entrance": "entrance"}[look]
-        view.nets.choose(face)
-        held = drag(view, control_point(tools, (6, 5)))
-        held.move(upwards(view, 0.05))
-        held.release()
-        steps = {"lens": 1, "entrance": 2}[look]
-        qtbot.waitUntil(lambda n=steps: document.undo_stack.count() == n, timeout=20_000)
-    assert all(np.ptp(each) > 0.03 for each in document.session.heights.values())
-
-
 def test_a_face_is_sculpted_within_its_own_range(sculpting, drag, qtbot):
     tools, view, document = sculpting, sculpting.view, sculpting.document
     tools.commands["other_face"]()
@@ -113,44 +89,3 @@ def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
     tools.commands["lock_all"]()
     assert all(mask.all() for mask in document.session.locked.values())
     assert set(document.session.locked) == {"entrance", "exit"}
-
-
-def test_the_other_face_ends_what_is_under_way(sculpting, drag, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    tools.commands["lock"]()
-    held = drag(view, control_point(tools, (3, 3)))
-    tools.commands["other_face"]()
-    held.move(control_point(tools, (4, 3)) - held.at)
-    held.release()
-    assert not document.session.locked and view.nets.locked is None
-
-
-def test_a_lens_of_one_face_has_no_other(make_tools):
-    tools = make_tools()
-    tools.commands["other_face"]()
-    assert "one freeform face" in tools.said[-1] and tools.view.nets.face == "exit"
-
-
-def test_without_a_tool_or_a_mark_nothing_is_picked(sculpting, qtbot):
-    tools, nets = sculpting, sculpting.view.nets
-    ((x, y),) = tools.view.sight.pixels(nets.picture.places[6, 5][None])
-    assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
-    tools.commands["turn"]()
-    qtbot.waitUntil(lambda: not shown(nets))
-    assert nets.pick(x, y) is None
-    nets.mark(ControlPoint("entrance", (2, 2)))
-    qtbot.waitUntil(lambda: nets._pictures["entrance"]._marked == (2, 2))
-    assert nets.picture._marked is None
-    assert nets.pick(x, y) == ControlPoint("exit", (6, 5))
-
-
-def test_marked_places_are_shown_with_their_lens_alone(sculpting, drag, qtbot):
-    tools, view = sculpting, sculpting.view
-    places = np.array([[0.2, 0.1, 0.5], [0.3, 0.1, 0.5]])
-    view.show_spots(view.frame.state.heights, places)
-    qtbot.waitUntil(lambda: bool(view._contents._dots._actor.visibility))
-    np.testing.assert_allclose(view._contents._dots._mesh.points, places)
-    held = drag(view, control_point(tools, (6, 5)))
-    held.move(upwards(view, 0.05))
-    held.release()
-    qtbot.waitUntil(lambda: not view._contents._dots._actor.visibility, timeout=20_000)

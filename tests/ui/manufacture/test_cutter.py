@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from tests.ui.hands import fill
-from ui.manufacture.cut_fields import CutFields, keep_cutting, kept_cutting
+from ui.manufacture.cut_fields import CutFields, keep_cutting
 from ui.manufacture.cutter import AskCutting, CutterDialog
 from workbench.files.export.cutting import PLAIN, Cutting
 
@@ -78,9 +78,6 @@ def fits(dialog):
 
 
 class TestFields:
-    def test_defaults_leave_it_to_the_program(self, fields):
-        assert fields.cutting() == PLAIN
-
     def test_they_take_units(self, fields, qtbot):
         for name, text in (
             ("tool_radius", "1.5 mm"),
@@ -93,10 +90,6 @@ class TestFields:
             fill(qtbot, fields.lines[name], text, key=None)
         fields.mould.click()
         assert fields.cutting() == Cutting(0.15, 0.002, 0.0, None, 900, 90, 12_000, 2.5, True)
-
-    def test_an_empty_one_has_its_default(self, fields, qtbot):
-        fields.lines["feed"].clear()
-        assert fields.cutting() == PLAIN
 
     @pytest.mark.parametrize(
         ("name", "text", "why"),
@@ -157,13 +150,6 @@ def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, q
     assert held.is_set() and not dialog.write.isEnabled()
 
 
-def test_closing_ends_the_simulation(held, open_dialog, qtbot):
-    dialog = open_dialog()
-    qtbot.waitUntil(lambda: dialog.bar.value() == 40)
-    dialog.reject()  # waits for the thread
-    assert held.is_set() and not dialog._background.running
-
-
 def test_both_errors_are_shown(dialog, qtbot, monkeypatch):
     monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
     qtbot.waitUntil(dialog.look.isEnabled)
@@ -174,15 +160,6 @@ def test_both_errors_are_shown(dialog, qtbot, monkeypatch):
     assert "Radius 0.2 cm" in dialog.found.text()
     assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
     assert dialog.write.isEnabled()
-
-
-def test_what_was_chosen_is_kept_for_each_unit(settings):
-    chosen = Cutting(0.3, feed=900.0, spindle_speed=8_000.0, negative=True)
-    keep_cutting(settings, "cm", chosen)
-    assert kept_cutting(settings, "cm") == chosen
-    assert kept_cutting(settings, "mm") == PLAIN
-    settings.setValue("cutting/cm", '{"feed": -1}')
-    assert kept_cutting(settings, "cm") == PLAIN
 
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):

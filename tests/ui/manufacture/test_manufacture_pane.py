@@ -2,14 +2,10 @@
 
 import dataclasses
 
-import numpy as np
 import pytest
-from PySide6.QtCore import Qt
 
 from tests.ui.hands import fill
 from ui.manufacture.pane import ManufacturePane
-from ui.widgets import theme
-from ui.words import LANGUAGES, speak
 from workbench.analysis.manufacture import manufacture
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
@@ -48,11 +44,6 @@ def states(pane):
     return {key: label.text() for key, label in pane._figures.states.items()}
 
 
-def seen_whole(label):
-    whole = label.rect().size() == label.rect().size().expandedTo(label.sizeHint())
-    return whole and label.visibleRegion().boundingRect() == label.rect()
-
-
 def hatched(pane):
     return bool(pane.map._canvas.figure.axes[0].collections)
 
@@ -74,23 +65,6 @@ def test_the_figures_are_those_of_the_engine(pane, bowl, session):
     assert "At x = " in pane._figures.found["steepest"].toolTip()
 
 
-def test_rounding_is_neither_slope_nor_sag(pane, session, frames, qtbot):
-    rng = np.random.default_rng(1)
-    heights = 0.5 + 1e-15 * rng.standard_normal(session.scene.optic.net_shape)
-    pane.show_frame(frames(1, session, heights=FaceArrays({"exit": heights})))
-    shown = pane._figures.found
-    qtbot.waitUntil(lambda: shown["thickest"].text() == "0.5 cm")
-    assert (shown["steepest"].text(), shown["sag_range"].text()) == ("0°", "0 cm")
-
-
-def test_a_text_stands_for_the_map_until_there_is_one(settings, session, show, qtbot):
-    pane = ManufacturePane(settings)
-    qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
-    pane.show_design(session)
-    show(pane, 760, 420)
-    qtbot.waitUntil(lambda: pane.map._hint.text() == pane.map._WAITING)
-
-
 def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     own = pane._fields.limits.min_thickness
     assert own > 0 and states(pane)["thinnest"] == "✓ met"  # the design's own, unless told
@@ -109,44 +83,6 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     assert states(pane)["tightest_convex"] == "✓ met"
     enter(pane, qtbot, "min_tool_radius", f"{1.01 * concave.value:.12g}")
     assert states(pane)["tool_radius"] == "✗ broken"
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_verdicts_are_seen_at_any_width(
-    settings, session, bowl, show, application, language, qtbot
-):
-    speak(application, language)
-    try:
-        theme.apply(application)
-        pane = ManufacturePane(settings)
-        qtbot.addWidget(pane, before_close_func=lambda pane: pane.close_thread())
-        pane.show_design(session)
-        pane.show_frame(bowl(0.2))
-        show(pane, pane.minimumSizeHint().width(), 900)
-        qtbot.waitUntil(lambda: pane._found is not None)
-        for name in pane._fields.rows:  # the keyboard stays in the last one, at the right
-            enter(pane, qtbot, name, "0.01")
-    finally:
-        speak(application, "en")
-    labels = pane._figures.states.values()
-    assert all(label.text() for label in labels)
-    qtbot.waitUntil(lambda: all(seen_whole(label) for label in labels))
-
-
-def test_a_limit_may_have_a_unit_and_be_worked_out(pane, qtbot):
-    enter(pane, qtbot, "max_thickness", "16 mm / 2")  # of a design in cm
-    assert pane._fields.limits.max_thickness == 0.8
-    enter(pane, qtbot, "max_slope", "40/2")
-    assert pane._fields.limits.max_slope == 20
-
-
-def test_an_impossible_limit_is_refused_and_escape_restores_it(pane, qtbot):
-    before = pane._fields.limits
-    editor = enter(pane, qtbot, "max_thickness", "-1")
-    row = pane._fields.rows["max_thickness"]
-    assert "-1; a number above 0" in row.refusal and pane._fields.limits == before
-    qtbot.keyClick(editor, Qt.Key.Key_Escape)
-    assert not row.refusal and editor.text() == ""
 
 
 def test_limits_are_kept_for_each_unit(pane, settings, session, make_scene, qtbot):
@@ -175,33 +111,6 @@ def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch,
     pane.allow(resting=True)
     qtbot.waitUntil(lambda: pane._figures.found["steepest"].text() != before)
     assert pane._figures.note.text() == "" and pane._figures.found["steepest"].isEnabled()
-
-
-def test_nothing_is_computed_while_hidden(pane, bowl, monkeypatch, qtbot):
-    pane.hide()
-    monkeypatch.setattr(pane._background, "begin", lambda work: pytest.fail("computed"))
-    pane.show_frame(bowl(0.1))
-    qtbot.wait(400)
-
-
-def test_without_a_lens_there_are_no_figures(pane, session, qtbot):
-    pane.show_nothing(session)
-    qtbot.waitUntil(lambda: pane.map.empty)
-    assert not any(label.text() for label in pane._figures.found.values())
-
-
-def test_closing_the_window_ends_a_computation(pane, bowl, qtbot):
-    pane.show_frame(bowl(0.1))
-    qtbot.waitUntil(lambda: pane._background.busy)
-    pane.close_thread()
-    assert not pane._background.busy
-
-
-def test_the_map_can_be_saved_in_numbers(pane):
-    names = [column.name for column in pane.map.data()]
-    assert names == ["x [cm]", "y [cm]", "Thickness [cm]"]
-    lowest = min(pane.map.data()[2].values)
-    assert np.isclose(lowest, pane._found.figures.thinnest.value, rtol=1e-3)
 
 
 def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, frames, qtbot):

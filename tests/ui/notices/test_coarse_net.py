@@ -50,14 +50,3 @@ def test_a_finer_net_is_offered_and_designed(desk, qtbot):
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert isinstance(desk.document.session.scene.optic.control_points, AutoNet)
     assert desk.messages.text == "" and desk.begun == ["anew"]
-
-
-def test_nothing_is_said_of_a_run_that_ran_out_of_iterations(desk):
-    desk.design("all iterations are done")
-    assert desk.messages.text == ""
-
-
-def test_notice_does_not_replace_another_message(desk):
-    desk.messages.warn("The disk is full.")
-    desk.design(SLOW_RUN)
-    assert desk.messages.text == "The disk is full."

@@ -66,12 +66,6 @@ def test_light_beside_the_screen_is_for_the_run_to_bring_back(desk):
     assert desk.messages.text == ""
 
 
-def test_notice_replaces_what_is_done(desk):
-    desk.messages.done("lens.html is written.")
-    desk.lose(LOST)
-    assert desk.messages.text == SAID
-
-
 def test_notice_does_not_replace_another_message(desk):
     desk.messages.warn("The disk is full.")
     desk.lose(LOST)

@@ -27,11 +27,3 @@ def test_next_refused_field_is_named_after_a_correction(window, qtbot):
     assert window.messages.text.startswith("Run seed: 'x' is not a number")
     qtbot.keyClick(editor(window.forms, "run.seed"), Qt.Key.Key_Escape)
     assert window.messages.text == ""
-
-
-def test_another_message_stays_when_the_field_is_corrected(window, qtbot):
-    enter(qtbot, window.forms, "screen.z", "far")
-    window.early.begin(lambda: None)
-    window.messages.note("Something else")
-    enter(qtbot, window.forms, "screen.z", "6")
-    assert window.messages.text == "Something else"

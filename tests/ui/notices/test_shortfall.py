@@ -80,18 +80,6 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
     assert desk.begun == ["anew", "from the lens"]
 
 
-def test_undo_restores_the_range_and_its_notice(desk, qtbot):
-    desk.fall_short(NARROW)
-    design(desk, qtbot)
-    press(desk, qtbot)
-    desk.document.undo_stack.undo()
-    assert desk.document.session.scene.optic.height_range == (-0.3, 0.3)
-    assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
-    desk.document.undo_stack.undo()
-    assert desk.document.session.result is None
-    assert desk.messages.text == ""
-
-
 def test_the_notice_comes_during_the_run_and_can_stop_it(desk, qtbot):
     desk.fall_short(NARROW, iterations=10_000, pause=0.01)
     desk.control.start()
@@ -114,21 +102,6 @@ def test_too_thin_stock_is_reported_with_its_own_cure(desk, qtbot):
     assert offers(desk) == []
 
 
-def test_there_is_no_notice_for_a_lens_within_its_limits(desk, qtbot):
-    desk.fall_short(None)
-    design(desk, qtbot)
-    assert desk.messages.text == ""
-
-
-def test_a_later_run_reports_it_again(desk, qtbot):
-    desk.fall_short(NARROW)
-    design(desk, qtbot)
-    desk.messages.clear()
-    desk.fall_short(replace(NARROW, share=0.5))
-    design(desk, qtbot)
-    assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
-
-
 def test_notice_of_a_run_is_withdrawn_if_its_best_lens_lacks_nothing(desk, qtbot, as_run):
     def run(scene, target, start=None, locked=None):
         first, *others = as_run(4)(scene, target, start, locked)
@@ -144,16 +117,6 @@ def test_notice_of_a_run_is_withdrawn_if_its_best_lens_lacks_nothing(desk, qtbot
     assert any("goes on within these limits" in text for text in said)
     assert desk.document.session.result.state.shortfall is None
     assert desk.messages.text == ""
-
-
-def test_a_narrow_entrance_range_is_said_with_its_cure(desk, qtbot):
-    desk.fall_short(Shortfall("entrance_range", None, (-0.01, 0.01), 0.9))
-    design(desk, qtbot)
-    assert desk.messages.text == (
-        "The entrance face fills 90 % of its automatic range of ±0.01 cm: set "
-        "lens.entrance.height_range to a wider range."
-    )
-    assert offers(desk) == []
 
 
 def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, qtbot):

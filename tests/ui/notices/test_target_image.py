@@ -6,7 +6,6 @@ from PIL import Image
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import enter, row
-from workbench.design import picture
 from workbench.design.task import begin
 from workbench.files.session import write_session
 
@@ -40,13 +39,6 @@ def test_a_design_with_a_missing_image_can_be_padded_and_blurred(window, saved, 
     assert session.target.sum() < before.sum() and not window.forms.refused
 
 
-def test_what_a_picture_says_of_itself_is_mentioned(window, make_scene, tmp_path):
-    Image.fromarray(np.kron(LETTER, np.ones((1, 3000), np.uint8))).save(tmp_path / "wide.png")
-    (tmp_path / "scene.json").write_text(make_scene({"target": {"image": "wide.png"}}).to_json())
-    assert window.files.open(tmp_path / "scene.json")
-    assert "wide.png' has 9000 × 3 pixels and is reduced to 4500 × 2" in window.messages.text
-
-
 def test_a_changed_file_is_read_again_on_request(window, saved, image, qtbot):
     Image.fromarray(255 - LETTER).save(image)
     assert window.files.open(saved)
@@ -62,15 +54,6 @@ def test_a_changed_file_is_read_again_on_request(window, saved, image, qtbot):
     assert window.document.session is before
 
 
-def test_a_changed_file_is_reported_at_the_next_edit_of_the_target(window, saved, image, qtbot):
-    window.files.open(saved)
-    Image.fromarray(255 - LETTER).save(image)
-    enter(qtbot, window.forms, "screen.z", "7")
-    assert window.messages.text == ""
-    enter(qtbot, window.forms, "target.padding", "0.2")
-    assert "letter.png has changed" in window.messages.text
-
-
 def test_the_same_image_chosen_again_is_read_again(window, saved, image):
     window.files.open(saved)
     before = window.document.session
@@ -80,10 +63,3 @@ def test_the_same_image_chosen_again_is_read_again(window, saved, image):
     image.unlink()
     window.forms.choose_image(image)
     assert "is not an existing file" in row(window.forms, "target.image").refusal
-
-
-def test_an_image_too_large_to_keep_is_reported(window, image, monkeypatch):
-    monkeypatch.setattr(picture, "LARGEST_PICTURE", image.stat().st_size - 1)
-    window.forms.choose_image(image)
-    assert window.document.session.picture is None
-    assert "does not keep" in window.messages.text and str(image) in window.messages.text

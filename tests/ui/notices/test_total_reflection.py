@@ -64,8 +64,3 @@ def test_total_reflection_is_reported_and_marked_where_it_is(desk, qtbot):
     assert "as marked in the 3D scene: thicker stock" in sentence
     ((heights, places),) = desk.view.spots
     assert heights == desk.document.session.heights and places[:, 0].min() > 0.1
-
-
-def test_nothing_is_looked_for_where_nothing_is_reflected(desk, qtbot):
-    desk.end(0.0)
-    assert not desk.notice._background.running and not desk.said

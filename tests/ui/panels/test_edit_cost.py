@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from tests.ui.hands import choose, enter
+from tests.ui.hands import enter
 from ui.shown.frame import make_frame
 from workbench.scene import Scene
 
@@ -40,23 +40,6 @@ def counted(monkeypatch):
 def test_an_edit_validates_once(forms, qtbot, counted):
     enter(qtbot, forms, "screen.z", "7")
     assert counted == {"written": 1, "validated": 1}
-
-
-def test_another_kind_validates_once(forms, counted):
-    choose(forms, "source.kind", "point")
-    assert counted == {"written": 1, "validated": 1}
-
-
-def test_a_refused_edit_validates_once(forms, qtbot, counted):
-    enter(qtbot, forms, "screen.z", "-7")
-    assert forms.refused
-    assert counted == {"written": 1, "validated": 1}
-
-
-def test_another_unit_converts_without_a_validation(forms, document, counted):
-    choose(forms, "unit", "mm")
-    assert document.session.scene.receiver.z == 50
-    assert counted == {}
 
 
 def test_frames_validate_nothing(session, snapshots, history, counted):

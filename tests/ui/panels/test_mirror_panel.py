@@ -1,6 +1,5 @@
 """The fields of a mirror are shown where a scene has one, and those of a lens are not."""
 
-from tests.ui.hands import row
 from ui.document.document import Document
 from workbench.files.session import Session
 from workbench.scene import Scene
@@ -32,10 +31,3 @@ def test_a_scene_with_a_mirror_shows_its_fields(qapp, open_forms, session):
 def test_a_scene_with_a_lens_does_not(forms):
     assert "Lens" in titles(forms)
     assert "Mirror" not in titles(forms)
-
-
-def test_a_stage_without_a_net_of_its_own_shows_that_of_the_mirror(qapp, open_forms, session):
-    scene = mirrored(run={"iterations": 9, "stages": [{"iterations": 3}]})
-    document = Document(Session(scene, session.target[:16, :16] + 1.0), "mirror")
-    net = row(open_forms(document), "run.stages[0].control_points").editors.values()
-    assert [(e.text(), e.placeholderText()) for e in net] == [("", "8"), ("", "8")]

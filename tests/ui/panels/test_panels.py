@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.hands import choose, editor, enter, field_row, fill, row, rows
+from tests.ui.hands import choose, editor, enter, field_row, row, rows
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -72,17 +72,6 @@ def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path
         assert not forms.refused and document.session is not before
 
 
-@pytest.mark.parametrize("field", ["center", "tilt"])
-def test_a_field_that_older_files_do_not_know_is_entered_number_by_number(
-    forms, document, qtbot, field
-):
-    enter(qtbot, forms, f"screen.{field}[1]", "0.75")
-    assert getattr(document.session.scene.receiver, field) == (0, 0.75)
-    enter(qtbot, forms, f"screen.{field}[0]", "0.5")
-    assert getattr(document.session.scene.receiver, field) == (0.5, 0.75)
-    assert not forms.refused
-
-
 def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, document, qtbot):
     enter(qtbot, forms, "screen.z", "1 mm")  # within the lens
     choose(forms, "unit", "mm")
@@ -91,24 +80,6 @@ def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, do
     assert forms.refused and document.session.scene.receiver.z == 50
     choose(forms, "unit", "m")
     assert editor(forms, "screen.z").text() == "1 mm"
-
-
-def test_a_number_is_entered_by_leaving_the_field(forms, document, qtbot):
-    first, second = (editor(forms, f"lens.half_width[{i}]") for i in (0, 1))
-    first.setFocus()
-    first.selectAll()
-    qtbot.keyClicks(first, "1.5")
-    assert document.session.scene.optic.half_width == (1, 1)  # not at every key
-    second.setFocus()
-    qtbot.waitUntil(lambda: document.session.scene.optic.half_width == (1.5, 1))
-
-
-def test_numbers_are_shown_with_all_the_digits_they_have(forms, document, qtbot):
-    enter(qtbot, forms, "lens.half_width[0]", "0.123456789")
-    enter(qtbot, forms, "lens.half_width[1]", "1e-3")
-    enter(qtbot, forms, "lens.half_width[1]", "2")
-    assert editor(forms, "lens.half_width[0]").text() == "0.123456789"
-    assert document.session.scene.optic.half_width == (0.123456789, 2.0)
 
 
 @pytest.mark.parametrize(
@@ -142,27 +113,6 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     assert forms.refused
 
 
-def test_a_correction_clears_the_refusal(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "far")
-    enter(qtbot, forms, "screen.z", "6")
-    assert document.session.scene.receiver.z == 6
-    assert row(forms, "screen.z").refusal == ""
-    assert not forms.refused
-
-
-def test_escape_takes_refused_text_back(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "far")
-    qtbot.keyClick(editor(forms, "screen.z"), Qt.Key.Key_Escape)
-    assert editor(forms, "screen.z").text() == "5"
-    assert not forms.refused
-
-
-def test_the_whole_refusal_can_be_read(forms, qtbot):
-    enter(qtbot, forms, "screen.z", "0.1")
-    label = row(forms, "screen.z")._refusal
-    qtbot.waitUntil(lambda: label.height() >= label.heightForWidth(label.width()) > 0)
-
-
 def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
     enter(qtbot, forms, "lens.degree[0]", "7")
     assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
@@ -171,14 +121,6 @@ def test_two_values_that_only_fit_together_are_taken_together(forms, document, q
     lens = document.session.scene.optic
     assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
     assert not forms.refused
-
-
-def test_a_good_edit_does_not_wait_for_a_bad_one(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "far")
-    enter(qtbot, forms, "run.seed", "4")
-    assert document.session.scene.run.seed == 4
-    assert editor(forms, "screen.z").text() == "far"
-    assert "'far'" in row(forms, "screen.z").refusal
 
 
 def test_undo_shows_the_earlier_values_and_drops_what_was_refused(forms, document, qtbot):
@@ -221,20 +163,6 @@ def test_another_unit_converts_all_lengths(forms, document, qtbot):
     assert document.session is before
 
 
-def test_each_change_of_the_unit_is_a_step(forms, document):
-    choose(forms, "unit", "inch")
-    choose(forms, "unit", "m")
-    assert document.undo_stack.count() == 2
-    assert document.session.scene.receiver.z == pytest.approx(0.05, rel=1e-15)
-
-
-def test_a_refused_edit_waits_while_the_unit_changes(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "0.1")
-    choose(forms, "unit", "mm")
-    assert document.session.scene.optic.half_width == (10, 10)
-    assert editor(forms, "screen.z").text() == "0.1" and forms.refused
-
-
 def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):
     choose(forms, "lens.refractive_index", "N-BK7")
     lens = document.session.scene.optic
@@ -247,75 +175,6 @@ def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, 
     assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
 
 
-def test_an_impossible_index_is_marked_where_it_was_typed(forms, qtbot):
-    material, index = (each for each in rows(forms) if each.path == "lens.refractive_index")
-    fill(qtbot, index.editors[index.path], "-1")
-    assert "greater than 1" in index.refusal and not material.refusal
-
-
-def test_a_sphere_brings_its_fields(forms, document, qtbot):
-    choose(forms, "lens.base.shape", "sphere")
-    assert document.session.scene.optic.base.shape == "sphere"
-    choose(forms, "lens.base.form", "convex")
-    assert document.session.scene.optic.base.form == "convex"
-    enter(qtbot, forms, "lens.base.radius", "0.5")
-    assert "does not span the lens" in row(forms, "lens.base.radius").refusal
-    choose(forms, "lens.base.shape", "flat")  # the field is gone, and what it held
-    assert not forms.refused
-
-
-@pytest.mark.parametrize("elsewhere", [False, True])
-def test_text_typed_into_a_field_that_disappears_is_dropped(forms, document, qtbot, elsewhere):
-    collimated, received = document.session, []
-    forms.message.connect(received.append)
-    choose(forms, "source.kind", "grid")
-    half = editor(forms, "source.half_width[1]")
-    if elsewhere:
-        half.setText("0.3")  # as a program types
-    else:
-        fill(qtbot, half, "0.3", key=None)
-    document.change(collimated, "back to collimated light")
-    forms.commit()
-    assert document.session is collimated and received == []
-
-
-def test_a_refused_edit_goes_with_the_kind_of_its_field(forms, document, qtbot):
-    enter(qtbot, forms, "source.rays[1]", "-3")
-    enter(qtbot, forms, "run.iterations", "-1")
-    choose(forms, "source.kind", "point")  # whose rays are one number
-    assert document.session.scene.source.kind == "point"
-    assert row(forms, "run.iterations").refusal and not row(forms, "source.rays").refusal
-    enter(qtbot, forms, "screen.z", "7")
-    assert document.session.scene.receiver.z == 7
-    enter(qtbot, forms, "run.iterations", "20")
-    assert document.session.scene.run.iterations == 20 and not forms.refused
-
-
-def test_the_method_keeps_what_both_have(forms, document, qtbot):
-    enter(qtbot, forms, "run.iterations", "17")
-    choose(forms, "run.method", "paper")
-    choose(forms, "run.start", "random")
-    enter(qtbot, forms, "run.learning_rate", "2e-3")
-    run = document.session.scene.run
-    assert (run.method, run.iterations, run.start) == ("paper", 17, "random")
-    assert run.learning_rate == 2e-3
-
-
-def test_another_filter_has_other_fields(forms, document):
-    choose(forms, "filter.kind", "box")
-    assert document.session.scene.filter.kind == "box"
-    assert not row(forms, "filter.alpha", visible=False).isVisible()
-
-
-def test_another_kind_of_target_keeps_its_finish(forms, document, qtbot):
-    choose(forms, "target.builtin", "ball")
-    target = document.session.scene.target
-    assert (target.builtin, target.blur) == ("ball", 1.0)
-    box = row(forms, "target.invert").box
-    qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
-    assert document.session.scene.target.invert
-
-
 def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
     image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
@@ -323,12 +182,6 @@ def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
     choose(forms, "target.builtin", "image")
     assert document.session.scene.target.image == str(image)
     assert row(forms, "target.image").editor.text() == str(image)
-
-
-def test_a_dialog_that_is_cancelled_changes_nothing(forms, document):
-    choose(forms, "target.builtin", "image")
-    assert document.undo_stack.count() == 0
-    assert row(forms, "target.builtin").chooser.currentData() == "tophat"
 
 
 def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
@@ -347,19 +200,6 @@ def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, 
     assert row(forms, "target.image").editor.text() == str(image)
 
 
-def test_what_automatic_designs_do_without_is_folded_at_first(forms):
-    folded = {panel._heading.text() for panel in forms.panels if panel._body.isHidden()}
-    assert folded == {"Image filter", "Stages"}
-
-
-def test_a_refusal_unfolds_its_panel(forms, qtbot):
-    panel = next(panel for panel in forms.panels if row(forms, "screen.z") in panel.rows)
-    panel.unfold(False)
-    enter(qtbot, forms, "lens.height_range[1]", "9")
-    assert "may touch the lens" in row(forms, "screen.z").refusal
-    assert "Screen at z: 5 may touch" in field_row(forms, "lens.height_range[1]").refusal
-
-
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
     session, received = document.session, []
     forms.postponed.connect(received.append)
@@ -375,34 +215,6 @@ def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
     scene = document.session.scene
     assert (scene.receiver.z, scene.source.position[2]) == (7, -9)
     assert document.undo_stack.count() == 3 and forms.postponed_edits == 0
-
-
-def test_edits_during_a_run_can_be_taken_back(forms, document, qtbot):
-    forms.set_running(True)
-    enter(qtbot, forms, "screen.z", "7")
-    forms.drop_postponed_edits()
-    assert editor(forms, "screen.z").text() == "5"
-    forms.make_postponed_edits()
-    assert document.undo_stack.count() == 0
-
-
-def test_a_refused_edit_during_a_run_is_marked_at_once_and_stays(forms, document, qtbot, designed):
-    forms.set_running(True)
-    enter(qtbot, forms, "screen.z", "0.2")
-    assert "may touch the lens" in row(forms, "screen.z").refusal
-    assert forms.refused and not forms.postponed_edits
-    document.set_result(designed.result, "design run")
-    forms.set_running(False)
-    forms.make_postponed_edits()
-    assert editor(forms, "screen.z").text() == "0.2" and forms.refused
-    document.undo_stack.undo()
-    assert document.session.scene.receiver.z == 5
-
-
-def test_an_edit_that_changes_nothing_does_not_wait(forms, qtbot):
-    forms.set_running(True)
-    enter(qtbot, forms, "screen.z", "5")
-    assert forms.postponed_edits == 0
 
 
 @pytest.mark.parametrize("kind", ["collimated", "point", "grid"])
@@ -430,14 +242,6 @@ def test_another_source_stands_before_the_lens(forms, document):
     assert document.undo_stack.undoText() == "change of source kind"
 
 
-def test_a_source_goes_with_the_size_and_place_of_its_lens(forms, document, qtbot):
-    enter(qtbot, forms, "lens.half_width[1]", "0.25")
-    enter(qtbot, forms, "lens.entrance_z", "-2")
-    choose(forms, "source.kind", "grid")
-    source = document.session.scene.source
-    assert (source.center, source.half_width) == ((0, 0, -7), (0.5, 0.125))
-
-
 @pytest.mark.parametrize("kind", ["collimated", "point", "grid"])
 def test_each_source_has_its_fields_once(forms, document, kind):
     choose(forms, "source.kind", kind)
@@ -446,55 +250,6 @@ def test_each_source_has_its_fields_once(forms, document, kind):
     shown = [each for each in rows(forms) if each.isVisible()]
     names = [each.path.split(".")[1] for each in shown if each.path.startswith("source.")]
     assert sorted(names) == sorted(type(source).model_fields)
-
-
-def test_a_mesh_brings_its_subdivisions_and_stays_with_another_source(forms, document, qtbot):
-    choose(forms, "source.kind", "point")
-    assert not row(forms, "source.intersection.subdivisions", visible=False).isVisible()
-    choose(forms, "source.intersection.method", "mesh")
-    enter(qtbot, forms, "source.intersection.subdivisions[0]", "65")
-    assert "at most 64" in row(forms, "source.intersection.subdivisions").refusal
-    enter(qtbot, forms, "source.intersection.subdivisions[0]", "8")
-    choose(forms, "source.kind", "grid")
-    intersection = document.session.scene.source.intersection
-    assert (intersection.method, intersection.subdivisions) == ("mesh", (8, 4))
-
-
-def test_fresh_rays_are_for_the_papers_method(forms, document, qtbot):
-    choose(forms, "source.kind", "point")
-    assert not row(forms, "source.fresh", visible=False).isVisible()
-    choose(forms, "run.method", "paper")
-    box = row(forms, "source.fresh").box
-    qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
-    assert document.session.scene.source.fresh
-
-
-def test_all_rays_of_a_grid_are_added_up(forms, document, qtbot):
-    choose(forms, "source.kind", "grid")
-    enter(qtbot, forms, "source.points[1]", "4")
-    assert row(forms, "source.rays")._unit.text() == "= 100,000 in all"
-
-
-@pytest.mark.parametrize(
-    ("kind", "path", "text", "reason"),
-    [
-        ("point", "source.position[2]", "0", "0 is not before the entrance face; less than 0"),
-        ("point", "source.position[0]", "left", "'left' is not a number"),
-        ("point", "source.rays", "0", "at least 1"),
-        ("grid", "source.center[2]", "1", "1 is not before the entrance face"),
-        ("grid", "source.half_width[0]", "-1", "at least 0"),
-        ("grid", "source.points[0]", "2.5", "not a whole number"),
-        ("grid", "source.rays", "100000", "100000 from each of 625 points are too many"),
-    ],
-)
-def test_a_refusal_of_a_source_stands_beside_its_field(
-    forms, document, qtbot, kind, path, text, reason
-):
-    choose(forms, "source.kind", kind)
-    session = document.session
-    enter(qtbot, forms, path, text)
-    assert document.session is session
-    assert reason in row(forms, path.partition("[")[0]).refusal
 
 
 @pytest.mark.parametrize(
@@ -512,30 +267,6 @@ def test_the_thumbnail_has_the_aspect_of_the_screen(forms, document, half_width,
     assert place.height() == thumbnail.height() or place.width() == thumbnail.width()
 
 
-def test_the_thumbnail_of_huge_and_tiny_values_is_that_of_their_ratios(forms):
-    thumbnail = forms._target._thumbnail
-    light = np.array([[0.0, 0.5, 1.0]])
-    for scale in (1.0, 1.7e308, 1e-310):
-        thumbnail.show_target(scale * light, 1)
-        greys = [thumbnail._picture.pixelColor(column, 0).red() for column in range(3)]
-        assert greys == [0, 188, 255]  # a monitor shows 188 with half the light of 255
-
-
-def test_an_image_is_not_read_again_during_a_run(forms, document, tmp_path):
-    image = tmp_path / "target.png"
-    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    forms.choose_image(image)
-    Image.fromarray(np.full((8, 8), 255, np.uint8)).save(image)
-    received, session = [], document.session
-    forms.file_refused.connect(received.append)
-    forms.set_running(True)
-    forms.choose_image(image)
-    assert document.session is session and "Stop the run first" in received[0]
-    forms.set_running(False)
-    forms.choose_image(image)
-    assert document.session is not session
-
-
 def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):
     assert row(forms, "lens.height_range").chooser.currentText() == "Own limits"
     choose(forms, "lens.height_range", "automatic")
@@ -548,10 +279,3 @@ def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):
     assert document.session.scene.optic.height_range == (-0.3, 0.3)
     enter(qtbot, forms, "lens.height_range[1]", "0.4")
     assert document.session.scene.optic.height_range == (-0.3, 0.4)
-
-
-def test_stock_may_be_given_or_left_out(forms, document, qtbot):
-    enter(qtbot, forms, "lens.max_thickness", "0.9")
-    assert document.session.scene.optic.max_thickness == 0.9
-    enter(qtbot, forms, "lens.max_thickness", "")
-    assert document.session.scene.optic.max_thickness is None

@@ -2,15 +2,12 @@
 
 import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListWidget, QToolButton
 
-from tests.ui.hands import choose, enter, field_row, rows
+from tests.ui.hands import choose, enter
 from ui.document.document import Document
 from ui.panels.images import ImagesPanel
-from ui.panels.target import is_image_file, of_image
-from workbench.scene import BallTarget, FurtherImage
 
 
 @pytest.fixture
@@ -58,17 +55,6 @@ def test_an_image_is_added_farther_away_and_its_target_is_drawn(begin, qtbot):
     assert not images(document)
 
 
-def test_an_image_added_during_a_run_is_shown_and_waits_for_its_end(begin, qtbot):
-    document, forms = begin({"lens.control_points": "auto"})
-    forms.set_running(True)
-    click(qtbot, forms, "Add")
-    assert not images(document) and len(listed(forms)) == 1
-    forms.set_running(False)
-    forms.make_postponed_edits()
-    (image,) = images(document)
-    np.testing.assert_array_equal(image.wanted, document.session.target)
-
-
 def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add")
@@ -83,17 +69,6 @@ def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     assert not np.array_equal(one.wanted, two.wanted)
 
 
-def test_the_form_has_a_row_for_every_field_of_an_image(begin, qtbot):
-    _, forms = begin()
-    click(qtbot, forms, "Add")
-    shown = {each.path for each in rows(forms)}
-    wanted = {"further_images[0].weight", "further_images[0].screen"}
-    for field in FurtherImage.fields():
-        for kind in field.parts:
-            wanted |= {f"further_images[0].{field.name}.{own.name}" for own in kind.fields()}
-    assert wanted - shown == set()
-
-
 def test_an_image_may_be_in_the_far_field(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add")
@@ -101,15 +76,6 @@ def test_an_image_may_be_in_the_far_field(begin, qtbot):
     (image,) = images(document)
     assert image.screen is None
     assert image.receiver.called == "far field"
-
-
-def test_an_impossible_place_is_refused_beside_its_field(begin, qtbot):
-    document, forms = begin()
-    click(qtbot, forms, "Add")
-    before = images(document)
-    enter(qtbot, forms, "further_images[0].screen.z", "0.1")
-    assert "may touch the lens" in field_row(forms, "further_images[0].screen.z").refusal
-    assert images(document) == before
 
 
 def test_images_are_moved_and_removed(begin, qtbot):
@@ -121,33 +87,3 @@ def test_images_are_moved_and_removed(begin, qtbot):
     assert images(document) == (far, near)
     click(qtbot, forms, "Remove")
     assert images(document) == (near,)
-
-
-def test_a_chosen_file_is_for_the_panel_that_asked(begin, qtbot, tmp_path):
-    document, forms = begin()
-    click(qtbot, forms, "Add")
-    np.save(tmp_path / "wanted.npy", np.eye(8) + 0.1)
-    forms.image_asked.connect(lambda: forms.choose_image(tmp_path / "wanted.npy"))
-    choose(forms, "further_images[0].target.builtin", "image")
-    assert images(document)[0].target.file == str(tmp_path / "wanted.npy")
-    assert document.session.scene.target.file is None
-    forms.choose_image(tmp_path / "wanted.npy")  # dropped on the window
-    assert document.session.scene.target.file == str(tmp_path / "wanted.npy")
-
-
-def test_a_picture_of_a_further_image_counts_as_a_monitor_shows_it(begin, qtbot, tmp_path):
-    document, forms = begin()
-    click(qtbot, forms, "Add")
-    Image.fromarray(np.full((8, 8), 90, np.uint8)).save(tmp_path / "wanted.png")
-    forms.image_asked.connect(lambda: forms.choose_image(tmp_path / "wanted.png"))
-    choose(forms, "further_images[0].target.builtin", "image")
-    assert images(document)[0].target.tone == "srgb"
-
-
-@pytest.mark.parametrize(
-    ("name", "tone"),
-    [("a.EXR", "linear"), ("a.hdr", "linear"), ("a.npy", "linear"), ("a.heic", "srgb")],
-)
-def test_files_of_light_are_taken_as_stored(tmp_path, name, tone):
-    assert of_image(tmp_path / name, BallTarget())["tone"] == tone
-    assert is_image_file(tmp_path / name)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QListWidget, QToolButton
 from tests.ui.hands import choose, enter, fill, row
 from ui.document.document import Document
 from ui.panels.regions import RegionsPanel
-from workbench.scene import EllipseRegion, PolygonRegion
+from workbench.scene import PolygonRegion
 
 
 @pytest.fixture
@@ -50,15 +50,6 @@ def test_a_region_is_added_named_and_resized(document, forms, qtbot):
     assert listed(forms) == []
 
 
-def test_another_shape_keeps_name_middle_and_size(document, forms, qtbot):
-    add(qtbot, forms)
-    enter(qtbot, forms, "regions[0].size[0]", "0.25")
-    choose(forms, "regions[0].shape", "ellipse")
-    (region,) = regions(document)
-    assert isinstance(region, EllipseRegion)
-    assert (region.name, region.size) == ("Region 1", (0.25, 0.5))
-
-
 def test_corners_of_a_polygon_are_typed_as_one_line(document, forms, qtbot):
     add(qtbot, forms)
     choose(forms, "regions[0].shape", "polygon")
@@ -77,9 +68,3 @@ def test_corners_that_make_no_polygon_are_refused_where_they_are(document, forms
     fill(qtbot, row(forms, "regions[0].corners").editor, typed)
     assert regions(document) == before
     assert row(forms, "regions[0].corners").refusal
-
-
-def test_a_region_beyond_the_screen_is_refused_where_it_is(document, forms, qtbot):
-    add(qtbot, forms)
-    enter(qtbot, forms, "regions[0].center[0]", "0.4")
-    assert "ends beyond the receiver" in row(forms, "regions[0].size").refusal

@@ -47,14 +47,6 @@ def listed(forms):
 TWO = {"iterations": 100, "stages": [{"iterations": 10}, {"iterations": 20}]}
 
 
-def test_row_of_the_rest_after_the_stages_is_never_cut_off(begin, qtbot):
-    _, forms = begin()
-    received = next(row for row in rows(forms) if row.path == "run.stages")._rest
-    for width in (forms.minimumWidth(), 900, forms.minimumWidth()):
-        forms.resize(width, 900)
-        qtbot.waitUntil(lambda: received.height() >= received.heightForWidth(received.width()) > 0)
-
-
 def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):
     document, forms = begin()
     assert listed(forms) == []
@@ -124,20 +116,6 @@ def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot)
         assert not row(forms, f"{at}.{path}", visible=False).isVisible()
 
 
-def test_empty_field_shows_the_value_that_counts(begin):
-    _, forms = begin({"iterations": 9, "method": "paper", "stages": [{"iterations": 3}]})
-    net = row(forms, "run.stages[0].control_points").editors.values()
-    assert [(e.text(), e.placeholderText()) for e in net] == [("", "12"), ("", "10")]
-    (rate,) = row(forms, "run.stages[0].learning_rate").editors.values()
-    assert (rate.text(), rate.placeholderText()) == ("", "0.003")
-
-
-def test_one_number_of_an_empty_net_counts_for_both(begin, qtbot):
-    document, forms = begin(TWO)
-    enter(qtbot, forms, "run.stages[0].control_points[1]", "8")
-    assert stages(document)[0].control_points == (8, 8)
-
-
 @pytest.mark.parametrize(
     ("path", "text", "beside", "reason"),
     [
@@ -161,49 +139,3 @@ def test_a_refusal_stands_beside_its_field(begin, qtbot, path, text, beside, rea
     assert reason in row(forms, f"run.stages{beside}").refusal
     qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert not any(each.refusal for each in rows(forms))
-
-
-def test_a_stage_for_which_nothing_is_left_is_refused(begin, qtbot):
-    document, forms = begin({"iterations": 1})
-    click(qtbot, forms, "Add")
-    assert stages(document) == ()
-    assert "they leave none of the 1 iterations" in row(forms, "run.stages").refusal
-
-
-def test_an_impossible_source_is_refused_beside_it(begin, qtbot):
-    document, forms = begin(TWO)
-    choose(forms, "run.stages[0].source.kind", "point")
-    enter(qtbot, forms, "run.stages[0].source.position[2]", "1")
-    assert "not before the entrance face" in row(forms, "run.stages[0].source.position").refusal
-    assert stages(document)[0].source.position[2] == -5
-
-
-def test_text_that_is_not_entered_stays_with_its_stage(begin, qtbot):
-    document, forms = begin(TWO)
-    enter(qtbot, forms, "run.stages[0].iterations", "11", key=None)
-    click(qtbot, forms, "Down")
-    assert [stage.iterations for stage in stages(document)] == [20, 11]
-    enter(qtbot, forms, "run.stages[1].iterations", "12", key=None)
-    document.undo_stack.undo()
-    document.undo_stack.undo()
-    assert [stage.iterations for stage in stages(document)] == [10, 20]
-
-
-def test_choosing_another_stage_shows_its_settings(begin, qtbot):
-    _, forms = begin(TWO)
-    enter(qtbot, forms, "run.stages[0].iterations", "none")
-    the_list(forms).setCurrentRow(1)
-    (editor,) = row(forms, "run.stages[1].iterations").editors.values()
-    assert editor.text() == "20"
-    the_list(forms).setCurrentRow(0)
-    (editor,) = row(forms, "run.stages[0].iterations").editors.values()
-    assert (editor.text(), row(forms, "run.stages[0].iterations").refusal) == ("10", "")
-
-
-def test_the_automatic_method_drops_learning_rates_that_follow_it(begin, qtbot):
-    kept = {"iterations": 2, "method": "paper", "learning_rate": 0.2}
-    run = {"method": "paper", "stages": [{"iterations": 1, "learning_rate": 0.1}, kept]}
-    document, forms = begin(run)
-    choose(forms, "run.method", "auto")
-    assert document.session.scene.run.method == "auto"
-    assert [stage.learning_rate for stage in stages(document)] == [None, 0.2]

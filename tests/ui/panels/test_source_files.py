@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.lamps import crooked_lamp, led
+from tests.lamps import crooked_lamp
 from tests.ui.hands import choose, editor, enter, row
 from workbench.files.session import Session
 from workbench.scene import Scene
@@ -39,24 +39,6 @@ def test_a_file_of_light_is_chosen_from_a_dialog(forms, document, qtbot, tmp_pat
     assert document.session.scene.source.rotation == (30, 0, 0)
     assert document.session.scene.light_files[str(lamp)] is not None
     assert editor(forms, "source.position[2]").text() == "-4"
-
-
-def test_the_name_of_a_file_tells_the_kind_of_source(forms, document, tmp_path):
-    rays = Path(led(tmp_path, 2000)["file"])
-
-    forms.choose_light(rays)
-
-    assert document.session.scene.source.kind == "ray_file"
-    assert document.undo_stack.undoText() == "change of file of light"
-    document.undo_stack.undo()
-    assert document.session.scene.source.kind == "point"
-
-
-def test_a_dialog_that_is_cancelled_keeps_the_source(forms, document):
-    choose(forms, "source.kind", "ray_file")
-
-    assert document.undo_stack.count() == 0
-    assert row(forms, "source.kind").chooser.currentData() == "point"
 
 
 def test_a_damaged_file_is_refused_and_marks_no_field(forms, document, tmp_path):

@@ -114,36 +114,6 @@ def test_escape_takes_all_refused_entries_and_typed_text_back(begin, qtbot):
     assert shown(window.forms) == before and not window.forms.refused
 
 
-def test_escape_elsewhere_in_the_window_takes_refused_entries_back(begin, qtbot):
-    window = begin()
-    before = shown(window.forms)
-    enter(qtbot, window.forms, "screen.z", "far")
-    window.workspace.history.setFocus()
-    qtbot.keyClick(window.workspace.history, Qt.Key.Key_Escape)
-    assert shown(window.forms) == before and not window.forms.refused
-
-
-def test_the_latest_of_several_refused_entries_is_taken_back_first(begin, qtbot):
-    window = begin()
-    enter(qtbot, window.forms, "screen.z", "far")
-    enter(qtbot, window.forms, "run.seed", "x")
-    window.commands["undo"].trigger()
-    assert editor(window.forms, "run.seed").text() == "0"
-    assert editor(window.forms, "screen.z").text() == "far"
-    window.commands["undo"].trigger()
-    assert editor(window.forms, "screen.z").text() == "7"
-    assert window.commands["undo"].text() == "&Undo change of screen at z"
-
-
-def test_undo_takes_text_back_that_is_not_entered(begin, qtbot):
-    window = begin()
-    session = window.document.session
-    enter(qtbot, window.forms, "screen.z", "8", key=None)
-    window.commands["undo"].trigger()
-    assert editor(window.forms, "screen.z").text() == "7"
-    assert window.document.session is session
-
-
 def test_an_entry_that_is_refused_during_a_run_is_taken_back(begin, qtbot):
     window = begin()
     window.forms.set_running(True)

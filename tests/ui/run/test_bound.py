@@ -5,10 +5,8 @@ import time
 
 import pytest
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QStatusBar
 
 from ui.run.bound import BoundOfDesign
-from ui.run.status import RunStatus
 from workbench.extended import deblur
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
@@ -42,16 +40,6 @@ def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qt
     assert said[-1] == ("", "")
 
 
-def test_edit_that_leaves_the_source_as_it_looks_asks_for_nothing(
-    bound, said, document, make_scene, qtbot
-):
-    document.edit(make_scene({"source": GRID}), "source", "")
-    qtbot.waitUntil(lambda: said[-1] != ("", ""), timeout=30_000)
-    count = len(said)
-    document.edit(make_scene({"source": GRID, "run.iterations": 7}), "run", "")
-    assert len(said) == count
-
-
 def test_search_that_goes_on_is_left_when_the_window_closes(
     bound, document, make_scene, qtbot, monkeypatch
 ):
@@ -72,13 +60,3 @@ def test_search_that_goes_on_is_left_when_the_window_closes(
     assert steps < most
     qtbot.wait(20)
     assert len(taken) == steps
-
-
-def test_status_shows_a_bound_only_where_there_is_one(qtbot):
-    bar = QStatusBar()
-    qtbot.addWidget(bar)
-    status = RunStatus(bar)
-    status.show_bound("at best 12.9 %", "No lens is below 12.9 %.")
-    assert not status._bound.isHidden() and "No lens" in status._bound.toolTip()
-    status.show_bound("", "")
-    assert status._bound.isHidden()

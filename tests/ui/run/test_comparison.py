@@ -1,7 +1,5 @@
 """Two runs of several images beside each other: the image that is shown is chosen."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QComboBox, QWidget
@@ -82,24 +80,3 @@ def test_images_at_different_places_are_named_with_both(comparison, kept):
     comparison.show_pair((kept("near", 0.3), kept("far", 0.5, far)))
     titles = [choice(comparison).itemText(k) for k in (0, 1)]
     assert titles == ["Image 1, z = 5 cm", "Image 2, z = 6 cm → z = 8 cm"]
-
-
-def test_a_run_of_one_image_shows_it_beside_each_of_another(comparison, kept):
-    comparison.show_pair((kept("one"), kept("two", 0.5)))
-    assert choice(comparison).itemText(1) == "Image 2, z = 5 cm → z = 6 cm"
-    choose(comparison, 1)
-    assert figures(comparison, "On screen") == ["92.0 %", "50.0 %"]
-    assert figures(comparison, "Verified") == ["of one", "–"]
-
-
-def test_the_choice_stays_for_another_pair_that_has_it_and_is_hidden_for_one_image(
-    comparison, kept
-):
-    one, two = kept("one"), kept("two", 0.5)
-    comparison.show_pair((two, replace(two, name="again")))
-    choose(comparison, 1)
-    comparison.show_pair((one, two))
-    assert choice(comparison).currentIndex() == 1
-    comparison.show_pair((one, one))
-    assert not choice(comparison).isVisible()
-    assert comparison._figure.axes[0].images[0].get_array().shape == (32, 32)

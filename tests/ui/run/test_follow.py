@@ -150,21 +150,6 @@ def test_an_edit_and_its_lens_are_one_step_that_is_undone_and_redone_without_a_d
     assert len(desk.engine.asked) == asked
 
 
-def test_undo_during_a_design_keeps_the_best_lens_so_far_for_redo(desk, designed, qtbot):
-    desk.engine.iterations = 1000
-    desk.engine.hold()
-    desk.edit(7)
-    desk.come_to_a_lens()
-    lens = desk.document.session.result
-    desk.document.undo_stack.undo()
-    desk.engine.leave.release(_FREE)
-    qtbot.waitUntil(lambda: not desk.follow._background.running)
-    assert desk.document.session is designed
-    assert desk.settled == []
-    desk.document.undo_stack.redo()
-    assert desk.document.session.result is lens
-
-
 def test_edits_wait_for_the_first_lens_and_the_latest_is_designed_next(desk):
     desk.engine.hold()
     desk.edit(6)
@@ -188,17 +173,6 @@ def test_a_lens_of_an_earlier_edit_is_shown_and_not_kept(desk, qtbot):
     assert desk.document.session.result is None
 
 
-def test_an_edit_ends_a_design_that_has_a_lens_within_one_iteration(desk, qtbot):
-    desk.engine.iterations = 1000
-    desk.engine.hold()
-    desk.edit(6)
-    desk.come_to_a_lens()
-    desk.edit(8)
-    while desk.seen() != [6, 8]:
-        desk.step()
-    assert desk.engine.open == 1
-
-
 def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, designed):
     starts = []
     live = desk.follow._live
@@ -217,14 +191,6 @@ def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, de
     assert starts[-1] is False
 
 
-def test_nothing_is_designed_while_nothing_changes(desk, qtbot):
-    desk.edit(7)
-    desk.wait()
-    qtbot.waitUntil(lambda: not desk.follow._background.running)
-    assert not desk.follow._look.isActive()
-    assert desk.engine.open == 0
-
-
 def test_a_run_stops_the_following_design(desk, qtbot):
     desk.engine.iterations = 1000
     desk.engine.hold()
@@ -239,18 +205,6 @@ def test_a_run_stops_the_following_design(desk, qtbot):
         desk.control.runner.stop()
         desk.engine.leave.release(_FREE)
     assert desk.settled == []
-
-
-def test_the_lens_of_a_run_is_kept_when_the_next_edit_is_followed(desk, qtbot):
-    with qtbot.waitSignal(desk.control.ended):
-        desk.control.start()
-    designed = desk.document.session
-    desk.edit(7)
-    desk.wait()
-    names = [run.name for run in desk.document.session.runs]
-    assert names == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
-    desk.document.undo_stack.undo()
-    assert desk.document.session is designed
 
 
 def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, designed):
@@ -271,58 +225,6 @@ def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, desi
         assert desk.document.session.result is lens
     desk.document.undo_stack.undo()
     assert desk.document.session is designed
-
-
-def test_edits_before_a_lens_is_finished_are_one_step_and_one_run(desk, designed):
-    desk.engine.hold()
-    desk.edit(6, key="screen.z")
-    desk.come_to_a_lens()
-    desk.edit(7, key="screen.z")
-    desk.engine.leave.release(_FREE)
-    desk.wait()
-    assert desk.steps == 1
-    (run,) = desk.document.session.runs
-    assert run.result is desk.document.session.result
-    desk.document.undo_stack.undo()
-    assert desk.document.session is designed
-
-
-def test_a_lens_that_is_checked_before_it_is_finished_can_be_returned_to(desk):
-    desk.engine.hold()
-    desk.edit(6, key="screen.z")
-    desk.come_to_a_lens()
-    desk.follow.hold(True)
-    lens = desk.document.session.result
-    desk.engine.leave.release(_FREE)
-    desk.follow.hold(False)
-    desk.edit(7, key="screen.z")
-    desk.wait()
-    desk.document.undo_stack.undo()
-    assert desk.document.session.result is lens
-
-
-def test_an_edit_during_a_check_is_followed_after_it(desk, qtbot):
-    desk.follow.hold(True)
-    desk.edit(7)
-    qtbot.wait(300)
-    assert all(start for _, start in desk.engine.asked)  # previews
-    desk.follow.hold(False)
-    desk.wait()
-    assert desk.document.session.result is not None
-
-
-def test_following_design_ends_when_a_check_begins(desk, qtbot):
-    desk.engine.hold()
-    desk.edit(7)
-    desk.come_to_a_lens()
-    lens = desk.document.session.result
-    desk.follow.hold(True)
-    desk.engine.leave.release(_FREE)
-    qtbot.waitUntil(lambda: not desk.follow._background.running)
-    desk.follow.hold(False)
-    assert desk.document.session.result is lens
-    assert lens.ended == "stopped"
-    assert desk.follow.text == ""
 
 
 def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
@@ -374,24 +276,6 @@ def test_edit_that_needs_no_other_lens_is_not_followed(change, make_desk, design
     assert not desk.follow._background.running
 
 
-@pytest.mark.parametrize("has_lens", [True, False])
-def test_an_edit_that_asks_for_no_other_lens_lets_the_design_before_it_go_on(has_lens, desk):
-    desk.engine.hold()
-    desk.edit(7)
-    if has_lens:
-        desk.come_to_a_lens()
-    scene = desk.document.session.scene
-    regions = Scene.from_data({**scene.to_data(), "version": 2, "regions": [{"name": "Desk"}]})
-    desk.document.edit(regions, "new region", "")
-    assert desk.follow.text
-    desk.engine.leave.release(_FREE)
-    desk.wait()
-    session = desk.document.session
-    assert session.result.ended == "converged"
-    assert session.scene.receiver.z == 7
-    assert session.scene.regions[0].name == "Desk"
-
-
 def test_switching_off_stops_the_following_design_and_keeps_its_lens(desk, qtbot):
     desk.engine.hold()
     desk.edit(7)
@@ -425,29 +309,6 @@ def test_a_slow_machine_makes_edits_wait_for_a_pause_and_switches_nothing_off(
     assert desk.document.session.result is not None
 
 
-def test_edits_wait_no_longer_once_lenses_come_soon_again(desk):
-    desk.follow._pause = 0.05
-    desk.edit(6)
-    desk.wait()
-    assert desk.follow._pause == 0
-
-
-def test_undo_during_the_pause_after_an_edit_begins_no_design(desk, qtbot):
-    desk.follow._pause = 0.1
-    desk.edit(6)
-    desk.document.undo_stack.undo()
-    qtbot.wait(300)
-    assert desk.engine.asked == []
-    assert desk.follow.text == "" and not desk.follow._background.running
-
-
-def test_releasing_a_hold_that_never_began_starts_no_design(desk):
-    desk.edit(7)
-    desk.follow.hold(False)
-    desk.wait()
-    assert len(desk.engine.asked) == 1
-
-
 def test_a_design_without_a_lens_gets_one_and_has_no_changes_by_it(make_desk, session):
     desk = make_desk(session)
     desk.wait()
@@ -464,28 +325,6 @@ def test_a_lens_that_is_opened_stays_until_somebody_edits(make_desk, designed, q
         qtbot.wait(300)
         assert desk.document.session is session
     assert desk.settled == []
-
-
-def test_a_lens_for_another_task_gives_way_by_a_step_of_its_own(make_desk, designed):
-    carried = replace(designed, result=None, start=designed.result.state.heights)
-    desk = make_desk(carried, on=False)
-    desk.follow.switch(True)
-    desk.wait()
-    assert desk.steps == 1
-    assert desk.document.session.result is not None
-    desk.document.undo_stack.undo()
-    assert desk.document.session is carried
-
-
-def test_a_lens_that_gets_better_after_saving_is_a_change(desk, qtbot, tmp_path):
-    desk.engine.hold()
-    desk.edit(7)
-    desk.come_to_a_lens()
-    desk.document.save(tmp_path / "lens.freeform")
-    assert not desk.document.dirty
-    desk.engine.leave.release(_FREE)
-    desk.wait()
-    assert desk.document.dirty
 
 
 def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monkeypatch):

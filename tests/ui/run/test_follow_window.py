@@ -1,7 +1,5 @@
 """Edits followed in the window, by the engine itself."""
 
-import time
-
 import pytest
 from PySide6.QtCore import QSettings
 
@@ -36,22 +34,6 @@ def settled(window, qtbot):
     return qtbot.waitSignal(window.loaded.follow.settled)
 
 
-def slower(snapshots):
-    """The same ones, so that a design is still under way when its first lens is seen."""
-
-    def paused(*given):
-        source = snapshots(*given)
-        while True:
-            try:
-                snapshot = next(source)
-            except StopIteration as end:
-                return end.value
-            yield snapshot
-            time.sleep(0.05)
-
-    return paused
-
-
 def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, designed, qtbot):
     window, document = following, following.document
     texts = []
@@ -69,36 +51,6 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     assert document.session is designed
     window.commands["redo"].trigger()
     assert document.session.result is result
-
-
-def test_a_check_while_a_lens_follows_keeps_that_lens_and_says_what_improves_it(
-    following, qtbot, monkeypatch
-):
-    window = following
-    monkeypatch.setattr(window.loaded.check, "_rays", 20_000)
-    monkeypatch.setattr(window.loaded.follow, "_snapshots", slower(window.loaded.follow._snapshots))
-    fill(qtbot, editor(window.forms, "screen.z"), "6")
-    qtbot.waitUntil(lambda: window.document.session.result is not None)
-    window.commands["check"].trigger()
-    lens = window.document.session.result
-    assert window.status.text == "Stopped: Continue (Shift+F5) can make the lens better"
-    qtbot.waitUntil(lambda: window.status._check.text().startswith("Checked"))
-    assert window.document.session.result is lens
-    assert window.status.text == "Stopped: Continue (Shift+F5) can make the lens better"
-    check = window.loaded.runs.check
-    window.loaded.control.ended.disconnect(check._finish)  # a check of its lens takes long
-    with qtbot.waitSignal(window.loaded.control.ended):
-        window.commands["continue"].trigger()
-    better = window.document.session.result
-    assert better.state.loss < lens.state.loss
-    assert better.iterations > lens.iterations
-
-
-def test_the_log_says_nothing_of_lenses_that_follow(following, qtbot):
-    lines = following.log.toPlainText()
-    with settled(following, qtbot):
-        fill(qtbot, editor(following.forms, "screen.z"), "6")
-    assert following.log.toPlainText() == lines
 
 
 def test_a_run_keeps_edits_waiting_and_they_are_followed_after_it(following, qtbot, as_run):
@@ -125,21 +77,6 @@ def test_the_choice_to_follow_is_kept(following, settings):
     assert kept.value(FOLLOW, True, bool) is False
 
 
-def test_a_window_that_follows_designs_the_lens_that_an_example_lacks(
-    open_following, session, qtbot
-):
-    window = open_following(session)
-    qtbot.waitUntil(lambda: window.document.session.result is not None)
-    assert window.commands["export"].isEnabled()
-    assert not window.isWindowModified()
-
-
-def test_continue_is_available_while_the_first_lens_is_awaited(open_following, session):
-    window = open_following(session)
-    assert window.loaded.follow.text and window.document.session.result is None
-    assert window.commands["continue"].isEnabled()
-
-
 def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_session, qtbot):
     point = {"kind": "point", "position": [0, 0, -4]}
     window = open_following(make_session({"source": point}))
@@ -157,11 +94,3 @@ def test_a_source_that_is_dragged_is_followed_in_one_step(open_following, make_s
     assert window.document.undo_stack.count() == 1
     window.commands["undo"].trigger()
     assert window.document.session is before
-
-
-def test_editing_the_lens_by_hand_stops_the_following_design(following, qtbot):
-    window = following
-    fill(qtbot, editor(window.forms, "screen.z"), "6")
-    qtbot.waitUntil(lambda: window.document.session.result is not None)
-    assert window.loaded.tools._heights() is not None
-    assert window.loaded.follow.text == ""

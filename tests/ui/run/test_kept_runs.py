@@ -5,9 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.run.kept import called, is_named, renamed, restored, with_followed, with_run, without
+from ui.run.kept import is_named, renamed, restored, with_followed, with_run
 from workbench.design.endings import STOPPED
-from workbench.errors import Refused
 from workbench.files.header import MOST_RUNS
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
@@ -42,20 +41,6 @@ def test_a_run_is_kept_with_its_task_and_a_descriptive_name(session, result):
     assert not is_named(run)
 
 
-def test_numbers_go_on_where_they_were(session, result):
-    for _ in range(3):
-        session, _ = with_run(session, result)
-    session = without(session, session.runs[:1])
-    session = renamed(session, session.runs[-1], "the good one")
-    session, _ = with_run(session, result)
-    assert names(session) == ["Run 2: auto, 12 × 10", "the good one", "Run 3: auto, 12 × 10"]
-
-
-def test_a_run_without_an_iteration_is_not_kept(session, history):
-    after, _ = with_run(session, history(0).result())
-    assert after.runs == () and after.result is not None
-
-
 def test_the_oldest_unnamed_run_is_dropped_first(session, large):
     for _ in range(3):
         session, _ = with_run(session, large(100))
@@ -70,11 +55,6 @@ def test_the_oldest_unnamed_run_is_dropped_first(session, large):
         "first",
     ]
     assert names(kept) == ["Run 5: auto, 12 × 10"]
-
-
-def test_the_latest_stays_however_large(session, large):
-    kept, given_way = with_run(session, large(100), budget=KILOBYTE)
-    assert len(kept.runs) == 1 and given_way == []
 
 
 def test_no_more_runs_are_kept_than_a_file_holds(session, result):
@@ -103,13 +83,6 @@ def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     assert restored(other, run).locked == NO_LOCKS
 
 
-def test_an_empty_or_too_long_name_is_refused(session, result):
-    session, _ = with_run(session, result)
-    for name in ("", 101 * "x"):
-        with pytest.raises(Refused, match=r"characters; 1 to 100"):
-            renamed(session, session.runs[0], name)
-
-
 @pytest.fixture
 def unfinished(result):
     return replace(result, ended=STOPPED)
@@ -134,21 +107,6 @@ def test_a_finished_lens_that_followed_stays_beside_the_next(session, result, un
     assert names(session)[-1] == "Run 3: auto, 12 × 10"
 
 
-def test_a_followed_lens_that_a_person_has_named_stays(session, unfinished):
-    session, _ = with_followed(session, unfinished)
-    session = renamed(session, session.runs[0], "Followed: the good one")
-    session, _ = with_followed(session, unfinished)
-    assert names(session) == ["Followed: the good one", "Followed 1: auto, 12 × 10"]
-
-
-def test_an_unfinished_lens_drops_no_run(session, large):
-    session, _ = with_run(session, large(300))
-    unfinished = replace(large(300), ended=STOPPED)
-    session, given_way = with_followed(session, unfinished, budget=500 * KILOBYTE)
-    assert names(session) == ["Run 1: auto, 12 × 10"] and given_way == []
-    assert session.result is unfinished
-
-
 def test_lenses_that_followed_are_dropped_before_runs(session, large):
     session, _ = with_run(session, large(100))
     for _ in range(2):
@@ -157,8 +115,3 @@ def test_lenses_that_followed_are_dropped_before_runs(session, large):
     assert [run.name for run in given_way] == ["Followed 2: auto, 12 × 10"]
     assert names(session)[0] == "Run 1: auto, 12 × 10"
     assert len(session.runs) == 3
-
-
-def test_a_followed_lens_is_called_by_its_number(session, result):
-    session, _ = with_followed(session, result)
-    assert called(session.runs[0]) == "Followed 1: auto, 12 × 10"

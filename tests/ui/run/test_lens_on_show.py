@@ -8,7 +8,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QMessageBox
 
-from tests.ui.hands import editor, enter, move_screen, row
+from tests.ui.hands import enter, move_screen
 from workbench.files.session import KeptRun, read_session
 
 pytestmark = pytest.mark.usefixtures("kernels", "display")
@@ -64,11 +64,6 @@ def test_a_run_can_be_saved_with_its_best_lens_so_far(running, qtbot, tmp_path, 
     assert running.document.session.result is None
 
 
-def test_the_best_lens_so_far_has_the_least_loss(running):
-    best = running.loaded.control.runner.best
-    assert best.state.loss <= best.losses.min()
-
-
 def test_a_run_can_be_exported(running, qtbot, tmp_path):
     assert running.commands["export"].isEnabled() and running.commands["report"].isEnabled()
     running.exporter.export(tmp_path / "lens.stl")
@@ -94,23 +89,6 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     )
 
 
-def test_a_lens_whose_light_is_still_traced_is_not_exported(open_window, designed, tmp_path):
-    window = open_window(designed)
-    move_screen(window.document, 7)  # nothing traces it before the views are there
-    window.exporter.export(tmp_path / "lens.stl")
-    assert "still being traced" in window.messages.text
-    assert not (tmp_path / "lens.stl").exists()
-
-
-@pytest.mark.slow
-def test_a_report_says_which_task_its_lens_was_designed_for(carried, qtbot, tmp_path):
-    path = tmp_path / "lens.html"
-    carried.reporter.report(path)
-    qtbot.waitUntil(lambda: not carried.reporter._background.busy, timeout=120_000)
-    assert carried.messages.text == f"{path} is written."
-    assert "designed for another task (Run 1: flat)" in path.read_text()
-
-
 def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     enter(qtbot, running.forms, "screen.z", "7")
     assert running.document.session.scene.receiver.z == 5 and running.loaded.control.busy
@@ -124,36 +102,6 @@ def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     running.document.undo_stack.undo()
     assert running.document.session.scene.receiver.z == 5
     assert running.document.session.result is not None  # of the run, for the task that it had
-
-
-def test_an_edit_that_waits_can_be_taken_back(running, qtbot, tmp_path, monkeypatch):
-    enter(qtbot, running.forms, "screen.z", "7")
-    monkeypatch.setattr(running.files, "ask_for_name", lambda: tmp_path / "mine.freeform")
-    running.commands["save"].trigger()
-    assert read_session(tmp_path / "mine.freeform").scene.receiver.z == 5
-    assert "Saved with the task that the run works on" in running.messages.text
-    _, take_back = running.messages.buttons
-    take_back.click()
-    assert editor(running.forms, "screen.z").text() == "5" and not running.messages.isVisible()
-    stop(running, qtbot)
-    assert running.document.session.scene.receiver.z == 5
-
-
-def test_closing_says_that_waiting_edits_are_given_up(running, qtbot, monkeypatch, tmp_path):
-    path, asked = tmp_path / "mine.freeform", []
-
-    def question(window, title, text, *_):
-        asked.append(text)
-        return QMessageBox.StandardButton.Save
-
-    monkeypatch.setattr(QMessageBox, "question", question)
-    monkeypatch.setattr(running.files, "ask_for_name", lambda: path)
-    enter(qtbot, running.forms, "screen.z", "7")
-    running.close()
-    qtbot.waitUntil(lambda: not running.isVisible(), timeout=60_000)
-    assert len(asked) == 1 and "given up" in asked[0]
-    saved = read_session(path)
-    assert saved.scene.receiver.z == 5 and saved.result is not None
 
 
 def drop(window, path):
@@ -175,12 +123,3 @@ def test_a_design_dropped_during_a_run_is_opened_after_it(
     (stop_and_open,) = running.messages.buttons
     stop_and_open.click()
     qtbot.waitUntil(lambda: running.document.session.scene.unit == "inch", timeout=60_000)
-
-
-def test_a_dropped_file_that_is_no_image_is_reported_without_marking_a_field(window, tmp_path):
-    text = tmp_path / "notes.txt"
-    text.write_text("no image")
-    drop(window, text)
-    assert "notes.txt" in window.messages.text and window.messages.objectName() == "warning"
-    assert not window.isWindowModified()
-    assert not row(window.forms, "target.builtin").refusal

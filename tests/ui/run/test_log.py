@@ -1,13 +1,10 @@
 """The log: phases, notes and failures of runs, with times, bounded, in a dock of its own."""
 
 import dataclasses
-import re
 
 import pytest
-from PySide6.QtWidgets import QTabWidget
 
 from ui.widgets.log_view import LogView
-from workbench.errors import RunFailed
 from workbench.scene import Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -19,15 +16,6 @@ def lines(log):
 
 def sentences(log):
     return [text for _, text in lines(log)]
-
-
-def test_each_line_has_the_time_of_day(qtbot):
-    log = LogView()
-    qtbot.addWidget(log)
-    log.add("one\nsentence")
-    ((when, text),) = lines(log)
-    assert re.fullmatch(r"[0-2]\d:[0-5]\d:[0-5]\d", when)
-    assert text == "one sentence"
 
 
 def test_the_oldest_lines_are_dropped(qtbot):
@@ -55,27 +43,6 @@ def test_log_shows_its_end_until_a_person_scrolls_up(qtbot, show):
     log.resize(300, 120)
     qtbot.wait(50)
     assert bar.value() < bar.maximum() / 2
-
-
-def test_log_behind_another_tab_is_not_drawn(qtbot, monkeypatch):
-    drawn = []
-    paint = LogView.paintEvent
-    monkeypatch.setattr(LogView, "paintEvent", lambda *a: (drawn.append(1), paint(*a))[1])
-    tabs, log = QTabWidget(), LogView()
-    qtbot.addWidget(tabs)
-    front = LogView()
-    tabs.addTab(front, "front")
-    tabs.addTab(log, "behind")
-    with qtbot.waitExposed(tabs):
-        tabs.show()
-    qtbot.waitUntil(lambda: bool(drawn))
-    qtbot.wait(50)
-    drawn.clear()
-    log.add("unseen")
-    qtbot.wait(50)
-    assert not drawn
-    tabs.setCurrentWidget(log)
-    qtbot.waitUntil(lambda: bool(drawn))
 
 
 @pytest.fixture
@@ -112,40 +79,3 @@ def test_a_run_logs_its_phases_and_its_trace_once(window, snapshots, as_seen_run
         "Run ended (all iterations are done) after iteration 3 of 3, 0:00: "
         "last loss 0.25, 92.0 % on the screen",
     ]
-
-
-def test_pausing_and_stopping_are_logged(window, as_run, qtbot):
-    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
-    window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: window.loaded.control.history.frames != [], timeout=60_000)
-    window.commands["pause"].trigger()
-    window.commands["pause"].trigger()
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["stop"].trigger()
-    received = [re.sub(r" (at|after) iteration.*", "", text) for text in sentences(window.log)]
-    assert received == [
-        "Run begins: small, method auto",
-        "Run paused",
-        "Run resumed",
-        "Stop asked for",
-        "Run ended (stopped)",
-    ]
-
-
-def test_a_failure_stands_in_the_log_when_its_message_is_closed(window, snapshots, qtbot):
-    def run(scene, target, start=None, locked=None):
-        yield snapshots(0)
-        raise RunFailed("the loss is not finite")
-
-    run_with(window, qtbot, run)
-    window.messages.clear()
-    assert "the loss is not finite" in sentences(window.log)
-    window.files.open_recent(window.document.suggested_path.with_name("none.freeform"))
-    assert "none.freeform" in sentences(window.log)[-1]
-
-
-def test_the_dock_is_hidden_at_first(window, qtbot):
-    dock = window.workspace.docks["log"]
-    assert dock.isHidden()
-    dock.toggleViewAction().trigger()
-    qtbot.waitUntil(lambda: not window.log.viewport().visibleRegion().isEmpty())

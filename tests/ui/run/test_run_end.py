@@ -1,9 +1,7 @@
 """The window says in what state a run is, and at last why it ended."""
 
 import pytest
-from PySide6.QtCore import QSize
 
-from ui.widgets.elided_label import ElidedLabel
 from workbench.errors import RunFailed
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -47,25 +45,3 @@ def test_a_stop_and_a_failure_are_reasons(window, snapshots, as_run, qtbot):
     with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
         window.commands["stop"].trigger()
     assert state(window) == "Stopped: Continue (Shift+F5) can make the lens better"
-
-
-def test_a_paused_run_is_shown_as_paused_everywhere(window, as_run, qtbot):
-    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
-    window.commands["start"].trigger()
-    assert window.forms._hint.text() == "The design is running. Changes wait until it ends."
-    window.commands["pause"].trigger()
-    assert state(window) == "Paused"
-    assert window.forms._hint.text() == "The design is paused. Changes wait until it ends."
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["stop"].trigger()
-
-
-def test_a_long_reason_is_cut_where_there_is_no_room_and_has_a_tip(show):
-    label = ElidedLabel()
-    label.setText("Failed: " + 40 * "reason ")
-    show(label, 200, 20)
-    assert label.size() == QSize(200, 20)
-    assert label.shown.endswith("…") and label.toolTip() == label.text()
-    label.setText("Stopped")
-    label.repaint()
-    assert label.shown == "Stopped" and label.toolTip() == ""

@@ -46,13 +46,6 @@ def test_progress_while_a_run_goes_on(bar, session, make_scene, snapshots, name,
     assert status._left.text() == "" and status._progress.isHidden()
 
 
-def test_a_lens_at_rest_has_no_pace(bar, session, snapshots):
-    status = RunStatus(bar)
-    status.show_frame(frame(session, snapshots(7)), running=False)
-    assert status._iteration.text() == "iteration 7 of 10"
-    assert status._left.text() == ""
-
-
 def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path):
     session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
     scene, wanted, _ = session.scene.wanted(session.target)[1]
@@ -65,48 +58,3 @@ def test_status_shows_the_error_of_each_image(bar, make_scene, frames, tmp_path)
     assert error > 0.1
     said = f"Error 0.00 %, {100 * error:.1f} % · light on the screen 92.0 %, 30.0 %"
     assert status._light.text() == said
-
-
-def test_verified_figures_are_there_only_when_there_are_some(bar):
-    status = RunStatus(bar)
-    assert status._verified.isHidden()
-    status.show_verified("Checked error 1.20 % at 40")
-    assert not status._verified.isHidden()
-    status.show_verified("")
-    assert status._verified.isHidden()
-
-
-def test_message_is_whole_in_its_tip_and_is_replaced_by_the_next_state(bar, qtbot):
-    status = RunStatus(bar)
-    status.show_state("Designing…")
-    bar.show()
-    status.tell(said := "Saved pendant.freeform, with the best lens so far, after 176 iterations")
-    qtbot.waitUntil(lambda: bar.minimumSizeHint().width() < 200)  # figures take no room
-    bar.resize(300, bar.height())
-    qtbot.waitUntil(lambda: status._state.toolTip() == said)
-    assert status._state.shown.endswith("…") and status.text == said
-    status._read.timeout.emit()
-    assert status.text == "Designing…"
-    status.tell(said)
-    status.show_state("Stopping…")
-    assert status.text == "Stopping…" and not status._read.isActive()
-
-
-def test_why_a_run_ended_can_be_read_in_a_narrow_window(bar, qtbot, session, snapshots):
-    status = RunStatus(bar)
-    bar.resize(1280, bar.sizeHint().height())
-    bar.show()
-    status.show_frame(frame(session, snapshots(53, 300)), running=False)
-    status.show_check("Checked error 3.19 %")
-    status.show_bound("at best 2.31 %", "")
-    status.show_state(
-        said := "Converged: error less than 0.015 percentage points lower in 5 iterations"
-    )
-    qtbot.waitUntil(lambda: status._state.shown == said)
-    assert not status._light.isHidden() and not status._check.isHidden()
-    status.show_state(longer := f"{said}; of both faces it was 0.5 times that of one")
-    qtbot.waitUntil(lambda: status._state.shown == longer)
-    assert status._loss.isHidden() and not status._light.isHidden()
-    bar.resize(2560, bar.height())
-    qtbot.waitUntil(lambda: not status._loss.isHidden())
-    assert status._loss.minimumWidth() > 0

@@ -115,27 +115,6 @@ def test_stop_wakes_a_paused_run(session, gated, start_runner, qtbot):
     assert heard.states == ["running", "paused", "stopping", "idle"]
 
 
-def test_pause_resume_and_stop_do_nothing_without_a_run(session, as_run, start_runner, qtbot):
-    runner, heard = start_runner(as_run(1))
-    for order in (runner.pause, runner.resume, runner.stop):
-        order()
-    assert runner.state == "idle" and heard.states == []
-    with qtbot.waitSignal(runner.finished):
-        runner.start(session, continue_run=False)
-        runner.stop()
-        for order in (runner.pause, runner.resume, runner.stop):
-            order()
-        assert runner.state == "stopping"
-
-
-def test_second_start_is_an_error(session, gated, start_runner):
-    runner, _ = start_runner(gated)
-    runner.start(session, continue_run=False)
-    with pytest.raises(RuntimeError, match="one is running"):
-        runner.start(session, continue_run=False)
-    gated.allowed.release(2)
-
-
 def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner, qtbot):
     def run(scene, target, start=None, locked=None):
         yield snapshots(0)
@@ -163,18 +142,6 @@ def test_preview_is_no_run(session, as_run, start_runner, qtbot):
     assert heard.states == [] and heard.results == []
 
 
-def test_newer_preview_replaces_an_older(session, gated, start_runner, qtbot):
-    runner, heard = start_runner(gated)
-    runner.preview(session)
-    newer = session.with_scene(session.scene, session.target)
-    assert newer is not session
-    runner.preview(newer)
-    gated.allowed.release(10)
-    qtbot.waitUntil(lambda: bool(heard.frames))
-    qtbot.wait(50)
-    assert [frame.session is newer for frame in heard.frames] == [True]
-
-
 def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
     runner, heard = start_runner(gated)
     runner.preview(session)
@@ -188,17 +155,6 @@ def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
     assert len(heard.results) == 1
 
 
-def test_a_failed_preview_reports_its_reason(session, start_runner, qtbot):
-    def run(scene, target, start=None, locked=None):
-        raise RunFailed("no light")
-        yield
-
-    runner, heard = start_runner(run)
-    with qtbot.waitSignal(runner.failed):
-        runner.preview(session)
-    assert heard.failures == ["no light"] and heard.results == []
-
-
 def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
     runner, heard = start_runner(as_run(10_000, pause=0.005))
     runner.start(session, continue_run=False)
@@ -209,38 +165,6 @@ def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
     seen = len(heard.frames)
     qtbot.wait(100)
     assert heard.results == [] and len(heard.frames) == seen
-
-
-def test_shutdown_of_a_paused_run(session, gated, start_runner, qtbot):
-    runner, heard = start_runner(gated)
-    runner.start(session, continue_run=False)
-    gated.allowed.release(1)
-    runner.pause()
-    qtbot.waitUntil(lambda: bool(heard.frames))
-    runner.shutdown()
-    assert heard.states == ["running", "paused", "idle"]
-
-
-def test_runs_again_after_a_shutdown(session, as_run, start_runner, qtbot):
-    runner, heard = start_runner(as_run(2))
-    runner.shutdown()
-    with qtbot.waitSignal(runner.finished):
-        runner.start(session, continue_run=False)
-    assert heard.results[0].iterations == 2
-
-
-def test_a_failed_preview_names_what_cannot_be_shown(session, start_runner, qtbot):
-    def broken(scene, target, start=None, locked=None):
-        raise RunFailed("no light at all")
-        yield
-
-    runner, heard = start_runner(broken)
-    with qtbot.waitSignal(runner.unshown) as unshown:
-        runner.preview(session)
-    assert unshown.args == [session]
-    assert heard.failures == ["no light at all"]
-    with qtbot.assertNotEmitted(runner.unshown), qtbot.waitSignal(runner.finished):
-        runner.start(session, continue_run=False)
 
 
 def test_a_run_that_waits_for_its_kernels_signals_it(
@@ -267,12 +191,3 @@ def test_a_run_that_waits_for_its_kernels_signals_it(
         cold.state.heights["exit"], heard.results[1].state.heights["exit"]
     )
     np.testing.assert_array_equal(cold.losses, heard.results[1].losses)
-
-
-def test_a_preview_does_not_wait_for_kernels(start_runner, session, kernels, monkeypatch, qtbot):
-    runner, heard = start_runner(None)
-    monkeypatch.setattr(ready, "_ready", set())
-    with ready._compiling:
-        runner.preview(session)
-        qtbot.waitUntil(lambda: bool(heard.frames))
-    assert any("reference" in note for note in heard.frames[0].snapshot.notes)

@@ -11,7 +11,6 @@ from ui.run.worker import RunJob
 from ui.threads.background import Task
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.faces import FaceArrays
-from workbench.interruption import check_given_up, check_interruption
 
 
 @pytest.fixture
@@ -25,43 +24,6 @@ def work():
         return job.history.result(), task.error
 
     return do
-
-
-def test_frames_are_made_only_when_the_mailbox_is_empty(session, as_run, work, monkeypatch):
-    made = []
-    make_frame = worker_module.make_frame
-
-    def counted(session, snapshot, history):
-        made.append(snapshot.iteration)
-        return make_frame(session, snapshot, history)
-
-    monkeypatch.setattr(worker_module, "make_frame", counted)
-    job = RunJob(session)
-    work(job, as_run(50))
-    assert made == [0, 50]
-    assert job.mailbox.take().snapshot.iteration == 50
-
-
-def test_a_run_that_is_given_up_draws_no_last_frame(session, snapshots, work, monkeypatch):
-    made = []
-    make_frame = worker_module.make_frame
-    monkeypatch.setattr(
-        worker_module,
-        "make_frame",
-        lambda *given: made.append(given[1].iteration) or make_frame(*given),
-    )
-    job = RunJob(session)
-
-    def run(scene, target, start=None, locked=None):
-        yield snapshots(0)
-        job.gate.give_up()
-        yield snapshots(1)
-        check_given_up()
-        yield snapshots(2)
-
-    result, error = work(job, run)
-    assert made == [0] and error is None
-    assert result.iterations == 1
 
 
 def test_frame_holds_what_is_drawn(session, as_run, work):
@@ -101,32 +63,6 @@ def test_failure_keeps_the_last_good_lens(session, snapshots, work, error):
     assert job.mailbox.take().snapshot.iteration == 1
 
 
-def test_failure_before_the_first_snapshot_has_no_result(session, work):
-    refused = Refused("run.device", "no GPU")
-
-    def run(scene, target, start=None, locked=None):
-        raise refused
-        yield
-
-    assert work(RunJob(session), run) == (None, refused)
-
-
-def test_generator_is_closed_when_stopped(session, snapshots, work):
-    closed = []
-
-    def run(scene, target, start=None, locked=None):
-        try:
-            while True:
-                yield snapshots(0)
-        finally:
-            closed.append(True)
-
-    job = RunJob(session)
-    job.gate.stop()
-    work(job, run)
-    assert closed == [True]
-
-
 def test_continues_from_the_result(designed, snapshots, work):
     starts = []
 
@@ -146,39 +82,6 @@ def test_preview_takes_the_first_snapshot_alone(session, as_run, work):
     job = RunJob(session, preview=True)
     assert work(job, as_run(50)) == (None, None)
     assert job.mailbox.take().snapshot.iteration == 0
-
-
-def test_preview_of_a_result_needs_no_run(designed, work):
-    def run(scene, target, start=None, locked=None):
-        raise AssertionError("not needed")
-        yield
-
-    job = RunJob(designed, preview=True)
-    assert work(job, run) == (None, None)
-    frame = job.mailbox.take()
-    assert frame.snapshot.iteration == 3
-    np.testing.assert_array_equal(
-        frame.state.heights["exit"], designed.result.state.heights["exit"]
-    )
-    np.testing.assert_array_equal(frame.result.losses, designed.result.losses)
-
-
-def test_replaced_preview_does_nothing(session, as_run, work):
-    job = RunJob(session, preview=True)
-    job.gate.stop()
-    work(job, as_run(50))
-    assert job.mailbox.empty
-
-
-def test_the_engine_is_the_default(session, work):
-    scene = session.scene.model_copy(
-        update={"run": session.scene.run.model_copy(update={"iterations": 2})}
-    )
-    job = RunJob(dataclasses.replace(session, scene=scene))
-    result, error = work(job, None)
-    assert error is None
-    assert result.iterations == 2
-    assert job.mailbox.take().snapshot.state.irradiance.shape == session.target.shape
 
 
 # Stopped in the first stage; ended, and later a stage was put before it; gone on with.
@@ -233,16 +136,3 @@ def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, sna
     result, _ = work(RunJob(dataclasses.replace(designed, locked=locked)), run)
     assert seen[-1][0] is heights and seen[-1][1] is locked
     assert result.iterations == 0
-
-
-def test_stopping_ends_a_job_within_a_step(session, as_run, work):
-    job = RunJob(session)
-
-    def long_step(*task):
-        yield next(as_run(1)(*task))
-        job.gate.stop()
-        check_interruption()
-        pytest.fail("the step went on")
-
-    result, error = work(job, long_step)
-    assert result.ended == "stopped" and error is None

@@ -1,20 +1,14 @@
 """Runs kept side by side: named, compared on the loss plot, gone back to, deleted; and checked."""
 
-import time
-from dataclasses import replace
-from threading import Event
 from types import SimpleNamespace
 
 import pytest
-from matplotlib.backend_bases import MouseEvent
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
 from workbench.design.loss import relative_error
-from workbench.geometry.faces import FaceArrays
-from workbench.scene import RectangleRegion, Stage
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -95,14 +89,6 @@ def verified(window):
     return [texts(window, row)[3] for row in range(table(window).rowCount())]
 
 
-def test_all_lines_are_as_high_whatever_stands_in_them(two_runs):
-    lines = table(two_runs)
-    with QSignalBlocker(lines):
-        lines.item(0, lines.columnCount() - 1).setText("long words " * 20)
-    heights = [lines.rowHeight(row) for row in range(lines.rowCount())]
-    assert heights[0] == heights[1] > lines.iconSize().height()
-
-
 def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert not table(window).isVisible()
     run()
@@ -120,49 +106,10 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert names(window) == [] and window.document.session.result is None
 
 
-def test_what_is_done_can_still_be_read_when_a_run_begins(window, run):
-    window.messages.done("lens.html is written.")
-    run()
-    assert window.messages.text == "lens.html is written." and window.messages.isVisible()
-    window.messages.note("There is no lens yet.")
-    run()
-    assert window.messages.text == ""
-
-
-def test_a_file_that_is_being_written_can_still_be_cancelled_when_a_run_begins(window, run):
-    window.messages.note("lens.pdf is being written…", ("Cancel", print), lasts=True)
-    run()
-    assert window.messages.text == "lens.pdf is being written…"
-    assert window.messages.buttons[0].isVisible()
-
-
 def test_runs_stay_while_the_design_changes(two_runs):
     assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
     bold = [table(two_runs).item(row, 0).font().bold() for row in (0, 1)]
     assert bold == [False, True]
-
-
-def test_a_check_mark_draws_the_loss_of_another_run(two_runs, qtbot):
-    loss = two_runs.loaded.views.loss
-    for row in (0, 1):
-        table(two_runs).item(row, 0).setCheckState(Qt.CheckState.Checked)
-    # The lens on show is drawn anyway.
-    assert [course.name for course in loss._runs] == ["Run 1: auto, 12 × 10"]
-    assert loss._runs[0].losses.size == loss._runs[0].times.size == 6
-    table(two_runs).item(0, 0).setCheckState(Qt.CheckState.Unchecked)
-    assert loss._runs == ()
-
-
-def test_the_run_before_is_drawn_beside_the_one_that_goes_on(window, run, as_run, qtbot):
-    run()
-    table(window).item(0, 0).setCheckState(Qt.CheckState.Checked)
-    assert window.loaded.views.loss._runs == ()
-    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
-    window.commands["start"].trigger()
-    assert [course.name for course in window.loaded.views.loss._runs] == ["Run 1: auto, 12 × 10"]
-    assert not window.loaded.runs.table._restore.isEnabled()
-    window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
 
 
 def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
@@ -178,37 +125,6 @@ def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
     qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "near screen")
     assert two_runs.document.undo_stack.undoText() == "rename run"
     two_runs.commands["undo"].trigger()
-    assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
-
-
-def test_a_name_that_becomes_too_long_is_cut_and_said_while_it_is_typed(two_runs, qtbot):
-    lines = table(two_runs)
-    lines.setCurrentCell(0, 0)
-    lines.setFocus()
-    qtbot.keyClick(lines, Qt.Key.Key_F2)
-    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
-    editor = lines.viewport().findChildren(QLineEdit)[0]
-    editor.selectAll()
-    QApplication.clipboard().setText("a" * 99)
-    qtbot.keyClick(editor, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-    assert not QToolTip.isVisible()
-    qtbot.keyClicks(editor, "bc")
-    assert editor.text() == "a" * 99 + "b"
-    assert QToolTip.text() == "A name has at most 100 characters"
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "a" * 99 + "b")
-
-
-def test_a_long_name_leaves_room_for_figures_and_is_whole_in_its_tip(two_runs):
-    name = (10 * "long name ").strip()
-    table(two_runs).item(0, 0).setText(name)
-    assert table(two_runs).columnWidth(0) < 40 * table(two_runs).fontMetrics().averageCharWidth()
-    assert table(two_runs).item(0, 0).toolTip() == name
-
-
-def test_an_empty_name_is_refused(two_runs):
-    table(two_runs).item(0, 0).setText("  ")
-    assert "1 to 100" in two_runs.messages.text
     assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
 
 
@@ -263,26 +179,6 @@ def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
     assert errors == ["1.25 %", "3.00 %"]
 
 
-def test_the_light_under_the_pointer_is_told_of_both_runs(two_runs, qtbot):
-    table(two_runs).selectAll()
-    two_runs.commands["compare_runs"].trigger()
-    shown = two_runs.loaded.runs.comparison
-    axes = shown._figure.axes[0]
-    place = axes.transData.transform((0.5, 0.25))
-    MouseEvent("motion_notify_event", shown._canvas, *place)._process()
-    assert shown.readout == "0.25 → 0.25 / cm² at x = 0.5 cm, y = 0.25 cm"
-    loss = shown._figure.axes[3]
-    place = loss.transAxes.transform((0.5, 0.5))
-    MouseEvent("motion_notify_event", shown._canvas, *place)._process()
-    assert shown.readout == "Point at an image to read its light"
-
-
-def test_commands_without_a_choice_say_what_is_missing(two_runs):
-    table(two_runs).clearSelection()
-    two_runs.commands["restore_run"].trigger()
-    assert "Choose one run" in two_runs.messages.text
-
-
 def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
     path = tmp_path / "two.freeform"
     two_runs.document.save(path)
@@ -313,17 +209,6 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     assert verified(window)[0] == "1.25 %"
 
 
-def test_a_lens_changed_by_hand_is_not_the_one_that_was_checked(window, run, checks):
-    run()
-    document, status = window.document, window.status
-    result = document.session.result
-    moved = result.with_state(heights=FaceArrays({"exit": result.state.heights["exit"] + 0.001}))
-    document.set_result(moved, "move control points")
-    assert status._verified.text() == ""
-    document.undo_stack.undo()
-    assert status._verified.text() == "Checked error 1.25 % at 6"
-
-
 def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
     monkeypatch.setattr("ui.run.run_check._REST", 0.0)
     monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
@@ -339,89 +224,3 @@ def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, 
     qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
     seen = [point.iteration for point in window.loaded.views.loss._verified]
     assert seen == sorted(seen) and seen[0] > 0
-
-
-def test_a_stage_is_checked_at_its_end(window, snapshots, as_seen_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 2)
-
-    def staged(iteration, iterations):
-        give_up = time.monotonic() + 30
-        while iteration == 7 and not checks.asked and time.monotonic() < give_up:
-            time.sleep(0.002)  # or the run ends before the thread of the check has begun
-        return replace(snapshots(iteration, iterations), stage=iteration // 4, stages=2)
-
-    scene = window.document.session.scene
-    run = scene.run.model_copy(update={"stages": (Stage(iterations=4),)})
-    window.document.edit(scene.model_copy(update={"run": run}), "stages", "")
-    runner = window.loaded.control.runner
-    runner._generate = as_seen_run(runner, 7, staged)
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
-    assert [(rays, threads) for _, rays, threads in checks.asked] == [
-        (1_000_000, 1),
-        (4_000_000, None),
-    ]
-    assert checks.asked[0][0]["exit"][0, 0] == 0.5 - 0.003  # the last lens of the first stage
-
-
-def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
-    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
-    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)
-    window.loaded.control.runner._generate = as_run(20, pause=0.01)
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
-    assert [rays for _, rays, _ in checks.asked] == [4_000_000]
-
-
-def mark_a_region(window):
-    scene = window.document.session.scene
-    regions = (RectangleRegion(name="Region 1"),)
-    window.document.edit(scene.model_copy(update={"regions": regions}), "new region", "")
-
-
-def test_a_check_is_that_of_the_run_whatever_regions_are_marked(window, run):
-    run()
-    mark_a_region(window)
-    assert verified(window) == ["1.25 %"] and table(window).item(0, 0).font().bold()
-    session = window.document.session
-    window.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
-    assert verified(window) == ["3.00 %"]
-
-
-def test_regions_that_are_marked_while_a_lens_is_checked_leave_its_check(
-    window, monkeypatch, qtbot
-):
-    go_on, begun = Event(), Event()
-
-    def validating(scene, target, heights, rays, threads, accuracy):
-        begun.set()
-        while not go_on.wait(0.01):
-            yield 0.5
-        return found(0.02)
-
-    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["start"].trigger()
-    qtbot.waitUntil(begun.is_set)
-    mark_a_region(window)
-    go_on.set()
-    qtbot.waitUntil(lambda: verified(window) == ["2.00 %"])
-    assert window.status._verified.text() == "Checked error 2.00 % at 6"
-
-
-def test_a_check_of_another_task_is_not_that_of_the_run(window, run, checks):
-    run()
-    session = window.document.session
-    checks.error = 0.5
-    moved = session.with_scene(
-        session.scene.with_receiver(session.scene.receiver.model_copy(update={"z": 8.0})),
-        session.target,
-    )
-    assert moved.start is session.result.state.heights
-    window.loaded.runs.note_check(CheckedLens(moved, moved.start), found(0.5))
-    assert verified(window)[0] == "1.25 %"
-    window.loaded.runs.note_check(CheckedLens(replace(session, runs=()), moved.start), found(0.5))
-    assert verified(window)[0] == "50.00 %"

@@ -1,6 +1,5 @@
 """Each result has a course of its own, which comes and goes with it."""
 
-import weakref
 from types import SimpleNamespace
 
 import numpy as np
@@ -77,43 +76,9 @@ def test_a_branch_keeps_what_came_before_it(run):
     assert shown(history) == [0, 1, 2] and history.checks == (EARLY,)
 
 
-def test_a_later_check_belongs_to_the_result_that_it_is_of(run):
-    history = FrameHistory()
-    first, second = run(history, 3), run(history, 2)
-    history.show(second)
-    history.add_later_check(LATE, first.result, second)
-    assert history.checks == ()
-    history.show(first)
-    assert history.checks == (LATE,)
-
-
-def test_a_lens_shaped_by_hand_keeps_the_course(run):
-    history = FrameHistory()
-    session = run(history, 3)
-    session.result = SimpleNamespace(losses=session.result.losses)
-    history.show(session)
-    assert shown(history) == [0, 1, 2, 3]
-
-
-def test_frames_of_another_scene_are_not_shown_and_checks_stay_those_of_the_lens(run, make_scene):
-    history = FrameHistory()
-    session = run(history, 3, checks=[EARLY])
-    session.scene = make_scene({"unit": "mm"})
-    history.show(session)
-    assert shown(history) == [] and history.checks == (EARLY,)
-
-
 def test_memory_of_all_courses_is_bounded(run):
     history = FrameHistory(budget=9_000)
     sessions = [run(history, 3, size=2000) for _ in range(3)]
     for session, at in zip(sessions, ([], [0, 1, 2, 3], [0, 1, 2, 3]), strict=True):
         history.show(session)
         assert shown(history) == at
-
-
-def test_courses_of_dropped_results_are_dropped(run):
-    history = FrameHistory()
-    course = weakref.ref(run(history, 3).result)
-    lost = weakref.ref(history.frames[2])
-    run(history, 1)
-    assert course() is None and lost() is None

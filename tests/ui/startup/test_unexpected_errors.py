@@ -4,7 +4,7 @@ import sys
 import threading
 
 import pytest
-from PySide6.QtCore import QTimer, qWarning
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from ui.startup.unexpected_errors import UnexpectedErrors
@@ -74,22 +74,3 @@ def test_slots_handlers_and_threads_may_fail_and_the_loop_goes_on(received, qtbo
     qtbot.waitUntil(lambda: bool(after) and len(received) == 2)  # both of fail are of one kind
     thread.join()
     assert any("painting" in sentence for sentence, _ in received)
-
-
-def test_a_message_of_qt_is_shown_once_and_printed_each_time(unexpected, capsys):
-    said = []
-    unexpected.qt_warned.connect(said.append)
-    for text in ("odd thing", "odd thing", "other thing"):
-        qWarning(text)
-    assert said == ["Qt: odd thing", "Qt: other thing"]
-    assert capsys.readouterr().err.count("odd thing") == 2
-
-
-def test_a_warning_of_qt_that_means_nothing_is_not_printed(unexpected, capsys):
-    heard = []
-    unexpected.qt_warned.connect(heard.append)
-    qWarning(
-        "Warning: Setting a new default format with a different version or profile after the "
-        "global shared context is created may cause issues with context sharing."
-    )
-    assert not heard and not capsys.readouterr().err

@@ -3,13 +3,10 @@
 import time
 
 import pytest
-from matplotlib.colors import to_hex
-from PySide6.QtGui import QColor, QPalette
-from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from workbench.files.session import read_session
 from workbench.interruption import check_interruption
-from workbench.sweep.work import Failed, attempt
+from workbench.sweep.processes import Failed, attempt
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -86,13 +83,6 @@ def test_values_that_are_none_are_refused_in_the_dialog(dialog, values, said):
     assert dialog.table.rowCount() == 0 and dialog.begin.text() == "Start"
 
 
-def test_a_field_that_is_varied_twice_is_refused(dialog):
-    choose(dialog, 0, "run.seed", "1")
-    choose(dialog, 1, "run.seed", "2")
-    dialog.begin.click()
-    assert "varied twice" in dialog.told.text()
-
-
 def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     choose(dialog, 0, "run.iterations", "1, 2")
     choose(dialog, 1, "run.seed", "3,7")
@@ -147,53 +137,3 @@ def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
         dialog.begin.click()
     assert dialog.told.text().startswith("3 of 3 designs, ")
     assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
-
-
-def test_the_curve_has_the_colours_of_the_dialog(dialog):
-    def paper():
-        return QColor(to_hex(dialog.curve.figure.get_facecolor()))
-
-    assert paper() == dialog.palette().window().color()
-    dialog.setPalette(QPalette(QColor("#303030")))
-    assert paper() == dialog.palette().window().color() == QColor("#303030")
-
-
-def test_a_folder_that_cannot_be_made_is_said(dialog, qtbot, tmp_path):
-    (tmp_path / "file").write_text("")
-    dialog.folder.setText(str(tmp_path / "file" / "lenses"))
-    choose(dialog, 0, "run.seed", "1")
-    with qtbot.waitSignal(dialog._background.failed, timeout=60_000):
-        dialog.begin.click()
-    assert "cannot be made" in dialog.told.text()
-    assert dialog.begin.isEnabled()
-
-
-def test_a_window_that_closes_leaves_its_sweep(dialog, window, workers):
-    workers.waits = True
-    choose(dialog, 0, "run.seed", "1")
-    dialog.begin.click()
-    window.discard_and_close()
-    assert not dialog._background.running
-    assert isinstance(dialog.begin, QPushButton)
-
-
-def test_a_design_without_a_file_is_swept_only_into_a_folder_that_is_chosen(
-    window, workers, qtbot, tmp_path, monkeypatch
-):
-    window.commands["sweep"].trigger()
-    dialog = window.sweeps.dialog
-    choose(dialog, 0, "run.seed", "1")
-    assert dialog.folder.text() == ""
-    chosen = [str(tmp_path / "mine"), ""]
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: chosen.pop())
-    dialog.toggle()
-    assert "Choose a folder" in dialog.told.text() and not dialog._background.busy
-    dialog.toggle()
-    qtbot.waitUntil(lambda: len(dialog._rows) == 1, timeout=60_000)
-    assert (tmp_path / "mine").is_dir()
-
-
-def test_a_sweep_of_a_saved_design_is_offered_beside_its_file(window, workers, tmp_path):
-    window.document.save(tmp_path / "lens.freeform")
-    window.commands["sweep"].trigger()
-    assert window.sweeps.dialog.folder.text() == str(tmp_path / "lens-sweep")

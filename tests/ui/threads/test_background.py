@@ -17,14 +17,6 @@ def asked():
     asked.end()
 
 
-@pytest.fixture
-def queued():
-    """Requests that let the one before finish first."""
-    queued = Asked(finish_first=True)
-    yield queued
-    queued.end()
-
-
 class Asked:
     """Requests that are answered backwards, one each time the gate is released."""
 
@@ -82,15 +74,6 @@ def test_only_the_latest_request_is_answered_and_earlier_ones_never_begin(asked,
     assert not asked.begun[1][1].stopped
 
 
-def test_finished_work_is_reported_before_the_latest(queued, qtbot):
-    for request in "abcde":
-        queued.ask(request * 2)
-    queued.gate.release(2)
-    qtbot.waitUntil(lambda: len(queued.received) == 2)
-    assert queued.received == [("aa", "aa"), ("ee", "ee")]
-    assert not queued.begun[0][1].stopped
-
-
 def test_a_failure_arrives_as_its_exception_and_another_request_can_follow(asked, qtbot):
     asked.gate.release(2)
     asked.ask("bad")
@@ -129,34 +112,6 @@ def test_closing_leaves_work_between_two_of_its_steps(qapp):
     assert begun.wait(timeout=20)
     background.close()
     assert not background.running and received == []
-
-
-def test_stopped_work_reports_what_it_returns(asked, qtbot):
-    asked.ask("abc")
-    assert not asked.background.stopping
-    asked.background.stop()
-    assert asked.background.stopping and asked.background.busy
-    asked.gate.release()
-    qtbot.waitUntil(lambda: bool(asked.received))
-    assert asked.begun[0][1].stopped and asked.received == [("abc", "cba")]
-    assert not asked.background.stopping
-
-
-def test_finishing_waits_and_reports_at_once(queued):
-    queued.gate.release(2)
-    queued.ask("abc")
-    queued.ask("def")
-    queued.background.finish()
-    assert queued.received == [("abc", "cba"), ("def", "fed")]
-
-
-def test_work_begun_by_a_receiver_replaces_waiting_work(queued, qtbot):
-    queued.gate.release(3)
-    queued.background.done.connect(lambda request, _: request == "a" and queued.ask("c"))
-    queued.ask("a")
-    queued.ask("b")
-    qtbot.waitUntil(lambda: not queued.background.running)
-    assert [request for request, _ in queued.received] == ["a", "c"]
 
 
 def test_closing_waits_and_reports_nothing(asked, qtbot):
@@ -202,10 +157,3 @@ class TestFollowing:
 
         assert task.follow(steps, watch) is None
         assert seen == [0, 1, 2, 3] and self.ends == ["closed"]
-
-    def test_no_step_of_work_that_was_stopped_before(self, steps):
-        task = Task(None, None, None)
-        task.stop()
-        assert task.follow(steps) is None
-        with pytest.raises(StopIteration):
-            next(steps)

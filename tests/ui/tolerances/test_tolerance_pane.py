@@ -17,7 +17,6 @@ from ui.tolerances import pane as pane_module
 from ui.tolerances.pane import TolerancePane
 from ui.widgets.message_bar import MessageBar
 from workbench.analysis.tolerances import Distribution, perturbed
-from workbench.errors import RunFailed
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 RAYS = 5000
@@ -91,13 +90,6 @@ def test_impossible_tolerance_is_refused_beside_its_field_and_taken_back(pane, q
         assert not row.refusal and row.editors[path].text() != text
 
 
-def test_without_a_tolerance_nothing_is_traced(pane, qtbot):
-    for path in ("tilt", "decentre", "index", "distance", "surface[0]"):
-        enter(pane, qtbot, path, "0")
-    pane.toggle()
-    assert not pane._background.busy and pane.summary.text().startswith("Nothing is off")
-
-
 def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     enter(pane, qtbot, "lenses", "50000")
     pane.toggle()
@@ -119,24 +111,6 @@ def test_figures_of_an_earlier_lens_are_marked(pane, session, frame, frames, qtb
     assert "changed" not in pane.summary.text()
     pane.show_nothing(session)
     assert "changed" in pane.summary.text() and not pane.form.begin.isEnabled()
-
-
-def test_nothing_is_perturbed_during_a_run(pane):
-    assert pane.form.begin.isEnabled()
-    pane.allow(resting=False)
-    assert not pane.form.begin.isEnabled()
-
-
-def test_a_failure_is_reported(pane, monkeypatch, qtbot):
-    def fail(*_):
-        raise RunFailed("no light reaches the screen")
-        yield
-
-    monkeypatch.setattr("workbench.analysis.tolerances.perturbed", fail)
-    with qtbot.waitSignal(pane.failed) as received:
-        pane.toggle()
-    assert received.args == ["no light reaches the screen"]
-    assert pane.form.begin.text() == "Start" and pane.summary.text() == ""
 
 
 def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, qtbot):
@@ -161,23 +135,6 @@ def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, 
     assert "decentre x [cm]" in rows[0]
 
 
-def test_closing_the_window_ends_a_sample(pane, qtbot):
-    enter(pane, qtbot, "lenses", "50000")
-    pane.toggle()
-    pane.close_thread()
-    assert not pane._background.busy
-
-
-def test_another_unit_converts_the_tolerances(pane, session, qtbot):
-    enter(pane, qtbot, "decentre", "0.03")
-    enter(pane, qtbot, "tilt", "1.5")
-    pane.show_design(session.in_unit("mm"))
-    within = pane.form.within
-    assert (within.decentre, pane.form._row("decentre").editors["decentre"].text()) == (0.3, "0.3")
-    assert within.tilt == pytest.approx(np.radians(1.5))
-    assert within.surface == (0, 2)  # a tenth of 20 mm
-
-
 def test_only_sources_that_can_be_off_have_rows(pane, make_scene, qtbot):
     led = {"kind": "area", "center": [0, 0, -3.0], "half_width": [0.2, 0.1]}
     point = {"kind": "point", "position": [0, 0, -3.0]}
@@ -192,24 +149,3 @@ def test_only_sources_that_can_be_off_have_rows(pane, make_scene, qtbot):
     assert not pane.form._row("source_shift").isVisible()
     assert pane.form.within.source_shift == 0
     assert pane.form.accepted()
-
-
-def test_a_far_field_has_no_distance_that_is_off(pane, make_scene, session, qtbot):
-    enter(pane, qtbot, "distance", "0.01")
-    assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01
-    far = {"half_angle": [20.0, 10.0], "pixels": [32, 32]}
-    scene = make_scene({"screen": None, "far_field": far})
-    pane.form.show_scene(scene)
-    assert not pane.form._row("distance").isVisible()
-    assert pane.form.within.distance == 0 and pane.form.accepted()
-    pane.form.show_scene(session.scene)
-    assert pane.form._row("distance").isVisible() and pane.form.within.distance == 0.01
-
-
-def test_a_task_that_tolerances_do_not_know_is_said(pane, make_scene):
-    screen = {"z": 6.0, "half_width": [1.0, 1.0], "pixels": [32, 32]}
-    second = {"screen": screen, "target": {"builtin": "tophat"}}
-    pane.form.show_scene(make_scene({"further_images": [second]}))
-    pane.toggle()
-    assert not pane._background.busy
-    assert "further_images: 1 given, which tolerances cannot" in pane.summary.text()

@@ -1,13 +1,9 @@
 """The dock in the real window: hidden at first, one of two tabs when shown, closed with it."""
 
-import threading
-import time
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from workbench.analysis import derivatives
 from workbench.analysis.derivatives import irradiance_derivative
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -33,35 +29,6 @@ def test_the_dock_shows_the_designed_lens(window, session, qtbot):
         session.scene, {"exit": np.full((12, 10), 0.497)}, view.point.index
     )
     np.testing.assert_allclose(view._map.map, wanted.map, atol=1e-12)
-
-
-def test_nothing_is_computed_behind_another_tab(window, qtbot):
-    dock, other = window.workspace.docks["derivative"], window.workspace.docks["error"]
-    dock.toggleViewAction().trigger()
-    view = dock.widget()
-    qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
-    other.raise_()
-    qtbot.waitUntil(lambda: dock.visibleRegion().isEmpty())
-    view._boxes[0].setValue(2)
-    qtbot.wait(400)
-    assert not view._background.busy and not view._rest.isActive()
-    assert view._map.index[0] != 2
-    dock.raise_()
-    qtbot.waitUntil(lambda: view._map.index[0] == 2, timeout=60_000)
-
-
-def test_closing_the_window_ends_a_computation(window, monkeypatch, qtbot):
-    begun = threading.Event()
-
-    def slow(*_, **__):
-        begun.set()
-        time.sleep(0.2)
-
-    monkeypatch.setattr(derivatives, "irradiance_derivative", slow)
-    window.workspace.docks["derivative"].toggleViewAction().trigger()
-    qtbot.waitUntil(begun.is_set, timeout=60_000)
-    window.discard_and_close()
-    assert not window.workspace.docks["derivative"].widget()._background.running
 
 
 def seen_at(window, index):
@@ -96,34 +63,6 @@ def test_a_click_in_the_3d_scene_chooses_the_control_point(window, picking, inde
     qtbot.waitUntil(
         lambda: derivative._map is not None and derivative._map.index == index, timeout=60_000
     )
-
-
-def test_the_mark_follows_the_spin_boxes(picking, qtbot):
-    view, derivative = picking
-    derivative._boxes[1].setValue(2)
-    qtbot.waitUntil(lambda: view.nets.picture._marked == (6, 2))
-
-
-def test_turning_the_camera_picks_nothing(window, picking, qtbot):
-    view, derivative = picking
-    place = seen_at(window, (2, 7))
-    camera = view._plotter.camera.position
-    qtbot.mousePress(view._plotter, Qt.MouseButton.LeftButton, pos=place)
-    for step in range(1, 6):
-        qtbot.mouseMove(view._plotter, place + QPoint(8 * step, 0))
-    qtbot.mouseRelease(view._plotter, Qt.MouseButton.LeftButton, pos=place + QPoint(40, 0))
-    assert derivative.point.index == (6, 5)
-    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=QPoint(1, 1))
-    assert derivative.point.index == (6, 5)
-    assert view._plotter.camera.position != camera
-
-
-def test_with_the_dock_closed_there_is_nothing_to_pick(window, picking, qtbot):
-    view, derivative = picking
-    window.workspace.docks["derivative"].toggleViewAction().trigger()
-    qtbot.waitUntil(lambda: view.nets.picture._marked is None)
-    qtbot.mouseClick(view._plotter, Qt.MouseButton.LeftButton, pos=seen_at(window, (2, 7)))
-    assert derivative.point.index == (6, 5)
 
 
 def test_an_example_of_a_map_shows_the_dock(window, qtbot):

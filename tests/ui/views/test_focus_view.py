@@ -1,18 +1,11 @@
 """Light before and behind the screen: traced for eyes, the latest distance first."""
 
-import dataclasses
-import threading
-import time
-
 import numpy as np
 import pytest
 
 from ui.views import focus_view
 from ui.views.focus_view import FocusView
-from ui.words import tr
 from workbench.analysis.validation import validate, validating
-from workbench.errors import RunFailed
-from workbench.files.session import Session
 from workbench.geometry.faces import FaceArrays
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -95,33 +88,6 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
     assert view.z == scene.receiver.z
 
 
-def test_a_far_field_that_comes_meanwhile_is_not_traced(view, wavy, make_scene, session, qtbot):
-    far = {"half_angle": [20.0, 10.0], "pixels": [32, 32]}
-    scene = make_scene({"screen": None, "far_field": far})
-    view.show_frame(wavy(2))
-    assert view._rest.isActive()
-    view.show_frame(wavy(3, dataclasses.replace(session, scene=scene, result=None)))
-    assert not view._rest.isActive()
-    assert not view._slider.isEnabled()
-    qtbot.wait(2 * view._rest.interval())
-    assert view._place.text() == tr(focus_view._NO_DISTANCE)
-
-
-def test_few_rays_answer_at_once_and_many_when_the_slider_stays(view, frame, traces, qtbot):
-    traced(view, frame, qtbot)
-    assert traces == [(5.0, FEW), (5.0, MANY)]
-
-
-def test_the_latest_distance_wins(view, frame, traces, qtbot):
-    traced(view, frame, qtbot)
-    traces.clear()
-    for part in range(1005, 1405, 5):
-        view._slider.setValue(part)
-    traced(view, frame, qtbot)
-    assert traces[-1] == (view.z, MANY)
-    assert len(traces) < 10
-
-
 def test_nothing_is_traced_while_hidden(view, frame, traces, qtbot):
     traced(view, frame, qtbot)
     traces.clear()
@@ -149,43 +115,6 @@ def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, tr
     assert [rays for _, rays in traces] == [FEW, MANY]
 
 
-def test_another_design_is_shown_only_after_its_trace(
-    view, session, wavy, frame, monkeypatch, qtbot
-):
-    traced(view, frame, qtbot)
-    gate = threading.Event()
-
-    def later(*where, **how):
-        assert gate.wait(30)
-        return (yield from validating(*where, **how))
-
-    monkeypatch.setattr("workbench.analysis.validation.validating", later)
-    scene = session.scene
-    screen = scene.receiver.model_copy(update={"pixels": (16, 16)})
-    other = Session(scene.with_receiver(screen), session.target[::2, ::2])
-    moved = wavy(1, other)
-    view.show_frame(moved)
-    assert view._traced.light is None
-    qtbot.waitUntil(lambda: view.empty)
-    gate.set()
-    traced(view, moved, qtbot)
-    assert view._values.shape == (16, 16) and not view.empty
-    view.show_nothing(other)
-    qtbot.waitUntil(lambda: view.empty)
-    assert view._place.text() == ""
-
-
-def test_a_dark_screen_is_shown(view, monkeypatch, qtbot):
-    def dark(*_, **__):
-        yield 0.5
-        raise RunFailed("no light")
-
-    monkeypatch.setattr("workbench.analysis.validation.validating", dark)
-    view._slider.setValue(600)
-    qtbot.waitUntil(lambda: "no light arrives" in view._place.text(), timeout=30_000)
-    qtbot.waitUntil(lambda: view._values is not None and not view._values.any())
-
-
 def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot):
     traced(view, frame, qtbot)
     assert not view._curve.isVisible()
@@ -199,7 +128,9 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     for z, error in curve.errors[::10]:
         wanted = validate(session.scene, session.target, {"exit": heights}, FEW, screen_z=z)
         assert error == wanted.relative_l2_corrected
-    qtbot.waitUntil(lambda: len(curve._curve._curve.get_xdata()) == PLACES)
+    qtbot.waitUntil(
+        lambda: curve._curve is not None and len(curve._curve._curve.get_xdata()) == PLACES
+    )
     np.testing.assert_allclose(
         curve._curve._curve.get_ydata(), [100 * error for _, error in curve.errors]
     )
@@ -208,40 +139,3 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     assert len(curve.errors) == PLACES
     view._more.click()
     assert not curve.isVisible()
-
-
-def test_image_and_curve_share_what_room_there_is(view, frame, qtbot):
-    traced(view, frame, qtbot)
-    view._more.click()
-    view.resize(420, 300)
-    qtbot.waitUntil(lambda: not view._canvas.isVisible() and view._curve.height() > 150)
-    view.resize(420, 700)
-    qtbot.waitUntil(lambda: view._canvas.isVisible() and view._canvas.height() > 300)
-    assert view._curve.height() == view._curve.sizeHint().height()
-    view.resize(420, 300)
-    qtbot.waitUntil(lambda: not view._canvas.isVisible())
-    view._more.click()
-    assert view._canvas.isVisible() and not view._curve.isVisible()
-
-
-def test_closing_leaves_what_is_being_traced(view, monkeypatch, qtbot):
-    begun, left = [], []
-
-    def endless(*_, **__):
-        begun.append(1)
-        try:
-            while True:
-                time.sleep(0.01)
-                yield 0.0
-        except GeneratorExit:
-            left.append(1)
-            raise
-
-    monkeypatch.setattr("workbench.analysis.validation.validating", endless)
-    view._slider.setValue(600)
-    view._more.click()
-    qtbot.waitUntil(lambda: len(begun) == 2)
-    view.close()
-    assert len(left) == 2
-    for focusing in (view._image_of, view._curve_of):
-        assert not focusing.running

@@ -1,6 +1,5 @@
 """The course of a run: kept within bounds, looked back at, gone on from; and the list of steps."""
 
-import threading
 from types import SimpleNamespace
 
 import numpy as np
@@ -91,16 +90,6 @@ def test_the_slider_shows_an_earlier_lens(designed, qtbot):
     assert designed.document.session.result.iterations == 12
 
 
-def test_the_text_is_hidden_where_there_is_little_room(designed, qtbot):
-    history_slider = designed.loaded.views.history_slider
-    least = history_slider.minimumSizeHint().width()
-    for width, received in ((2 * least, True), (least, False), (2 * least, True)):
-        history_slider.resize(width, history_slider.height())
-        assert history_slider._text.isVisible() is received
-        assert history_slider.minimumSizeHint().width() == least
-        assert history_slider._slider.width() >= 4 * history_slider._slider.height() > 0
-
-
 def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     history_slider, first = (
         designed.loaded.views.history_slider,
@@ -123,13 +112,6 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     )
 
 
-def test_an_edit_removes_the_course(designed, qtbot):
-    scene = designed.document.session.scene
-    designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
-    assert designed.loaded.control.history.frames == []
-    assert not designed.loaded.views.history_slider.isVisible()
-
-
 def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
     scene = designed.document.session.scene
     designed.document.edit(scene.model_copy(update={"unit": "mm"}), "change of unit", "unit")
@@ -147,13 +129,6 @@ def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
         assert (session.scene.unit, session.result is not None) == (unit, done)
 
 
-def test_steps_are_not_jumped_in_while_a_run_goes_on(window, qtbot):
-    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
-        window.commands["start"].trigger()
-        assert not window.workspace.history.isEnabled()
-    assert window.workspace.history.isEnabled()
-
-
 def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbot):
     views, history = designed.loaded.views, designed.loaded.control.history
     qtbot.waitUntil(lambda: views.loss._verified != ())
@@ -165,51 +140,3 @@ def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbo
     designed.commands["redo"].trigger()
     assert views.history_slider.isVisible() and list(history.frames) == frames
     assert views.loss._verified == verified and designed.status._verified.text()
-
-
-def test_a_check_that_ends_after_its_run_was_undone_comes_back_with_it(window, qtbot, monkeypatch):
-    allowed = threading.Event()
-
-    def validating(*scene, **how):
-        yield 0.5
-        allowed.wait(30)
-        return SimpleNamespace(
-            loss_corrected=0.1,
-            verified=SimpleNamespace(
-                relative_l2_corrected=0.0125,
-                relative_l2_corrected_interval=(0.01, 0.02),
-            ),
-            contradiction=None,
-        )
-
-    monkeypatch.setattr("workbench.analysis.validation.validating", validating)
-    loaded = window.loaded
-    with qtbot.waitSignal(loaded.control.ended, timeout=60_000):
-        window.commands["start"].trigger()
-    window.commands["undo"].trigger()
-    allowed.set()
-    qtbot.waitUntil(lambda: not loaded.runs.check._background.busy)
-    assert loaded.views.loss._verified == () and window.status._verified.text() == ""
-    window.commands["redo"].trigger()
-    (point,) = loaded.views.loss._verified
-    assert (point.iteration, point.loss) == (12, 0.1)
-    assert window.status._verified.text() == "Checked error 1.25 % at 12"
-    assert loaded.runs.table.table.item(0, 3).text() == "1.25 %"
-
-
-def test_undoing_a_second_run_shows_the_course_of_the_first(designed, qtbot):
-    history = designed.loaded.control.history
-    with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
-        designed.commands["continue"].trigger()
-    assert iterations_before(history.frames[-1]) == 24
-    designed.commands["undo"].trigger()
-    assert iterations_before(history.frames[-1]) == 12
-    designed.commands["redo"].trigger()
-    assert iterations_before(history.frames[-1]) == 24
-
-
-def test_undoing_an_edit_brings_the_course_back(designed):
-    scene = designed.document.session.scene
-    designed.document.edit(scene.model_copy(update={"unit": "mm"}), "unit", "unit")
-    designed.commands["undo"].trigger()
-    assert designed.loaded.views.history_slider.isVisible()

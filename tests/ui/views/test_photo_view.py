@@ -1,7 +1,5 @@
 """The predicted photo: taken for eyes, of the lens that rests, saved with its exposure."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -14,7 +12,6 @@ from ui.widgets.message_bar import MessageBar
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import photograph
 from workbench.geometry.faces import FaceArrays
-from workbench.scene import RectangleRegion
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -79,41 +76,6 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     qtbot.waitUntil(lambda: view.photo is not None)
 
 
-def test_regions_leave_the_photo_as_it_is(view, flat, qtbot):
-    qtbot.waitUntil(lambda: view.photo is not None)
-    photo, frame = view.photo, view._frame
-    regions = (RectangleRegion(name="Desk"),)
-    scene = frame.session.scene.model_copy(update={"regions": regions})
-    view.show_frame(replace(frame, session=replace(frame.session, scene=scene)))
-    assert view.photo is photo
-    further = scene.with_receiver(scene.receiver.model_copy(update={"z": 8.0}))
-    view.show_frame(replace(frame, session=replace(frame.session, scene=further)))
-    assert view.photo is None
-
-
-def test_nothing_is_traced_while_a_run_goes_on_or_nobody_looks(view, flat, qtbot):
-    qtbot.waitUntil(lambda: view.photo is not None)
-    view.allow(resting=False)
-    view.show_frame(flat(1))
-    qtbot.wait(400)
-    assert not view._background.running
-    view.hide()
-    view.allow(resting=True)
-    qtbot.wait(400)
-    assert not view._background.running
-    view.show()
-    qtbot.waitUntil(lambda: view.photo is not None)
-
-
-def test_a_photo_that_a_run_interrupts_is_given_up(view, flat, qtbot):
-    view._take()
-    assert view._background.running
-    view.allow(resting=False)  # no event in between: the photo cannot have arrived
-    qtbot.waitUntil(lambda: not view._background.running)
-    assert view.photo is None
-    assert "when the design rests" in said(view)
-
-
 def test_photo_is_saved_with_its_exposure(view, session, tmp_path, qtbot):
     messages, shown = MessageBar(), []
     qtbot.addWidget(messages)
@@ -129,9 +91,3 @@ def test_photo_is_saved_with_its_exposure(view, session, tmp_path, qtbot):
     assert messages.text == f"{tmp_path / 'flame.png'} is written."
     picture.save(tmp_path)
     assert "a folder of that name is there" in messages.text
-
-
-def test_a_design_without_a_lens_has_no_photo(view, session, qtbot):
-    qtbot.waitUntil(lambda: view.photo is not None)
-    view.show_nothing(session)
-    assert said(view) == "There is no lens yet: Start designs one."

@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from tests.scenes import changed
 from ui.views.region_marks import RegionMarks
-from workbench.pictures.axes import paint
 from workbench.scene import Scene
 
 
@@ -37,29 +35,3 @@ def test_each_region_says_its_share_and_how_even_it_is(axes):
     marks.show_light(irradiance)
     _, text = marks.artists
     assert text.get_text() == "Left 49.2 %\nleast / mean 0.51"
-
-
-def test_words_of_regions_beside_each_other_lie_apart(axes):
-    axes.figure.set_size_inches(2.4, 2.4)  # with words that are wider than the regions
-    both = [{"name": "Left", "center": [-0.2, 0], "size": [0.2, 0.6]}]
-    both.append({"name": "Right", "center": [0.2, 0], "size": [0.2, 0.6]})
-    marks = RegionMarks(axes, scene_with(*both))
-    axes.set_xlim(-1, 1)
-    axes.set_ylim(-1, 1)
-    marks.show_light(np.full((32, 32), 0.25))
-    axes.figure.draw_without_rendering()
-    one, other = (text.get_window_extent() for text in axes.texts)
-    assert one.width > 0.3 * axes.bbox.width and not one.overlaps(other)
-
-
-def test_without_regions_nothing_is_drawn(axes):
-    marks = RegionMarks(axes, scene_with())
-    marks.show_light(np.zeros((32, 32)))
-    assert not marks.artists
-
-
-def test_words_stay_readable_in_other_colours(axes):
-    _, text = RegionMarks(axes, scene_with({})).artists
-    paint(axes.figure, "white", "black")
-    assert text.get_color() == "white"
-    assert to_rgb(text.get_bbox_patch().get_facecolor()) == (0, 0, 0)

@@ -3,8 +3,6 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from resources import path
-from ui.views.image_choice import ImageChoice
 from workbench.scene import PolygonRegion, RectangleRegion
 
 pytestmark = pytest.mark.usefixtures("display")
@@ -61,36 +59,6 @@ def test_a_drag_marks_a_rectangle_as_one_step(hand):
     assert hand.window.document.undo_stack.undoText() == "new region"
     hand.window.commands["undo"].trigger()
     assert hand.regions == ()
-
-
-def test_a_region_is_marked_on_a_second_image(window, qtbot):
-    window.build()
-    window.document.open(path("examples", "two-distances.json"))
-    views = window.loaded.views
-    view, link = views.docked["irradiance"], views.link
-    qtbot.waitUntil(lambda: view.findChild(ImageChoice).isVisible() and not view.empty)
-    link.show_image(1)
-    qtbot.waitUntil(lambda: view.findChild(ImageChoice).currentIndex() == 1)
-    r_x, r_y = window.document.session.scene.receivers[1].half_extent
-    qtbot.waitUntil(lambda: view._axes.get_xlim() == (-r_x, r_x))
-    window.commands["mark_region"].trigger()
-    hand = Hand(window, qtbot)
-    hand.drag((-0.5 * r_x, -0.5 * r_y), (0.0, 0.0), (0.5 * r_x, 0.25 * r_y))
-    (region,) = hand.regions
-    assert region.center == pytest.approx((0.0, -0.0625), abs=0.01)
-    assert region.size == pytest.approx((0.5, 0.375), abs=0.01)
-    qtbot.waitUntil(lambda: "Region 1" in "".join(text.get_text() for text in view._axes.texts))
-    assert link.number == 1  # marking does not go back to the first
-
-
-def test_edges_are_taken_along(hand, qtbot):
-    hand.drag((-0.5, -0.5), (0.0, 0.2), (0.5, 0.5))
-    hand.drag((0.5, 0.0), (0.6, 0.0), (0.75, 0.0))
-    (region,) = hand.regions
-    assert region.outline.max(axis=0) == pytest.approx((0.375, 0.25), abs=0.01)
-    assert region.outline.min(axis=0) == pytest.approx((-0.25, -0.25), abs=0.01)
-    assert hand.window.document.undo_stack.undoText() == "move of Region 1"
-    assert hand.link.draft == ()
 
 
 def test_clicks_mark_a_polygon(hand):

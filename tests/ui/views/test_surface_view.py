@@ -57,33 +57,6 @@ def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilte
     qtbot.waitUntil(lambda: reading().startswith("45° at x = 0.2"))
 
 
-def test_a_curvature_under_the_pointer_is_one_over_a_length(view, session, qtbot):
-    view._aspects.setCurrentIndex(2)
-    assert view._content.unit(session) == "/ cm"
-
-
-def test_the_frame_of_an_image_is_drawn_over_it(view, monkeypatch):
-    drawn, figure = [], view._canvas.figure
-    monkeypatch.setattr(figure, "draw_artist", drawn.append)
-    view._canvas.show_changes(everything=False)
-    (axes,) = figure.axes
-    assert drawn == [axes.images[0], *axes.spines.values()]
-
-
-def test_nothing_is_computed_while_hidden(view, tilted, monkeypatch, qtbot):
-    view.hide()
-    monkeypatch.setattr(view._content.image, "update", lambda heights: pytest.fail("computed"))
-    view.show_frame(tilted(0.2))
-    qtbot.wait(50)
-
-
-def test_a_text_replaces_labels_that_would_overlap(view, qtbot):
-    for height, empty in ((100, True), (400, False)):
-        view.resize(300, height)
-        qtbot.waitUntil(lambda empty=empty: view.empty is empty)
-        assert view._hint.text() == (view._NO_ROOM if empty else "")
-
-
 def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbot):
     entrance = {"shape": "freeform", "height_range": [-0.1, 0.1]}
     session = make_session({"lens.entrance": entrance})

@@ -31,13 +31,3 @@ def test_the_picture_has_all_room_that_figures_leave_also_when_they_change(figur
     qtbot.waitUntil(lambda: taken() == figures.sizeHint().height() < whole)
     figures.labels[1].show()
     qtbot.waitUntil(lambda: taken() == whole)
-
-
-def test_buttons_stay_in_sight_where_figures_have_to_be_scrolled(figures, show, qtbot):
-    figures.setMinimumHeight(900)
-    button = QPushButton("go")
-    beside = show(SideBySide(QWidget(), figures, [button]), 300, 400)
-    qtbot.waitUntil(lambda: figures.visibleRegion().boundingRect().height() < 300)
-    assert button.visibleRegion().boundingRect() == button.rect()
-    place = button.mapTo(beside, button.rect().bottomRight())
-    assert beside.rect().contains(place)

@@ -25,10 +25,3 @@ def test_the_menu_brings_it_to_the_front_and_then_closes_it(docks, qtbot):
     assert not entry.isChecked()
     entry.trigger()
     qtbot.waitUntil(lambda: is_seen(docks["runs"]))
-
-
-def test_one_that_is_alone_in_its_place_is_closed_at_once(docks, qtbot):
-    entry = docks["target"].toggleViewAction()
-    entry.trigger()
-    qtbot.waitUntil(lambda: not docks["target"].isVisible())
-    assert not entry.isChecked()

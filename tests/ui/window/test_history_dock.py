@@ -1,7 +1,6 @@
 """The list of steps: by mouse and keyboard, also when there are a thousand."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QStyleOptionViewItem
 
 from tests.ui.hands import move_screen
 from ui.document.undo_steps import UndoSteps
@@ -29,19 +28,3 @@ def test_hundreds_of_steps_are_listed_and_gone_through_by_keyboard(window, qtbot
     assert document.session.scene.receiver.z == 5 and history.currentIndex().row() == 0
     qtbot.keyClick(history, Qt.Key.Key_End)
     assert document.session.scene.receiver.z == 6 + STEPS - 1
-
-
-def test_undo_moves_the_mark(window):
-    for z in (6, 7):
-        move_screen(window.document, z, f"screen at {z}")
-    history = window.workspace.history
-    assert history.currentIndex().data() == "screen at 7"
-    window.commands["undo"].trigger()
-    assert history.currentIndex().data() == "screen at 6"
-
-
-def test_steps_begin_with_a_capital(window):
-    move_screen(window.document, 6, "screen at 6")
-    history, option = window.workspace.history, QStyleOptionViewItem()
-    history.itemDelegate().initStyleOption(option, history.currentIndex())
-    assert option.text == "Screen at 6"

@@ -23,20 +23,6 @@ def test_the_dock_shows_the_figures_for_manufacture(window, qtbot):
     assert pane._figures.found["tightest_concave"].text() == "none"
 
 
-def test_nothing_is_computed_behind_another_tab(window, qtbot):
-    docks, pane = window.workspace.docks, window.loaded.production.manufacture
-    window.commands["go_manufacture"].trigger()
-    docks["tolerances"].show()
-    docks["tolerances"].raise_()
-    qtbot.waitUntil(lambda: docks["manufacture"].visibleRegion().isEmpty())
-    pane._found = None
-    pane.look()
-    qtbot.wait(600)
-    assert pane._found is None and not pane._background.busy
-    docks["manufacture"].raise_()
-    qtbot.waitUntil(lambda: pane._found is not None, timeout=60_000)
-
-
 def test_the_window_closes_in_the_midst_of_a_sample(window, qtbot):
     pane = window.loaded.production.tolerances
     window.commands["go_tolerances"].trigger()

@@ -1,11 +1,8 @@
 """How a design is looked at travels in its file, and changing it is no edit."""
 
-import json
-
 import pytest
 
-from tests.ui.hands import editor, move_screen
-from workbench.files.session import read_session
+from tests.ui.hands import move_screen
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -43,18 +40,6 @@ def test_docks_and_choices_come_back_with_the_design(open_window, tmp_path, qtbo
     assert not window.document.dirty and window.document.undo_stack.count() == 0
 
 
-def test_colours_of_a_design_are_not_those_of_the_next_window(open_window, settings, tmp_path):
-    path = tmp_path / "mine.freeform"
-    window = open_window()
-    window.build()
-    window.commands["colours_viridis"].trigger()
-    save(window, path)
-    window.commands["colours_gray"].trigger()
-    assert window.files.open(path)
-    assert window.loaded.views.link.colours == window.loaded.views.scene._look.colours == "viridis"
-    assert settings.value("view/colours") == "gray"
-
-
 def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, qtbot):
     path = tmp_path / "mine.freeform"
     window = open_window()
@@ -81,21 +66,6 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
         assert scene.camera()[key] == pytest.approx(value)
 
 
-def test_a_file_opened_before_the_views_are_there_is_seen_as_it_was_left(
-    open_window, tmp_path, qtbot
-):
-    path = tmp_path / "mine.freeform"
-    first = open_window()
-    first.build()
-    first.commands["exploded"].trigger()
-    save(first, path)
-    second = open_window()
-    assert second.files.open(path)
-    assert second.files.look() == read_session(path).view  # nobody has seen another
-    second.build()
-    assert second.commands["exploded"].isChecked()
-
-
 @pytest.mark.parametrize(
     "view",
     [
@@ -117,17 +87,6 @@ def test_a_broken_view_is_logged_and_otherwise_ignored(open_window, tmp_path, vi
     assert window.document.path == path and not window.messages.isVisible()
     assert shown(window) == before
     assert "cannot be shown again" in window.log.toPlainText()
-
-
-def test_a_scene_file_leaves_the_view_alone(open_window, session, tmp_path):
-    path = tmp_path / "scene.json"
-    path.write_text(json.dumps(session.scene.to_data()))
-    window = open_window()
-    window.workspace.docks["log"].show()
-    before = shown(window)
-    assert window.files.open(path)
-    assert shown(window) == before
-    assert "cannot be shown" not in window.log.toPlainText()
 
 
 def test_size_and_docks_outlive_the_window_and_can_be_reset(open_window, settings):
@@ -159,21 +118,3 @@ def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     assert not document.dirty and not revert.isEnabled()
     window.commands["undo"].trigger()
     assert document.session.scene.receiver.z == 8 and document.dirty
-
-
-def test_revert_to_a_file_that_is_gone_changes_nothing(open_window, tmp_path):
-    path = tmp_path / "mine.freeform"
-    window = open_window()
-    save(window, path)
-    move_screen(window.document, 8)
-    path.unlink()
-    window.commands["revert"].trigger()
-    assert window.document.session.scene.receiver.z == 8 and window.document.dirty
-    assert "mine.freeform" in window.messages.text
-
-
-def test_a_refused_field_is_logged(open_window):
-    window = open_window()
-    editor(window.forms, "screen.z").setText("-3")
-    window.forms.commit()
-    assert "Refused: screen.z" in window.log.toPlainText()

@@ -4,7 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.arrays import Array
-from workbench.targets.tone import SRGB
+from workbench.targets.colour import SRGB
 
 # Lobes of the CIE 1931 functions: height, middle, widths below and above it, nm. Wyman, Sloan,
 # Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", Journal of

@@ -70,7 +70,7 @@ def add(commands: Any) -> None:
 
 
 def _files(folder: Path) -> list[Path]:
-    from workbench.sweep.store import TABLES
+    from workbench.sweep.sweep import TABLES
 
     return [folder / name for name in TABLES]
 

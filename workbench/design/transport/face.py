@@ -8,8 +8,7 @@ from scipy.linalg import eigh
 from scipy.sparse import csr_array
 
 from workbench.arrays import Array
-from workbench.geometry.basis import sparse_basis
-from workbench.geometry.knots import clamped_knots
+from workbench.geometry.basis import clamped_knots, sparse_basis
 from workbench.geometry.surface import ControlNet
 
 

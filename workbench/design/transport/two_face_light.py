@@ -88,9 +88,10 @@ class TwoFaceLight:
         found: list[Vector] = []
         rays = self._rays
         with torch.no_grad():
-            for surface, interface, _ in self._path.steps:
-                meeting = self._meet(surface.name, rays, heights[surface.name])
-                rays = interface.turn(rays, meeting).rays
+            for step in self._path.steps:
+                name = step.surface.name
+                meeting = self._meet(name, rays, heights[name])
+                rays = step.interface.turn(rays, meeting).rays
                 found += [to_arrays(meeting.position), to_arrays(rays.direction)]
         flux = rays.flux.numpy()
         entrance, glass, exit_face, _ = found

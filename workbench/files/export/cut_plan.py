@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from workbench.errors import Refused
 from workbench.files.export.cutting import Cutting
-from workbench.geometry.tool_path import Raster, Remains
+from workbench.geometry.ball_cutter import CutErrors, Raster
 from workbench.powers import written
 from workbench.said import Said
 
@@ -23,11 +23,11 @@ class CutPlan(NamedTuple):
         The cuts, scene units.
     scallop : float
         Height of ridges that was planned.
-    remains : Remains
+    remains : CutErrors
         What the simulated cut leaves, with the place in the scene's x and y.
     top : float
         Highest control height of the face as it lies below the cutter.
-    fitting_radius : float
+    default_radius : float
         Radius of a ball that fits everywhere, scene units; infinite if none is known, as for a
         face with edges.
     """
@@ -35,9 +35,9 @@ class CutPlan(NamedTuple):
     cutting: Cutting
     raster: Raster
     scallop: float
-    remains: Remains
+    remains: CutErrors
     top: float
-    fitting_radius: float
+    default_radius: float
 
     def refusal(self, unit: str) -> Refused | None:
         """Why this is not written: the cutter leaves more than ridges. None if it fits.
@@ -65,6 +65,6 @@ class CutPlan(NamedTuple):
         )
 
     def _cure(self, unit: str) -> Said:
-        if self.fitting_radius < self.raster.radius:
-            return Said("one of {fitting} fits", fitting=written(self.fitting_radius, unit, 2))
+        if self.default_radius < self.raster.radius:
+            return Said("one of {fitting} fits", fitting=written(self.default_radius, unit, 2))
         return Said("a smaller one or higher ridges are needed")

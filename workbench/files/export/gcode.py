@@ -14,7 +14,7 @@ import numpy as np
 
 from workbench.files.export.cut_plan import CutPlan
 from workbench.files.export.design import Design, Deviation
-from workbench.geometry.tool_path import CutFace, Raster
+from workbench.geometry.ball_cutter import CutFace, Raster
 from workbench.powers import written
 from workbench.watch import Steps, finished, within
 
@@ -82,7 +82,7 @@ def planning(design: Design) -> Steps[CutPlan]:
     heights = design.heights if _looks_up(design) > 0 else -design.heights[::-1]
     face = CutFace(design.net, heights, design.outline)
     asked = design.cutting.tool_radius or design.scene.run.min_tool_radius
-    radius, begin, plan = asked or face.fitting_radius, 0.0, None
+    radius, begin, plan = asked or face.default_radius, 0.0, None
     for _ in range(1 if asked else _TRIES):
         plan = yield from within(_planning(design, face, radius), partial(_from, begin))
         if plan.refusal(design.unit) is None:
@@ -96,13 +96,13 @@ def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
     """Find the cuts by one cutter."""
     mm, top = 1e3 * design.metres, float(face.heights.max())
     fine = max(_FINE * max(design.net.half_width), _LEAST_RIDGES / mm)
-    scallop = design.cutting.scallop or face.finest(radius, min(fine, radius / 2), _MOST)
-    raster = yield from within(face.rastering(radius, scallop, _MOST), lambda done: 0.8 * done)
+    scallop = design.cutting.scallop or face.finest_scallop(radius, min(fine, radius / 2), _MOST)
+    raster = yield from within(face.plan_raster(radius, scallop, _MOST), lambda done: 0.8 * done)
     raster = _rounded(raster, mm, top)
-    remains = yield from within(face.left(raster), lambda done: 0.8 + 0.2 * done)
+    remains = yield from within(face.cut_errors(raster), lambda done: 0.8 + 0.2 * done)
     if _looks_up(design) < 0:  # the face lies turned over about y
         remains = remains._replace(place=(-remains.place[0], remains.place[1]))
-    fitting = face.fitting_radius if min(design.net.degree) > 1 else math.inf
+    fitting = face.default_radius if min(design.net.degree) > 1 else math.inf
     return CutPlan(design.cutting, raster, scallop, remains, top, fitting)
 
 

@@ -21,8 +21,7 @@ from workbench.files.export.fitted_table import (
     error_of,
     fitted_table,
 )
-from workbench.measured.lamps import ray_model
-from workbench.measured.light_unit import light_unit
+from workbench.measured.lamps import light_unit, ray_model
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt

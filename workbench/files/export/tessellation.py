@@ -12,7 +12,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
 from workbench.geometry.basis import local_basis
-from workbench.geometry.bounds import derivative_range
+from workbench.geometry.curvature import derivative_range
 from workbench.said import Said
 
 Indices = npt.NDArray[np.int64]

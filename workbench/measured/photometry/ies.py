@@ -1,7 +1,7 @@
 """IES LM-63 of 1986, 1991, 1995, 2002 and 2019.
 
-Numbers run on over lines and are known by their order: the ten that say how the light was measured,
-three of the ballast, vertical angles, horizontal angles, and the intensities plane by plane.
+Numbers run on over lines and are identified by their order: ten of the measurement, three of the
+ballast, vertical angles, horizontal angles, and the intensities plane by plane.
 """
 
 import re
@@ -9,30 +9,23 @@ from dataclasses import replace
 
 import numpy as np
 
-from workbench.measured.photometry.beam_angles import TYPES, type_c_of
-from workbench.measured.photometry.table import IntensityTable, possible, table_of
+from workbench.measured.photometry.table import TYPES, IntensityTable, possible, table_of, type_c_of
 from workbench.measured.text import count, lines_of, number, readings, trailing, wrong_length
 from workbench.said import Said
 
 _MOST_ANGLES = 1 << 14
 _YEARS = {"86": 1986, "91": 1991, "95": 1995, "02": 2002, "19": 2019}
-# A first line that names a version; any other one is prose of a file of 1986.
+# First line with a version; a file with any other first line is of 1986.
 _STANDARD = re.compile(r"^(ANSI/?)?(IESNA|IES)?[:/]?LM-?63-?(\d*)")
 _SHORT = re.compile(r"^(IESNA|IES):?(\d{4}|\d{2})$")
 _TILT = re.compile(r"^TILT\s*=\s*(.*)$", re.IGNORECASE)
-# Up to this year, the ballast-lamp photometric factor multiplies intensities; later it is another
-# number.
+# Up to this year the ballast-lamp photometric factor multiplies intensities; later the field has
+# another meaning.
 _WITH_LAMP_FACTOR = 1991
 
 
 def read_ies(content: bytes) -> IntensityTable:
-    """Read the content of an IES file.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Read the content of an IES file; raise ValueError if it is invalid."""
     lines = lines_of(content)
     year = _year(next((line for line in lines if line), ""))
     tilts = (
@@ -61,7 +54,6 @@ def read_ies(content: bytes) -> IntensityTable:
 
 
 def _year(first: str) -> int:
-    """Year of the standard by which a file with this first line is written."""
     line = first.replace(" ", "").upper()
     if (match := _STANDARD.match(line)) and match[3]:
         year = match[3]
@@ -113,7 +105,6 @@ def _table(words: list[str], tilted: bool, year: int) -> IntensityTable:
 
 
 def _length_of_tilt(words: list[str]) -> int:
-    """How many numbers tell of lamps that shine differently when tilted: here they are upright."""
     if len(words) < 2:
         raise ValueError(Said("it is cut off within {part}", part=Said("its TILT")))
     # How a lamp stands, the number of angles, these, and as many factors.

@@ -1,8 +1,8 @@
 """EULUMDAT (.ldt): a line for each value, in a fixed order.
 
-Programs differ in what they write of direct ratios of rooms (left empty, or several in a line) and
-of planes (all, or only those that have intensities). The one reading that fits the number of values
-in the file is taken.
+Programs write the utilisation factors differently (left empty, or several in a line), and the
+planes too (all, or only those with intensities). The reader tries these variants and uses the one
+that fits the number of values in the file.
 """
 
 import re
@@ -34,13 +34,7 @@ _COMMENT = re.compile(r"\s*(?:[;#]|//).*$")
 
 
 def read_ldt(content: bytes) -> IntensityTable:
-    """Read the content of an EULUMDAT file.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Read the content of an EULUMDAT file; raise ValueError if it is invalid."""
     lines = _with_points(lines_of(content))
     if len(lines) <= _HEAD:
         raise ValueError(
@@ -68,7 +62,6 @@ def read_ldt(content: bytes) -> IntensityTable:
 
 
 def _with_points(lines: list[str]) -> list[str]:
-    """Lines of which those that hold numbers have decimal points and no comments."""
     known = {k for k in _NUMBERS if k < len(lines)}
     lamps = lines[_LAMPS] if len(lines) > _LAMPS else ""
     sets = int(lamps) if lamps.isdecimal() and len(lamps) < 3 else 1
@@ -83,7 +76,6 @@ def _with_points(lines: list[str]) -> list[str]:
 
 
 def _possible_readings(rest: list[str], symmetry: int, n_c: int) -> Iterator[tuple[list[str], int]]:
-    """Words of the planes, the angles and the intensities, and how many planes are listed."""
     by_lines = [word for line in rest[_RATIOS:] for word in line.split()]
     by_words = [word for line in rest for word in line.split()][_RATIOS:]
     stored = _count_stored(symmetry, n_c)
@@ -122,12 +114,10 @@ def _table(
 
 
 def _count_stored(symmetry: int, n_c: int) -> int:
-    """Number of planes of C with intensities in the file."""
     return len(_stored(symmetry, n_c))
 
 
 def _stored(symmetry: int, n_c: int) -> list[int]:
-    """Which of the planes of C have intensities in the file, as a luminaire has a symmetry."""
     if symmetry == 1:
         return [0]
     if symmetry == 0:
@@ -152,5 +142,4 @@ def _stored(symmetry: int, n_c: int) -> list[int]:
 
 
 def _value(lines: list[str], line: int) -> float:
-    """The number of a line; 0 where it is empty or not there."""
     return number(lines[line]) if line < len(lines) and lines[line] else 0.0

@@ -1,5 +1,13 @@
-"""Intensity by direction on planes of C and angles γ, as goniophotometers measure it."""
+"""Tables of intensity by direction, as goniophotometers measure them.
 
+Tables are of type C: planes C and angles γ. Types A and B have horizontal and vertical angles from
+the beam axis. Looking along the beam, H counts to the right and V upwards. Type A, of headlamps: H
+turns about the vertical axis, V is the elevation. Type B, of floodlights: V turns about the
+horizontal axis, H is the angle from the plane across that axis. In a scene the beam axis is +z, up
+is +y, right is −x.
+"""
+
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -8,19 +16,24 @@ import numpy as np
 from workbench.arrays import Array, Index
 from workbench.said import Said
 
-# Negative intensities over the largest one that measuring and rounding may leave.
+# Negative intensities, relative to the largest, that measurement noise and rounding explain.
 _ROUNDED = 0.005
-# Largest intensities of lamps, cd; the trace in float32 fails beyond 1e-38 and 1e38.
+# Range of the largest intensity, cd; the trace in float32 fails beyond 1e-38 and 1e38.
 _DIMMEST, _BRIGHTEST = 1e-20, 1e20
-_NODES = 8  # of the rule for one interval of γ: exact for the sine at any step
-# Panels of `flux_nodes` over all of C, and over all light along γ, and nodes of each: the light
-# within a circle about the nadir, which cuts all planes at one γ, is then 1e-3 off at most.
+_NODES = 8  # of the Gauss rule for one interval of γ: exact for the sine at any step
+# Panels of `flux_nodes` over C and over γ, and nodes of each: the flux within a circle about the
+# nadir, which cuts all planes at one γ, then errs by at most 1e-3.
 _OVER_C, _OVER_GAMMA, _PER_PANEL = 32, 512, 2
+TYPES = {1: "C", 2: "B", 3: "A"}
+"""Photometric types by number in IES files."""
+# Steps of the table of type C per least step of the file; least and largest step, degrees; most
+# values of the table.
+_FINER, _FINEST, _COARSEST, _MOST_VALUES = 16, 0.05, 1.0, 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
 class IntensityTable:
-    """Intensity in cd at angles of type C, all around; linear between them, 0 beyond the last γ.
+    """Intensity in cd at angles of type C, linear between them, 0 beyond the last γ.
 
     γ counts from the nadir of the luminaire. Looking along the nadir, as from above down on a
     luminaire, C counts counterclockwise.
@@ -34,7 +47,7 @@ class IntensityTable:
     candela : ndarray, shape (n_c, n_g)
         Finite, not negative, not all zero; the first and the last row are the same plane.
     remarks : tuple of Said
-        What is odd about the file, though it can be read.
+        Anomalies of the file that do not prevent reading it.
     """
 
     c: Array
@@ -44,21 +57,21 @@ class IntensityTable:
 
     @property
     def note(self) -> str:
-        """All remarks together; empty where there is none."""
+        """All remarks in one text."""
         return "; ".join(str(remark) for remark in self.remarks)
 
     @cached_property
     def lumens(self) -> float:
-        """Flux into all directions, lm: the exact integral of what is between the angles."""
+        """Total flux, lm: the exact integral of the interpolated table."""
         along = self.candela @ solid_angles(self.gamma)
         return float(np.trapezoid(along, np.radians(self.c)))
 
     @cached_property
     def flux_nodes(self) -> tuple[Array, Array]:
-        """Directions, shape (n, 3), and the flux of each: together exactly `lumens`.
+        """Directions (n, 3) and the flux of each, which sum to `lumens`.
 
-        The light through any aperture is the sum of the nodes that pass it. So it is never more
-        than all light, however narrow the lamp is.
+        The flux through an aperture is the sum of the nodes that pass it. So it never exceeds the
+        total flux, however narrow the beam is.
         """
         c, along_c = _nodes_between(self.c, np.diff(self.c), _OVER_C)
         lit = self.candela.mean(axis=0) * np.sin(np.radians(self.gamma))
@@ -71,19 +84,15 @@ class IntensityTable:
         c, gamma = np.radians(c)[:, None], np.radians(gamma)
         flux = candela * along_c[:, None] * along_gamma * np.sin(gamma)
         sine = np.sin(gamma)
-        ways = np.broadcast_arrays(sine * np.cos(c), -sine * np.sin(c), np.cos(gamma))
+        directions = np.broadcast_arrays(sine * np.cos(c), -sine * np.sin(c), np.cos(gamma))
         lit = flux > 0
         flux = flux[lit]
-        return np.stack([way[lit] for way in ways], axis=-1), flux * (self.lumens / flux.sum())
+        return np.stack([part[lit] for part in directions], axis=-1), flux * (
+            self.lumens / flux.sum()
+        )
 
     def at(self, direction: Array) -> Array:
-        """Intensity into directions, cd.
-
-        Parameters
-        ----------
-        direction : ndarray, shape (..., 3)
-            Unit vectors: the nadir is +z, C0 is +x and C90 is −y.
-        """
+        """Return the intensity, cd, in unit directions (..., 3): nadir +z, C0 +x, C90 −y."""
         x, y, z = np.moveaxis(direction, -1, 0)
         gamma = np.degrees(np.arctan2(np.hypot(x, y), z))
         c = np.degrees(np.arctan2(-y, x)) % 360.0
@@ -98,10 +107,6 @@ class IntensityTable:
 
 
 def _nodes_between(angles: Array, weight: Array, shared: int) -> tuple[Array, Array]:
-    """Gauss-Legendre nodes between angles, degrees, and the angle of each, radians.
-
-    Intervals have one panel at least, and so many ``shared`` ones in proportion to their weights.
-    """
     panels = 1 + np.ceil(shared * weight / weight.sum()).astype(np.intp)
     number = np.arange(panels.sum()) - np.repeat(np.cumsum(panels) - panels, panels)
     wide = np.repeat(np.diff(angles) / panels, panels)
@@ -112,19 +117,10 @@ def _nodes_between(angles: Array, weight: Array, shared: int) -> tuple[Array, Ar
 
 
 def solid_angles(gamma: Array) -> Array:
-    """How much each angle γ counts in the flux of a table, sr per radian of C.
+    """Return the weights (n_g,) of angles γ in the flux of a table, sr per radian of C.
 
-    It is the integral over the sphere of what falls linearly from 1 at that angle to 0 at the two
-    beside it.
-
-    Parameters
-    ----------
-    gamma : ndarray, shape (n_g,)
-        Degrees, ascending, within 0 to 180.
-
-    Returns
-    -------
-    ndarray, shape (n_g,)
+    The weight is the integral over the sphere of a hat function: 1 at that angle, 0 at its two
+    neighbours. γ in degrees, ascending, within 0 to 180.
     """
     node, weight = np.polynomial.legendre.leggauss(_NODES)
     edges = np.radians(gamma)
@@ -139,20 +135,7 @@ def solid_angles(gamma: Array) -> Array:
 
 
 def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
-    """A table of what a file holds.
-
-    Parameters
-    ----------
-    c, candela
-        As for `all_around`.
-    gamma : ndarray, shape (n_g,)
-        As of `IntensityTable`.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Return the table of a file's planes (see `all_around`); raise ValueError if invalid."""
     if len(gamma) < 2:
         raise ValueError(Said("it has a single angle γ; at least two are needed"))
     for name, angles in (("C", c), ("γ", gamma)):
@@ -170,22 +153,9 @@ def table_of(c: Array, gamma: Array, candela: Array) -> IntensityTable:
 
 
 def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
-    """Intensities that a lamp can have, of those of a file.
+    """Check the intensities of a file, cd; small negative ones become 0, with a remark.
 
-    Parameters
-    ----------
-    candela : ndarray
-        Intensities, cd.
-
-    Returns
-    -------
-    ndarray, and tuple of Said
-        The intensities, of which small negative ones are 0; and a remark on these.
-
-    Raises
-    ------
-    ValueError
-        If there is no light, or intensities are negative, or beyond all lamps.
+    Raise ValueError if all are zero, one is negative, or the largest is out of range.
     """
     largest, least = float(candela.max()), float(candela.min())
     if -_ROUNDED * largest > least:
@@ -215,27 +185,10 @@ def possible(candela: Array) -> tuple[Array, tuple[Said, ...]]:
 
 
 def all_around(c: Array, candela: Array, gamma: Array) -> tuple[Array, Array, Array]:
-    """Planes from 0° to 360°, of those that stand for their mirror images as well.
+    """Complete planes by symmetry to 0° … 360°; return planes, γ and intensities.
 
-    Parameters
-    ----------
-    c : ndarray, shape (n,)
-        Ascending: one for all; or over a quarter from 0; or over a half; or over all, with the last
-        one or without.
-    candela : ndarray, shape (n, n_g)
-        The planes.
-    gamma : ndarray, shape (n_g,)
-        Their angles.
-
-    Returns
-    -------
-    tuple of ndarray
-        Planes, angles, and intensities, as of `IntensityTable`.
-
-    Raises
-    ------
-    ValueError
-        If the angles are none of these.
+    ``c`` (n,) ascends: one plane for all, or over a quarter from 0, a half, or all with or without
+    the last plane; ``candela`` is (n, n_g), ``gamma`` (n_g,). Raise ValueError for other angles.
     """
     if len(c) == 1:
         return np.array([0.0, 360.0]), gamma, np.repeat(candela, 2, axis=0)
@@ -266,12 +219,77 @@ def all_around(c: Array, candela: Array, gamma: Array) -> tuple[Array, Array, Ar
 
 
 def _mirrored(c: Array, candela: Array) -> tuple[Array, Array]:
-    """Planes over twice their way, the second half a mirror image of the first."""
     return np.append(c, 2 * c[-1] - c[-2::-1]), np.vstack([candela, candela[-2::-1]])
 
 
 def between(angles: Array, values: Array) -> tuple[Index, Array]:
-    """The interval that each value is in, and how far it is through it, in 0 to 1."""
+    """Return the interval of each value and the relative position within it, 0 to 1."""
     index = np.clip(np.searchsorted(angles, values, side="right") - 1, 0, len(angles) - 2)
     part = (values - angles[index]) / (angles[index + 1] - angles[index])
     return index, np.clip(part, 0.0, 1.0)
+
+
+def type_c_of(kind: str, h: Array, v: Array, candela: Array) -> IntensityTable:
+    """Convert a table of type A or B to type C.
+
+    Parameters
+    ----------
+    kind : str
+        "A" or "B".
+    h, v : ndarray, shape (n_h,), (n_v,)
+        Degrees, ascending. Angles that begin at 0 are mirrored.
+    candela : ndarray, shape (n_h, n_v)
+        Intensity, cd: linear between the angles, 0 beyond them.
+
+    Raises
+    ------
+    ValueError
+        If the angles are not possible.
+    """
+    if h[0] == 0:
+        h, candela = np.append(-h[:0:-1], h), np.vstack([candela[:0:-1], candela])
+    if v[0] == 0:
+        v, candela = np.append(-v[:0:-1], v), np.hstack([candela[:, :0:-1], candela])
+    turn, elevation = (h, v) if kind == "A" else (v, h)
+    for name, angles in (("H", h), ("V", v)):
+        if len(angles) < 2:
+            raise ValueError(Said("it has a single angle {name}; two are needed", name=name))
+        most = 180 if angles is turn else 90
+        if (np.diff(angles) <= 0).any() or angles[0] < -most or angles[-1] > most:
+            raise ValueError(
+                Said(
+                    "its angles {name} go from {first:g}° to {last:g}°; they have to ascend within "
+                    "−{most}° to {most}°",
+                    name=name,
+                    first=angles[0],
+                    last=angles[-1],
+                    most=most,
+                )
+            )
+    values = candela if kind == "A" else candela.T  # [turn, elevation]
+    lumens = np.trapezoid(values @ solid_angles(elevation + 90), np.radians(turn))
+    last = 90.0 if max(-turn[0], turn[-1]) <= 90 else 180.0
+    step = min(np.diff(turn).min(), np.diff(elevation).min()) / _FINER
+    step = float(np.clip(step, max(_FINEST, math.sqrt(360 * last / _MOST_VALUES)), _COARSEST))
+    c = np.linspace(0, 360, 4 * math.ceil(90 / step) + 1)
+    gamma = np.linspace(0, last, math.ceil(last / step) + 1)
+    found = _at(kind, (turn, elevation), values, np.radians(c)[:, None], np.radians(gamma))
+    found[-1] = found[0]
+    table = IntensityTable(c, gamma, found)
+    # Resampling changes the flux slightly.
+    return IntensityTable(c, gamma, found * (lumens / table.lumens) if table.lumens > 0 else found)
+
+
+def _at(kind: str, angles: tuple[Array, Array], values: Array, c: Array, gamma: Array) -> Array:
+    right, up, ahead = -np.sin(gamma) * np.cos(c), -np.sin(gamma) * np.sin(c), np.cos(gamma) + 0 * c
+    side, height = (right, up) if kind == "A" else (up, right)
+    turn = np.degrees(np.arctan2(side, ahead))
+    elevation = np.degrees(np.arcsin(height.clip(-1, 1)))
+    i, in_turn = between(angles[0], turn)
+    j, in_elevation = between(angles[1], elevation)
+    low = (1 - in_elevation) * values[i, j] + in_elevation * values[i, j + 1]
+    high = (1 - in_elevation) * values[i + 1, j] + in_elevation * values[i + 1, j + 1]
+    rounding = 1e-9
+    within = (turn >= angles[0][0] - rounding) & (turn <= angles[0][-1] + rounding)
+    within &= (elevation >= angles[1][0] - rounding) & (elevation <= angles[1][-1] + rounding)
+    return np.where(within, (1 - in_turn) * low + in_turn * high, 0.0)

@@ -1,8 +1,8 @@
 """Rays of OpticStudio (.dat): binary, or as text.
 
 Binary: a header of 208 bytes and 7 numbers a ray, 8 with wavelengths in µm, as float32 in little
-endian. Text: a line with the number of rays and of the unit, which some programs fill up with zeros
-to as many columns as rays have, and one with 7 numbers for each ray.
+endian. Text: a line with the number of rays and that of the unit, which some programs fill up with
+zeros to the number of columns, and then a line with 7 numbers for each ray.
 """
 
 import codecs
@@ -11,8 +11,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from workbench.measured.rays.chunks import records, size_of
-from workbench.measured.rays.rayset import Columns, RaySet, gathered
+from workbench.measured.rays.rayset import Columns, RaySet, gathered, records, size_of
 from workbench.measured.rays.table import in_utf8, read_below, read_csv
 from workbench.measured.text import count
 from workbench.said import Said
@@ -34,20 +33,14 @@ HEADER = np.dtype(
         ("reserved", "<i4", 2),
     ]
 )
-"""Of a binary file."""
+"""Header of a binary file."""
 IDENTIFIER = 1010
 UNITS = ("m", "inch", "cm", "feet", "mm")
 _WIDTHS = {0: 7, 2: 8}
 
 
 def read_dat(file: BinaryIO) -> RaySet:
-    """Read rays of an open file.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Read rays of an open .dat file; raise ValueError if it is invalid."""
     size = size_of(file)
     content = file.read(HEADER.itemsize)
     if len(content) >= 4 and np.frombuffer(content[:4], "<i4")[0] == IDENTIFIER:
@@ -62,14 +55,13 @@ def read_dat(file: BinaryIO) -> RaySet:
 
 
 def read_text(file: BinaryIO) -> RaySet:
-    """Read rays of an open text that may begin like one of OpticStudio; raises as `read_dat`."""
+    """Read rays of an open text that may have an OpticStudio header; raise as `read_dat`."""
     with in_utf8(file) as text:
         start, counted = _beginning(text)
         return read_csv(text) if counted is None else _below(text, start, *counted)
 
 
 def _beginning(file: BinaryIO) -> tuple[int, tuple[int, str] | None]:
-    """Where the first line that is not empty ends, and what it counts; see `_counted`."""
     file.seek(0)
     beginning = file.read(HEADER.itemsize)
     text = beginning.removeprefix(codecs.BOM_UTF8).lstrip()
@@ -78,7 +70,6 @@ def _beginning(file: BinaryIO) -> tuple[int, tuple[int, str] | None]:
 
 
 def _counted(head: bytes) -> tuple[int, str] | None:
-    """Number of rays and unit of a first line, which may be filled up with zeros; None without."""
     try:
         rays, unit, *zeros = (float(word) for word in re.split(rb"[\s,;]+", head.strip(b" \t,;")))
     except ValueError:
@@ -89,7 +80,6 @@ def _counted(head: bytes) -> tuple[int, str] | None:
 
 
 def _below(file: BinaryIO, start: int, rays: int, unit: str) -> RaySet:
-    """Read so many rays from below a first line."""
     file.seek(start)
     found = read_below(file, unit)
     if found.in_file != rays:

@@ -1,38 +1,31 @@
-"""Rays as they are read: checked, and thinned while there are more than memory has room for."""
+"""Rays of a file: read in chunks, checked, thinned if there are too many, placed in a scene."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from fractions import Fraction
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from workbench.arrays import Index, Mask
+from workbench import units
+from workbench.arrays import Array, Index, Mask
 from workbench.said import Said
 
 Floats = npt.NDArray[np.float32]
-
 MOST_RAYS = 4_000_000
-"""Rays of a file that are kept; of more, so many are drawn by their flux."""
-
+"""Most rays of a file that are kept; of more, this many are drawn by flux."""
 CHUNK = 1 << 18
-"""Rays that are read at once."""
-
-# What rounding of files leaves of the length of a unit vector.
+"""Rays read at once."""
+# Tolerance of the length of unit vectors, for rounding in files.
 _LENGTH = 0.01
+_METRES = units.METRES | {"feet": 12 * units.METRES["inch"]}
 
 
 class Columns(NamedTuple):
-    """Where the columns of a table of rays are.
+    """Column numbers in a table of rays; a spectrum is the number of a spectrum, from 1.
 
-    Attributes
-    ----------
-    flux : int, optional
-        That of flux; None where all rays have the same.
-    wavelength : int, optional
-        That of wavelengths.
-    spectrum : int, optional
-        That of numbers of spectra, counted from 1.
+    Without a column of flux all rays have the same flux.
     """
 
     flux: int | None = 6
@@ -42,26 +35,26 @@ class Columns(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RaySet:
-    """Rays of a source.
+    """Rays of a file.
 
     Attributes
     ----------
     position : ndarray, shape (m, 3), float32
-        Where they start, in the unit of the file.
+        Starts, in the unit of the file.
     direction : ndarray, shape (m, 3), float32
         Unit vectors.
     flux : ndarray, shape (m,), float32
         Not negative, with a sum above 0.
     in_file : int
-        How many rays the file has; each that is kept has the flux of those that it stands for.
+        Number of rays in the file; a kept ray has the flux of all rays that it replaces.
     unit : str, optional
-        Unit of length that the file names: "mm", "cm", "m", "inch" or "feet"; None if it does not.
+        Unit of length: "mm", "cm", "m", "inch" or "feet"; None if the file names none.
     wavelength_nm : ndarray, shape (m,), float32, optional
-        Of each ray.
+        Wavelength.
     spectrum : ndarray, shape (m,), int32, optional
-        Number in ``spectra`` of each ray, from 0.
+        Index into ``spectra``, from 0.
     spectra : sequence of ndarray, shape (k, 2)
-        Wavelengths in nm and weights; one for all rays where they have no numbers.
+        Wavelengths in nm and weights; one for all rays if they have no index.
     """
 
     position: Floats
@@ -88,31 +81,12 @@ def gathered(
     to_nm: float = 1.0,
     most: int = MOST_RAYS,
 ) -> RaySet:
-    """Collect rays.
+    """Collect rays from chunks (m, columns); raise ValueError if a ray is invalid.
 
-    Of more than ``most``, runs of neighbours in the file are each replaced by one of them, drawn
-    with a chance that goes with its flux, which gets the flux of all: sums stay as they are, and
-    means over rays are right on average. The seed is fixed.
-
-    Parameters
-    ----------
-    chunks : iterator of ndarray, shape (m, columns)
-        Tables whose first columns are x, y, z and the direction.
-    columns : Columns
-        Where the others are.
-    rays : int
-        How many there will be, at least about.
-    unit, spectra
-        As of `RaySet`.
-    to_nm : float
-        What makes wavelengths of the file nanometres.
-    most : int
-        How many are kept, at most about.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
+    The first columns are x, y, z and the direction. If ``rays``, the estimated count, exceeds
+    ``most``, each run of neighbouring rays is replaced by one of them, drawn with a probability
+    proportional to its flux, which gets the flux of all: sums stay, and means over rays are
+    unbiased. The seed is fixed. ``to_nm`` converts wavelengths of the file to nanometres.
     """
     run = max(-(-rays // most), 1)
     generator = np.random.default_rng(25)
@@ -144,7 +118,6 @@ def gathered(
 
 
 def _checked(table: Floats, columns: Columns, first: int) -> Floats:
-    """Flux of rays that are possible; ``first`` is the number of the first one, from 0."""
     if ray := _wrong_ray(~np.isfinite(table).all(axis=1), first):
         raise ValueError(Said("its ray {ray} has a value that is no finite number", ray=ray))
     with np.errstate(over="ignore"):
@@ -160,12 +133,10 @@ def _checked(table: Floats, columns: Columns, first: int) -> Floats:
 
 
 def _wrong_ray(wrong: Mask | np.bool_, first: int) -> int:
-    """The number of the first ray that is wrong, from 1; 0 where none is."""
     return first + int(wrong.argmax()) + 1 if wrong.any() else 0
 
 
 def _drawn(flux: Floats, run: int, generator: np.random.Generator) -> tuple[Index, Floats]:
-    """Which ray of each run stands for it, and with which flux."""
     if run == 1:
         return np.arange(len(flux)), flux.copy()
     starts = np.arange(0, len(flux), run)
@@ -176,3 +147,60 @@ def _drawn(flux: Floats, run: int, generator: np.random.Generator) -> tuple[Inde
     ends = np.append(starts[1:], len(flux)) - 1
     drawn = np.clip(np.searchsorted(summed, place, side="right"), starts, ends)
     return drawn, total.astype(np.float32)
+
+
+def size_of(file: BinaryIO) -> int:
+    """Return the size of an open file in bytes, and rewind it."""
+    size = file.seek(0, 2)
+    file.seek(0)
+    return size
+
+
+def records(file: BinaryIO, rays: int, width: int) -> Iterator[Floats]:
+    """Read binary rays in chunks (m, width), as a file may exceed the memory.
+
+    Raise ValueError if the file ends too early.
+    """
+    for first in range(0, rays, CHUNK):
+        count = min(CHUNK, rays - first)
+        content = file.read(4 * width * count)
+        if len(content) < 4 * width * count:
+            last = first + len(content) // (4 * width)
+            raise ValueError(Said("it is cut off behind ray {ray}", ray=last))
+        yield np.frombuffer(content, "<f4").reshape(count, width)
+
+
+class PlacedRays(NamedTuple):
+    """Rays in a scene: start and unit direction (m, 3), flux (m,) with a sum of 1."""
+
+    position: Array
+    direction: Array
+    flux: Array
+
+    def onto(self, z: float) -> tuple[Array, Array, Mask]:
+        """Return x and y (m,) of the intersections with a plane z, and whether they exist.
+
+        Rays that go away from the plane or start behind it have none; their x and y are 0.
+        """
+        ahead = self.direction[:, 2]
+        distance = z - self.position[:, 2]
+        arriving = (ahead > 0) & (distance >= 0)
+        far = np.where(arriving, distance, 0.0) / np.where(arriving, ahead, 1.0)
+        x, y = (self.position[:, axis] + far * self.direction[:, axis] for axis in (0, 1))
+        return np.where(arriving, x, 0.0), np.where(arriving, y, 0.0), arriving
+
+
+def placed(
+    rays: RaySet, file_unit: str, unit: str, matrix: Array, position: tuple[float, float, float]
+) -> PlacedRays:
+    """Return the rays of a file in scene coordinates.
+
+    ``matrix`` (3, 3) turns directions of the file into those of the scene; ``position`` is the
+    file's origin in the scene.
+    """
+    scale: Fraction = _METRES[file_unit] / _METRES[unit]
+    start = float(scale) * rays.position.astype(np.float64) @ matrix.T + np.array(position)
+    direction = rays.direction.astype(np.float64) @ matrix.T
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    flux = rays.flux.astype(np.float64)
+    return PlacedRays(start, direction, flux / flux.sum())

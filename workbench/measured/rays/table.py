@@ -1,8 +1,8 @@
-"""Rays as text: a line for each, x, y, z, the direction and flux, and perhaps a wavelength in nm.
+"""Rays as text: a line for each, with x, y, z, direction, flux and perhaps a wavelength in nm.
 
-Columns are apart by commas, by semicolons, tabs or spaces; decimal commas go with all of these but
-the first. A line of titles may stand above, with the unit of length in brackets: "x [mm]".
-Text is in UTF-8, Latin-1 or UTF-16.
+Columns are separated by commas, semicolons, tabs or spaces; decimal commas may occur with all of
+these but the first. A line of titles may stand above, with the unit of length in brackets: "x
+[mm]". Text is in UTF-8, Latin-1 or UTF-16.
 """
 
 import codecs
@@ -17,8 +17,7 @@ import numpy as np
 
 from workbench import units
 from workbench.errors import shown
-from workbench.measured.rays.chunks import size_of
-from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered, size_of
 from workbench.measured.text import encoding_of
 from workbench.said import Said
 
@@ -32,7 +31,7 @@ _MARKS_AT_END = re.compile(rb"[ \t,;]+(?=\n|$)")
 
 @contextmanager
 def in_utf8(file: BinaryIO) -> Iterator[BinaryIO]:
-    """The file itself, at its beginning; or a copy in UTF-8 of a text in UTF-16."""
+    """Yield the file itself, rewound, or a UTF-8 copy of a text in UTF-16."""
     size_of(file)
     encoding = encoding_of(file.read(_LONGEST_LINE))
     file.seek(0)
@@ -49,13 +48,7 @@ def in_utf8(file: BinaryIO) -> Iterator[BinaryIO]:
 
 
 def read_csv(file: BinaryIO) -> RaySet:
-    """Read rays of an open file in UTF-8 or Latin-1.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Read rays of an open file in UTF-8 or Latin-1; raise ValueError if it is invalid."""
     size_of(file)
     beginning = file.read(_LONGEST_LINE)
     skipped = len(beginning) - len(beginning.removeprefix(b"\xef\xbb\xbf"))
@@ -78,7 +71,7 @@ def read_csv(file: BinaryIO) -> RaySet:
 
 
 def read_below(file: BinaryIO, unit: str | None) -> RaySet:
-    """Read the lines of rays from where a file is read; raises as `read_csv`."""
+    """Read the lines of rays from the current position of a file; raise as `read_csv`."""
     start = file.tell()
     size = size_of(file)
     file.seek(start)
@@ -100,7 +93,6 @@ def _named(unit: str) -> str | None:
 
 
 def _marks(line: bytes) -> tuple[bytes, bool]:
-    """What stands between columns, nothing for spaces, and whether commas are decimal points."""
     if b";" in line:
         return b";", b"," in line
     if b"," in line and len(line.split()) in (7, 8) and not re.search(rb",\s", line):

@@ -1,8 +1,8 @@
 """Rays by IES TM-25-13 (.tm25ray).
 
-A header of 36,288 bytes, spectra filled up to a multiple of 32 bytes, 512 bytes for the name of
-each column that the standard does not know, a text, and then the rays as float32, all in little
-endian. Of the columns, those that flags in the header name are there, in a fixed order.
+A header of 36,288 bytes, spectra padded to a multiple of 32 bytes, 512 bytes for the name of each
+additional column, a text, and then the rays as float32, all in little endian. Flags in the header
+say which columns are present; their order is fixed.
 """
 
 from collections.abc import Iterator
@@ -10,8 +10,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from workbench.measured.rays.chunks import records, size_of
-from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered
+from workbench.measured.rays.rayset import Columns, Floats, RaySet, gathered, records, size_of
 from workbench.said import Said
 
 HEADER = np.dtype(
@@ -36,23 +35,17 @@ HEADER = np.dtype(
         ("descriptions", "<U1000", 9),
     ]
 )
-"""The header; its flags are of position, direction, and of those in `FLAGGED`."""
+"""The header; its flags are those of position, direction and the columns `FLAGGED`."""
 VERSION = 2013
 FLAGGED = ("radiant_flux", "wavelength", "luminous_flux", "stokes", "tristimulus", "spectrum")
-"""Which columns each flag behind the first two stands for."""
+"""Column of each flag after the first two."""
 _WIDTH = {"stokes": 6, "tristimulus": 2}  # in columns; of the others 1
 _NAME = 512  # bytes of the name of a column
 _MOST_SPECTRA, _MOST_POINTS, _MOST_COLUMNS, _MOST_TEXT = 10_000, 100_000, 100, 1 << 26
 
 
 def read_tm25(file: BinaryIO) -> RaySet:
-    """Read rays of an open file.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong.
-    """
+    """Read rays of an open .tm25ray file; raise ValueError if it is invalid."""
     size = size_of(file)
     header = np.frombuffer(_bytes(file, HEADER.itemsize, Said("its header")), HEADER)[0]
     if header["magic"] != b"TM25":
@@ -84,7 +77,6 @@ def read_tm25(file: BinaryIO) -> RaySet:
 
 
 def _columns(header: np.void) -> tuple[Columns, int]:
-    """Where columns are, and how many there are."""
     flags = header["flags"]
     if not np.isin(flags, (0, 1)).all() or not flags[:2].all():
         found = flags.tolist()
@@ -97,7 +89,7 @@ def _columns(header: np.void) -> tuple[Columns, int]:
             at[name] = width
             width += _WIDTH.get(name, 1)
     width += _count(header, "more_columns", _MOST_COLUMNS)
-    # What eyes see of it, where both are given; all rays are alike where neither is.
+    # Luminous flux if both are given; all rays have equal flux if neither is.
     flux = at.get("luminous_flux", at.get("radiant_flux"))
     return Columns(flux, at.get("wavelength"), at.get("spectrum")), width
 

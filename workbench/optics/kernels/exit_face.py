@@ -52,8 +52,9 @@ class ExitFace(NamedTuple):
                     BSplineSurface(name=name, net=net, outline=outline) as surface,
                     Refraction(law=law, reflected=reflected, absorption=absorption),
                     missed,
+                    None,
                 ),
-            ) if outline.whole and law.ratio > 1:
+            ) if not surface.behind and outline.whole and law.ratio > 1:
                 mesh = surface.subdivisions is not None
                 return cls(name, net, mesh, law, absorption, missed, reflected)
         return None

@@ -26,7 +26,8 @@ class BSplineSurface:
     net : ControlNet
         Where the control heights sit.
     datum : float
-        z of the scene from which the path counts z.
+        Height at the origin of its frame: z of the scene from which the path counts z, or 0 in a
+        frame of its element.
     dtype, device
         Float type and device of the trace.
     subdivisions : tuple[int, int], optional
@@ -35,8 +36,16 @@ class BSplineSurface:
     outline : Outline, optional
         What of the rectangle is glass; all of it by default.
     level : float, optional
-        z of the scene near its mean height, by default the datum: what kernels count heights from,
-        so that float32 keeps the digits that make the shape.
+        Height near its mean height, by default the datum: what kernels count heights from, so that
+        float32 keeps the digits that make the shape.
+    behind : bool
+        Whether all heights but the control heights are of a frame that is turned by 180° about
+        its x, see `Surface.from_behind`.
+
+    Attributes
+    ----------
+    z : float
+        Where its level is, counted from the origin of its frame.
 
     Notes
     -----
@@ -57,11 +66,13 @@ class BSplineSurface:
         subdivisions: tuple[int, int] | None = None,
         outline: Outline | None = None,
         level: float | None = None,
+        behind: bool = False,
     ) -> None:
         self.name, self.outline = name, outline or Rectangle(net.half_width)
         self.kind = "B-spline" if subdivisions is None else "triangle mesh"
         self.net, self.subdivisions = net, subdivisions
         self.level = datum if level is None else level
+        self.z, self.behind = self.level - datum, behind
         self._datum, self._dtype, self._device = datum, dtype, device
         self._met_before: tuple[RayBundle, _Way] | None = None
         self._patches: Patches | None = None
@@ -77,7 +88,7 @@ class BSplineSurface:
     def meet_unbounded(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """As `meet`, also beside the outline but within the rectangle of the net."""
         # Counted from the datum, float32 keeps the digits that make the shape.
-        above = (heights[self.name] - self._datum).to(self._dtype)
+        above = (self.own(heights) - self._datum).to(self._dtype)
         known = self._met_before is not None and self._met_before[0] is rays
         way = self._met_before[1] if self._met_before is not None and known else self._way(rays)
         meeting = way.meet(above)
@@ -85,6 +96,18 @@ class BSplineSurface:
         # What a whole graph hangs on is not kept.
         self._met_before = None if rays.position[2].requires_grad else (rays, way)
         return meeting
+
+    def own(self, heights: Mapping[str, Tensor]) -> Tensor:
+        """Its control heights (n_u, n_v) in its frame."""
+        given = heights[self.name]
+        return -given.flip(1) if self.behind else given
+
+    def from_behind(self) -> "BSplineSurface":
+        """See `Surface.from_behind`."""
+        how = self._dtype, self._device, self.subdivisions, self.outline
+        return BSplineSurface(
+            self.name, self.net, -self._datum, *how, -self.level, behind=not self.behind
+        )
 
     def _way(self, rays: RayBundle) -> "_Way":
         x, y, _ = rays.position

@@ -18,7 +18,7 @@ class Plane:
     name : str
         What it is called.
     z : float
-        Where it is, counted from the datum of the path.
+        Where it is, counted from the origin of its frame.
     outline : Outline
         What of the plane is glass.
     """
@@ -45,3 +45,7 @@ class Plane:
         met = rays.alive & forward
         zero, one = torch.zeros_like(d_z), torch.ones_like(d_z)
         return Meeting((x, y, torch.full_like(d_z, self.z)), (zero, zero, one), met)
+
+    def from_behind(self) -> "Plane":
+        """See `Surface.from_behind`."""
+        return Plane(self.name, -self.z, self.outline)

@@ -5,6 +5,7 @@ from typing import NamedTuple, Protocol
 
 from torch import Tensor
 
+from workbench.geometry.outlines import Outline
 from workbench.optics.rays import RayBundle, Vector
 
 
@@ -38,11 +39,14 @@ class Surface(Protocol):
     freeform : bool
         Whether it depends on control heights; rays before the first such surface stay as they are
         during a run.
+    outline : Outline
+        What of it is glass; centred on the axis of its frame.
     """
 
     name: str
     kind: str
     freeform: bool
+    outline: Outline
 
     def meet(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """Where rays meet the surface.
@@ -58,4 +62,8 @@ class Surface(Protocol):
 
     def meet_unbounded(self, rays: RayBundle, heights: Mapping[str, Tensor]) -> Meeting:
         """As `meet`, also where the outline would cut the surface off."""
+        ...
+
+    def from_behind(self) -> "Surface":
+        """The same surface in a frame that is turned by 180° about its x; names stay."""
         ...

@@ -6,7 +6,7 @@ image of itself one half, or one of two origins, is traced. Nothing but depths o
 kept for the way back: to trace a batch again costs less than memory.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray, Array
+from workbench.geometry.frames import Frame
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.halves import Halves
@@ -83,18 +84,14 @@ class CompiledTrain:
             or (isinstance(step.surface, BSplineSurface) and step.surface.subdivisions is None)
             for step in steps
         )
-        before, last = [step.interface for step in steps[:-1]], steps[-1].interface
-        return (
-            known
-            and all(isinstance(each, Refraction) for each in before)
-            and isinstance(last, Refraction | Reflection)
-        )
+        return known and all(isinstance(step.interface, Refraction | Reflection) for step in steps)
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool] = (False, False)) -> None:
         train = SampledTrain.of(path)
         if train is None:
             raise TypeError("the first freeform face of this path is not sampled")
         self._path, self._even, kind = path, is_even(path), kind_of(path.dtype)
+        mirrored = _kept(mirrored, train.changes)
         self._count, one = len(train.origins.flux), _on_axis(train.origins)
         self._halves = Halves.of(train.samples, mirrored if one else (False, False))
         origins, self.mirrored = train.origins, self._halves.mirrored
@@ -114,7 +111,7 @@ class CompiledTrain:
         )
         self._light = incident_light(train, path, self._halves, self._even, kind)
         self._first = first_face(train, self._even, kind)
-        self._landing = landing_of(path.receiver, self._rest.levels[-1] - path.datum, kind)
+        self._landing = landing_of(path.receiver, self._rest.to_receiver, kind)
         self._grid = bases, lines
         self._newton = NewtonSteps.of(train, path.dtype)
         columns, rows = (len(basis.place) for basis in bases)
@@ -153,7 +150,7 @@ class CompiledTrain:
         above = []
         for surface in (self._train.surface, *self._rest.splines):
             check_size(heights[surface.name], surface.net)
-            above.append((heights[surface.name] - surface.level).to(self._path.dtype))
+            above.append((surface.own(heights) - surface.level).to(self._path.dtype))
         nodes, rims = _Trace.apply(self, accounts, *above)  # type: ignore[no-untyped-call]
         return Nodes(nodes, accounts[0], rims if self._train.rest else None)
 
@@ -261,6 +258,15 @@ class _Trace(torch.autograd.Function):
         found = ctx.train.backward(heights, ctx.known, *map(as_array, cotangents))
         gradients = (torch.from_numpy(each.astype(heights[0].dtype)) for each in found)
         return None, None, *gradients
+
+
+def _kept(mirrored: tuple[bool, bool], changes: Sequence[Frame]) -> tuple[bool, bool]:
+    """The promise of mirror images, as far as tilted and shifted elements keep it."""
+    x, y = (
+        wanted and all(change.keeps_mirror_images(axis) for change in changes)
+        for axis, wanted in enumerate(mirrored)
+    )
+    return x, y
 
 
 def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:

@@ -1,8 +1,10 @@
 """The further elements of a compiled train: what their faces do to rays, and the adjoints.
 
 Each face has a frame in which light comes from below, and z counts from its vertex, or from near
-the mean height of a B-spline. A ray is a line (X + a z, Y + b z, z) there. By the implicit function
-theorem a ray's depth moves by −δf / f' where the face, or the ray, moves.
+the mean height of a B-spline. Most frames follow each other along z; between others a change of
+coordinates, composed in float64, turns and shifts the rays. A ray is a line (X + a z, Y + b z, z)
+there. By the implicit function theorem a ray's depth moves by −δf / f' where the face, or the ray,
+moves.
 """
 
 import numpy as np
@@ -57,6 +59,7 @@ from workbench.optics.train.registers import (
     P_Y,
     P_Z,
     RIM,
+    START,
 )
 from workbench.optics.train.snell import snell, snell_back
 
@@ -83,44 +86,100 @@ def transfer(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
     sums : array, shape (SUMS,)
         Its sums; changed.
     """
-    kind = pair.dtype.type
-    zero, one = kind(0), kind(1)
+    zero = pair.dtype.type(0)
     steep_x, steep_y = zero, zero
-    for lane in range(np.uintp(lanes)):
-        o_z = pair[O_Z + lane]
-        exists = (pair[FLUX + lane] >= zero) & (o_z > kind(_ONWARD))
-        by_z = one / (o_z if exists else one)
-        a = pair[O_X + lane] * by_z if exists else zero
-        b = pair[O_Y + lane] * by_z if exists else zero
-        start = pair[P_Z + lane] + element.lift
-        pair[BLOCK + at(X, lane)] = pair[P_X + lane] - a * start
-        pair[BLOCK + at(Y, lane)] = pair[P_Y + lane] - b * start
-        pair[BLOCK + at(SLOPE_X, lane)] = a
-        pair[BLOCK + at(SLOPE_Y, lane)] = b
-        pair[BLOCK + at(ARRIVING, lane)] = pair[FLUX + lane] if exists else kind(NO_RAY)
-        steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
+    if element.moves:
+        for lane in range(np.uintp(lanes)):
+            ray = _moved(element.change, pair, lane)
+            a, b = _begin_line(pair, lane, ray)
+            steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
+    else:
+        for lane in range(np.uintp(lanes)):
+            start = pair[P_Z + lane] + element.change.z
+            ray = (
+                pair[P_X + lane], pair[P_Y + lane], start,
+                pair[O_X + lane], pair[O_Y + lane], pair[O_Z + lane],
+            )  # fmt: skip
+            a, b = _begin_line(pair, lane, ray)
+            steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
     sums[STEEP_X] = max(sums[STEEP_X], steep_x)
     sums[STEEP_Y] = max(sums[STEEP_Y], steep_y)
 
 
-@jit(allocates=False, fastmath=FAST, error_model="numpy")
-def transfer_back(pair, lanes):  # type: ignore[no-untyped-def]
-    """Adjoint of `transfer`, with what the length of the way in the medium adds."""
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _moved(change, pair, lane):  # type: ignore[no-untyped-def]
+    """Position and direction of a ray in the frame of an element that moves."""
+    x, y, z = pair[P_X + lane], pair[P_Y + lane], pair[P_Z + lane]
+    o_x, o_y, o_z = pair[O_X + lane], pair[O_Y + lane], pair[O_Z + lane]
+    return (
+        change.xx * x + change.xy * y + change.xz * z + change.x,
+        change.yx * x + change.yy * y + change.yz * z + change.y,
+        change.zx * x + change.zy * y + change.zz * z + change.z,
+        change.xx * o_x + change.xy * o_y + change.xz * o_z,
+        change.yx * o_x + change.yy * o_y + change.yz * o_z,
+        change.zx * o_x + change.zy * o_y + change.zz * o_z,
+    )
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _begin_line(pair, lane, ray):  # type: ignore[no-untyped-def]
+    """The line of a ray in the frame of an element; its slopes."""
     kind = pair.dtype.type
     zero, one = kind(0), kind(1)
-    for lane in range(np.uintp(lanes)):
-        o_z = pair[O_Z + lane]
-        exists = pair[BLOCK + at(ARRIVING, lane)] >= zero
-        by_z = one / (o_z if exists else one)
-        a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
-        d_a, d_b = pair[BLOCK + D_A + lane] * by_z, pair[BLOCK + D_B + lane] * by_z
-        pair[D_O_X + lane] = d_a
-        pair[D_O_Y + lane] = d_b
-        pair[D_O_Z + lane] = -(d_a * a + d_b * b)
-        pair[D_P_X + lane] = pair[BLOCK + D_X + lane]
-        pair[D_P_Y + lane] = pair[BLOCK + D_Y + lane]
-        pair[D_P_Z + lane] = pair[BLOCK + D_START + lane]
-        pair[D_OUT + lane] = pair[BLOCK + D_FLUX + lane]
+    x, y, start, o_x, o_y, o_z = ray
+    exists = (pair[FLUX + lane] >= zero) & (o_z > kind(_ONWARD))
+    by_z = one / (o_z if exists else one)
+    a = o_x * by_z if exists else zero
+    b = o_y * by_z if exists else zero
+    pair[BLOCK + at(X, lane)] = x - a * start
+    pair[BLOCK + at(Y, lane)] = y - b * start
+    pair[BLOCK + START + lane] = start
+    pair[BLOCK + at(SLOPE_X, lane)] = a
+    pair[BLOCK + at(SLOPE_Y, lane)] = b
+    pair[BLOCK + at(ARRIVING, lane)] = pair[FLUX + lane] if exists else kind(NO_RAY)
+    return a, b
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def transfer_back(element, pair, lanes):  # type: ignore[no-untyped-def]
+    """Adjoint of `transfer`, with what the length of the way in the medium adds."""
+    change = element.change
+    if element.moves:
+        for lane in range(np.uintp(lanes)):
+            o_z = _moved(change, pair, lane)[5]
+            d_x, d_y, d_z = _line_back(pair, lane, o_z)
+            pair[D_O_X + lane] = change.xx * d_x + change.yx * d_y + change.zx * d_z
+            pair[D_O_Y + lane] = change.xy * d_x + change.yy * d_y + change.zy * d_z
+            pair[D_O_Z + lane] = change.xz * d_x + change.yz * d_y + change.zz * d_z
+        for lane in range(np.uintp(lanes)):
+            d_x, d_y = pair[BLOCK + D_X + lane], pair[BLOCK + D_Y + lane]
+            d_z = pair[BLOCK + D_START + lane]
+            pair[D_P_X + lane] = change.xx * d_x + change.yx * d_y + change.zx * d_z
+            pair[D_P_Y + lane] = change.xy * d_x + change.yy * d_y + change.zy * d_z
+            pair[D_P_Z + lane] = change.xz * d_x + change.yz * d_y + change.zz * d_z
+            pair[D_OUT + lane] = pair[BLOCK + D_FLUX + lane]
+    else:
+        for lane in range(np.uintp(lanes)):
+            d_x, d_y, d_z = _line_back(pair, lane, pair[O_Z + lane])
+            pair[D_O_X + lane] = d_x
+            pair[D_O_Y + lane] = d_y
+            pair[D_O_Z + lane] = d_z
+            pair[D_P_X + lane] = pair[BLOCK + D_X + lane]
+            pair[D_P_Y + lane] = pair[BLOCK + D_Y + lane]
+            pair[D_P_Z + lane] = pair[BLOCK + D_START + lane]
+            pair[D_OUT + lane] = pair[BLOCK + D_FLUX + lane]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _line_back(pair, lane, o_z):  # type: ignore[no-untyped-def]
+    """Cotangents of a direction in the frame of an element from those of the slopes of its line."""
+    kind = pair.dtype.type
+    zero, one = kind(0), kind(1)
+    exists = pair[BLOCK + at(ARRIVING, lane)] >= zero
+    by_z = one / (o_z if exists else one)
+    a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
+    d_a, d_b = pair[BLOCK + D_A + lane] * by_z, pair[BLOCK + D_B + lane] * by_z
+    return d_a, d_b, -(d_a * a + d_b * b)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -144,9 +203,11 @@ def _at_face(element, pair, lane):  # type: ignore[no-untyped-def]
     met = (pair[BLOCK + at(STATE, lane)] == kind(MET)) & exists
     rim = element.rim - _radius(element, x, y)
     # Samples beside a curved outline stand for parts that it cuts: their rim is where they are.
-    wider = max(_radius(element, pair[P_X + lane], pair[P_Y + lane]), kind(1)) - kind(1)
-    rim += wider * element.rim if element.curved & element.behind_samples else kind(0)
-    met = met & ((rim >= kind(0)) | (not element.cuts))
+    s_x, s_y = pair[P_X + lane], pair[P_Y + lane]
+    radius2 = s_x * s_x * element.first_x2 + s_y * s_y * element.first_y2
+    wider = np.sqrt(max(radius2, kind(1))) - kind(1)
+    rim += wider * element.beyond if element.behind_samples else kind(0)
+    met = met & (rim >= kind(0))
     rim = max(rim, kind(0)) if met else (kind(-1) if exists else kind(0))
     z_x = pair[BLOCK + at(Z_S, lane)] * element.net.per_x
     z_y = pair[BLOCK + at(Z_T, lane)] * element.net.per_y
@@ -163,7 +224,7 @@ def _fade(element, pair, lanes):  # type: ignore[no-untyped-def]
         return
     for lane in range(np.uintp(lanes)):
         a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
-        deep = abs(pair[BLOCK + at(DEPTH, lane)] - pair[P_Z + lane] - element.lift)
+        deep = abs(pair[BLOCK + at(DEPTH, lane)] - pair[BLOCK + START + lane])
         way = deep * np.sqrt(one + a * a + b * b)
         pair[BLOCK + FADE + lane] = np.exp(-element.absorption * way)
 
@@ -275,7 +336,7 @@ def _meeting_back(  # type: ignore[no-untyped-def]
     zero, one = kind(0), kind(1)
     d_a, d_b, d_z_x, d_z_y = slopes
     a, b = pair[BLOCK + at(SLOPE_X, lane)], pair[BLOCK + at(SLOPE_Y, lane)]
-    deep = pair[BLOCK + at(DEPTH, lane)] - pair[P_Z + lane] - element.lift
+    deep = pair[BLOCK + at(DEPTH, lane)] - pair[BLOCK + START + lane]
     own = rim < pair[RIM + lane]
     radius = _radius(element, x, y)
     d_rim = pair[BLOCK + D_RIM + lane]

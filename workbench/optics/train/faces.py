@@ -1,6 +1,7 @@
 """The faces of a train in numbers, for its compiled loops."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,11 @@ from workbench.optics.interfaces import Reflection, Refraction
 from workbench.optics.intersection import RIM
 from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.point_face import Face, heights_cotangent, make_table
-from workbench.optics.sampled import SampledTrain
+from workbench.optics.sampled import SampledTrain, beyond_rim
 from workbench.optics.steps import FaceStep
-from workbench.optics.surfaces import BSplineSurface, Conic, Plane
+from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
 from workbench.optics.train.first_face import REFLECTS, REFRACTS, REFRACTS_STRAIGHT
-from workbench.optics.train.numbers import BSPLINE, CONIC, Elements, FirstFace
+from workbench.optics.train.numbers import ASPHERE, BSPLINE, CONIC, Elements, FirstFace
 from workbench.optics.transmittance import TransmittanceLaw
 
 # No slope of light between two faces is larger.
@@ -49,8 +50,8 @@ class FurtherFaces:
     ----------
     splines : list of BSplineSurface
         Those that are B-splines.
-    levels : list of float
-        z of the scene from which positions on the first face, and on each further one, are counted.
+    to_receiver : Frame
+        Change from the coordinates of the last face to those of the receiver.
     steepest : ndarray, shape (faces, 2)
         The most that slopes of the rays before them were for the last train.
     """
@@ -64,7 +65,12 @@ class FurtherFaces:
             for number, surface in enumerate(surfaces)
             if isinstance(surface, BSplineSurface)
         }
-        self.levels = [train.level, *(_level(step, train) for step in train.rest)]
+        levels = [train.surface.z, *(_level(step) for step in train.rest), 0.0]
+        self._changes = [
+            change.counting_from(*ends)
+            for change, ends in zip(train.changes, pairwise(levels), strict=True)
+        ]
+        self.to_receiver = self._changes[-1]
         self.steepest = np.full((len(train.rest), 2), _STEEPEST)  # as long as they are not known
         degrees = [(len(x), len(y)) for x, y in (face.powers for face in self._faces.values())]
         self._terms = tuple(max((each[axis] for each in degrees), default=1) for axis in (0, 1))
@@ -73,7 +79,7 @@ class FurtherFaces:
             self._first[number] = patches
             patches += face.net.spans[0] * face.net.spans[1]
         self._patches = patches
-        self._elements = self._in_numbers(train)
+        self._elements = self._in_numbers(train, dtype)
 
     def prepare(self, heights: Sequence[AnyArray]) -> tuple[Elements, AnyArray]:
         """The faces in numbers, and patches of all B-splines, for heights above their levels."""
@@ -97,29 +103,37 @@ class FurtherFaces:
             found.append(heights_cotangent(some, each.shape, face.powers))
         return found
 
-    def _in_numbers(self, train: SampledTrain) -> Elements:
+    def _in_numbers(self, train: SampledTrain, dtype: torch.dtype) -> Elements:
         count, kind = len(train.rest), self._kind
-        flags, numbers = np.zeros((count, 5), bool), np.zeros((count, 19), kind)
-        spans = np.zeros((count, 3), np.int64)
+        flags, numbers = np.zeros((count, 5), bool), np.zeros((count, 25), kind)
+        changes, spans = np.zeros((count, 12), kind), np.zeros((count, 3), np.int64)
         kinds = np.full(count, CONIC, np.int32)
-        (r_x, r_y), curved = train.half_width, not train.outline.whole
+        terms = [_coefficients(step.surface) for step in train.rest]
+        coefficients = np.zeros((count, max(map(len, terms), default=0)), kind)
+        first, first_by_2 = train.outline, [1 / r**2 for r in train.outline.half_width]
         for number, step in enumerate(train.rest):
-            spline = number in self._faces
             law, absorption, reflectance = _interface(step)
-            n, lift = law.ratio, self.levels[number] - self.levels[number + 1]
-            mirror, cuts = isinstance(step.interface, Reflection), curved or not spline
-            flags[number] = mirror, curved, number == 0, cuts, law.exact
+            outline, change, n = step.surface.outline, self._changes[number], law.ratio
+            behind_samples = number == 0 and not first.whole
+            mirror, curved = isinstance(step.interface, Reflection), not outline.whole
+            flags[number] = mirror, curved, behind_samples, law.exact, not change.is_along_axis
             net: Sequence[Any] = 1.0, 1.0, 1.0, 1.0, 1.0, 1.0
-            if spline:
+            if number in self._faces:
                 kinds[number] = BSPLINE
                 *net, (spans_x, spans_y), _ = self._faces[number].net
                 spans[number] = spans_x, spans_y, self._first[number]
+            if terms[number]:
+                kinds[number] = ASPHERE
+                coefficients[number, : len(terms[number])] = terms[number]
             numbers[number] = (
-                lift, n * n - 1, _critical(kind), absorption, reflectance,
-                1 / r_x**2, 1 / r_y**2, RIM, *_conic(step),
+                n * n - 1, _critical(kind), absorption, reflectance,
+                *(1 / r**2 for r in outline.half_width), RIM,
+                beyond_rim(first, outline), *first_by_2, *_conic(step.surface, dtype),
                 law.ratio, law.passing, law.grazing, *net,
             )  # fmt: skip
-        return Elements(kinds, flags, numbers, np.zeros((count, 9), kind), spans)
+            changes[number] = *change.rotation.flat, *change.position
+        bounds = np.zeros((count, 9), kind)
+        return Elements(kinds, flags, numbers, changes, coefficients, bounds, spans)
 
 
 def _critical(kind: type[np.floating[Any]]) -> float:
@@ -137,18 +151,21 @@ def _interface(step: FaceStep) -> tuple[TransmittanceLaw, float, float]:
     raise TypeError(f"the compiled train has no {type(step.interface).__name__}")
 
 
-def _conic(step: FaceStep) -> tuple[float, float]:
-    """Curvature and conic constant; of a plane, and of a B-spline, 0."""
-    match step.surface:
-        case Conic(curvature=curvature, conic=conic):
-            return curvature, conic
-    return 0.0, 0.0
+def _conic(surface: Surface, dtype: torch.dtype) -> tuple[float, ...]:
+    """Curvature, conic constant and the search for an asphere; of other surfaces 0."""
+    match surface:
+        case Conic(curvature=curvature, conic=conic, reach2=reach2, low=low, high=high):
+            return curvature, conic, reach2, low, high, surface.tolerance(dtype)
+    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
-def _level(step: FaceStep, train: SampledTrain) -> float:
+def _coefficients(surface: Surface) -> tuple[float, ...]:
+    return surface.coefficients if isinstance(surface, Conic) else ()
+
+
+def _level(step: FaceStep) -> float:
+    """Where heights of the face are counted from, in its frame."""
     match step.surface:
-        case BSplineSurface(level=level):
-            return level
-        case Plane(z=z) | Conic(z=z):
-            return z + train.datum
+        case BSplineSurface(z=z) | Plane(z=z) | Conic(z=z):
+            return z
     raise TypeError(f"the compiled train has no {step.surface.kind}")

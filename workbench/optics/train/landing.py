@@ -6,6 +6,7 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.compiled import jit
+from workbench.geometry.frames import Frame
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.receivers import Receiver
 from workbench.optics.receivers.receiver import ACROSS
@@ -38,23 +39,23 @@ Triple = tuple[Number, Number, Number]
 
 
 class Landing(NamedTuple):
-    """A receiver, in the trace's float type.
+    """A receiver in the coordinates of the last face, in the trace's float type.
 
     Attributes
     ----------
     far : bool
         Whether it counts light by its direction alone.
     normal : tuple of three floating
-        Of a plane.
+        Of a plane; of a far field the direction from which H and V are counted.
     beyond : floating
-        Distance of a plane from the origin along its normal; z counts from the level of heights.
+        Distance of a plane from the origin along its normal.
     column, row : tuple of three floating
         Columns and rows for each length along x, y and z of a place on a plane. Of a far field the
-        first of each: columns for each radian of H, rows for each of V.
+        directions in which H and V grow.
     column_0, row_0 : floating
         Those of the origin; or of the direction along the axis.
-    onwards : floating
-        1 for a far field of light to +z, -1 for one of light to -z.
+    per_h, per_v : floating
+        Of a far field: columns for each radian of H, rows for each of V.
     """
 
     far: bool
@@ -64,17 +65,35 @@ class Landing(NamedTuple):
     row: Triple
     column_0: Number
     row_0: Number
-    onwards: Number
+    per_h: Number
+    per_v: Number
 
 
-def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
-    """A receiver for kernels of a float type; z counts from a level above the datum of the path."""
-    numbers = receiver.numbers()
-    normal, column, row = (np.array(part) for part in (numbers.normal, numbers.column, numbers.row))
-    point = np.array(numbers.point) - [0.0, 0.0, level]
-    beyond, column_0, row_0 = normal @ point, numbers.column_0, numbers.row_0
-    if not numbers.far:
-        column_0, row_0 = column_0 - column @ point, row_0 - row @ point
+def landing_of(receiver: Receiver, to_receiver: Frame, kind: type[Number]) -> Landing:
+    """A receiver for kernels of a float type.
+
+    Parameters
+    ----------
+    receiver : Receiver
+        The receiver.
+    to_receiver : Frame
+        Change from the coordinates of the last face to those of the receiver.
+    kind : type
+        Float type.
+    """
+    numbers, turn = receiver.numbers(), to_receiver.rotation
+    per_h = per_v = beyond = 0.0
+    column_0, row_0 = numbers.column_0, numbers.row_0
+    if numbers.far:
+        per_h, per_v = numbers.column[0], numbers.row[0]
+        column, row, normal = turn[0], turn[1], numbers.onwards * turn[2]
+    else:
+        column, row, normal = (
+            np.array(part) @ turn for part in (numbers.column, numbers.row, numbers.normal)
+        )
+        point = turn.T @ (np.array(numbers.point) - to_receiver.position)
+        beyond = float(normal @ point)
+        column_0, row_0 = column_0 - float(column @ point), row_0 - float(row @ point)
     return Landing(
         numbers.far,
         _triple(normal, kind),
@@ -83,7 +102,8 @@ def landing_of(receiver: Receiver, level: float, kind: type[Number]) -> Landing:
         _triple(row, kind),
         kind(column_0),
         kind(row_0),
-        kind(numbers.onwards),
+        kind(per_h),
+        kind(per_v),
     )
 
 
@@ -152,25 +172,46 @@ def _goes_on(o_x, o_y, o_z):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def by_direction(landing, o_x, o_y, o_z):  # type: ignore[no-untyped-def]
+def by_direction(landing, direction):  # type: ignore[no-untyped-def]
     """As `on_plane`, of a far field."""
+    o_x, o_y, o_z = _in_far_field(landing, direction)
     aside = np.sqrt(o_x * o_x + o_z * o_z)
-    column = landing.column_0 + landing.column[0] * np.arctan2(o_x, o_z)
-    row = landing.row_0 + landing.row[0] * np.arctan2(o_y, aside)
+    column = landing.column_0 + landing.per_h * np.arctan2(o_x, o_z)
+    row = landing.row_0 + landing.per_v * np.arctan2(o_y, aside)
     inf, arrives = type(o_z)(np.inf), _goes_on(o_x, o_y, o_z)
     return column if arrives else inf, row if arrives else inf
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
-def by_direction_back(landing, o_x, o_y, o_z, d_column, d_row):  # type: ignore[no-untyped-def]
+def by_direction_back(landing, direction, d_column, d_row):  # type: ignore[no-untyped-def]
     """Adjoint of `by_direction`: cotangents of the direction."""
+    (h_x, h_y, h_z), (v_x, v_y, v_z) = landing.column, landing.row
+    n_x, n_y, n_z = landing.normal
+    o_x, o_y, o_z = _in_far_field(landing, direction)
     one, arrives = type(o_z)(1), _goes_on(o_x, o_y, o_z)
     aside2 = o_x * o_x + o_z * o_z
     aside = np.sqrt(aside2)
-    d_h = d_column * landing.column[0] / (aside2 if arrives else one)
-    d_v = d_row * landing.row[0] / (aside2 + o_y * o_y if arrives else one)
+    d_h = d_column * landing.per_h / (aside2 if arrives else one)
+    d_v = d_row * landing.per_v / (aside2 + o_y * o_y if arrives else one)
     d_aside = -d_v * o_y / (aside if arrives else one)
-    return d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
+    d_x, d_y, d_z = d_h * o_z + d_aside * o_x, d_v * aside, d_aside * o_z - d_h * o_x
+    return (
+        h_x * d_x + v_x * d_y + n_x * d_z,
+        h_y * d_x + v_y * d_y + n_y * d_z,
+        h_z * d_x + v_z * d_y + n_z * d_z,
+    )
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _in_far_field(landing, direction):  # type: ignore[no-untyped-def]
+    """A direction along those in which H and V grow, and that from which they are counted."""
+    (h_x, h_y, h_z), (v_x, v_y, v_z) = landing.column, landing.row
+    (n_x, n_y, n_z), (x, y, z) = landing.normal, direction
+    return (
+        h_x * x + h_y * y + h_z * z,
+        v_x * x + v_y * y + v_z * z,
+        n_x * x + n_y * y + n_z * z,
+    )
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -186,11 +227,11 @@ def receive(landing, w, lanes, t):  # type: ignore[no-untyped-def]
     lanes : int
         How many rays there are.
     """
-    zero, onwards = t.dtype.type(0), landing.onwards
+    zero = t.dtype.type(0)
     if landing.far:
         for lane in range(np.uintp(lanes)):
-            o_z = onwards * w[O_Z + lane]
-            column, row = by_direction(landing, w[O_X + lane], w[O_Y + lane], o_z)
+            direction = w[O_X + lane], w[O_Y + lane], w[O_Z + lane]
+            column, row = by_direction(landing, direction)
             t[COLUMN + lane] = column
             t[ROW + lane] = row
     else:
@@ -207,17 +248,15 @@ def receive(landing, w, lanes, t):  # type: ignore[no-untyped-def]
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
 def receive_back(landing, w, lanes, t):  # type: ignore[no-untyped-def]
     """Adjoint of `receive`: cotangents of the rays behind the last face."""
-    zero, onwards = t.dtype.type(0), landing.onwards
+    zero = t.dtype.type(0)
     if landing.far:
         for lane in range(np.uintp(lanes)):
-            o_z = onwards * w[O_Z + lane]
+            direction = w[O_X + lane], w[O_Y + lane], w[O_Z + lane]
             d_column, d_row = t[D_COLUMN + lane], t[D_ROW + lane]
-            d_x, d_y, d_z = by_direction_back(
-                landing, w[O_X + lane], w[O_Y + lane], o_z, d_column, d_row
-            )
+            d_x, d_y, d_z = by_direction_back(landing, direction, d_column, d_row)
             w[D_O_X + lane] = d_x
             w[D_O_Y + lane] = d_y
-            w[D_O_Z + lane] = onwards * d_z
+            w[D_O_Z + lane] = d_z
             w[D_P_X + lane] = zero
             w[D_P_Y + lane] = zero
             w[D_P_Z + lane] = zero

@@ -86,7 +86,7 @@ def land(  # type: ignore[no-untyped-def]
     (across, up), (face, elements) = bases, train
     rows, count = make_rows(heights), len(elements.kind)
     t = make_registers(count, heights)
-    columns = make_columns(table)
+    columns, tables = make_columns(table), (table, elements.coefficients)
     patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
     lines = len(up.first)
     blocks = (end - begin + BATCH - 1) // BATCH
@@ -107,7 +107,8 @@ def land(  # type: ignore[no-untyped-def]
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
                     w = pair[BLOCK:]
                     transfer(element, pair, lanes, sums[e + 1])
-                    search(element, table, w, depths[e, row, i:], lanes, patch, before, columns)
+                    depth = depths[e, row, i:]
+                    search(element, tables, e, w, depth, lanes, patch, before, columns)
                     cross(element, pair, lanes, sums[e + 1])
                 w = t[np.uintp(count) * BLOCK :]
                 receive(landing, w, lanes, t)
@@ -140,7 +141,7 @@ def back(  # type: ignore[no-untyped-def]
     kind, count = heights.dtype.type, len(elements.kind)
     rows, d_rows = make_rows(heights), make_rows(heights)
     t = make_registers(count, heights)
-    columns = make_columns(table)
+    columns, tables = make_columns(table), (table, elements.coefficients)
     patches, sums = np.zeros((count, BATCH), np.int32), np.zeros((count, SUMS))
     lines = len(up.first)
     blocks = (end - begin + BATCH - 1) // BATCH
@@ -164,7 +165,7 @@ def back(  # type: ignore[no-untyped-def]
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
                     transfer(element, pair, lanes, sums[e])
                     depth, w = depths[e, row, i:], pair[BLOCK:]
-                    search_again(element, table, w, depth, lanes, patches[e], columns)
+                    search_again(element, tables, e, w, depth, lanes, patches[e], columns)
                     cross(element, pair, lanes, sums[e])
                 w = t[np.uintp(count) * BLOCK :]
                 _take(d_nodes, i, row, lanes, t)
@@ -175,7 +176,7 @@ def back(  # type: ignore[no-untyped-def]
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
                     cross_back(element, pair, lanes)
                     face_back(element, pair[BLOCK:], lanes, patches[e], columns, d_table)
-                    transfer_back(pair, lanes)
+                    transfer_back(element, pair, lanes)
                 pass_first_back(face, lanes, t)
             for lane in range(np.uintp(lanes)):
                 t[Z + lane] = t[SUM_Z + lane]

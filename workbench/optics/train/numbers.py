@@ -209,7 +209,7 @@ class FirstFace(NamedTuple):
     reflectance: Number
 
 
-CONIC, BSPLINE = range(2)
+CONIC, BSPLINE, ASPHERE = range(3)
 """Kinds of further faces; a plane is a conic of curvature 0."""
 
 
@@ -219,12 +219,16 @@ class Elements(NamedTuple):
     Attributes
     ----------
     kind : ndarray of int32
-        `CONIC` or `BSPLINE`.
+        `CONIC`, `BSPLINE` or `ASPHERE`.
     flags : ndarray of bool, shape (n, 5)
-        Whether it reflects, has a curved outline, is the next face behind the samples, its outline
-        cuts rays, its transmittance is exact.
-    numbers : ndarray, shape (n, 19)
+        Whether it reflects, has a curved outline, is the next face behind samples with a curved
+        outline, its transmittance is exact, its frame is not along the axis of the one before.
+    numbers : ndarray, shape (n, 25)
         See `element_of`.
+    changes : ndarray, shape (n, 12)
+        `Change` of coordinates before it.
+    coefficients : ndarray, shape (n, m)
+        a₄, a₆, … of aspheres.
     bounds : ndarray, shape (n, 9)
         `workbench.optics.kernels.point_face.Bounds` of B-splines.
     spans : ndarray of int64, shape (n, 3)
@@ -234,8 +238,27 @@ class Elements(NamedTuple):
     kind: npt.NDArray[np.int32]
     flags: npt.NDArray[np.bool_]
     numbers: AnyArray
+    changes: AnyArray
+    coefficients: AnyArray
     bounds: AnyArray
     spans: npt.NDArray[np.int64]
+
+
+class Change(NamedTuple):
+    """A change of coordinates: rows of a rotation, and then a shift."""
+
+    xx: Number
+    xy: Number
+    xz: Number
+    yx: Number
+    yy: Number
+    yz: Number
+    zx: Number
+    zy: Number
+    zz: Number
+    x: Number
+    y: Number
+    z: Number
 
 
 class Law(NamedTuple):
@@ -253,19 +276,25 @@ class Element(NamedTuple):
     Attributes
     ----------
     kind : int
-        `CONIC` or `BSPLINE`.
-    reflects, curved, behind_samples, cuts : bool
+        `CONIC`, `BSPLINE` or `ASPHERE`.
+    reflects, curved, behind_samples, moves : bool
         See `Elements`.
-    lift : floating
-        The level of heights before it, above its own.
     ratio2_minus_1, critical, absorption, reflectance : floating
         As in `FirstFace`.
     by_x2, by_y2 : floating
         One by the squares of half-widths or semi-axes.
     rim : floating
         `workbench.optics.intersection.RIM`.
+    beyond : floating
+        `workbench.optics.sampled.beyond_rim` of a face behind samples.
+    first_x2, first_y2 : floating
+        One by the squares of semi-axes of the outline of samples.
     curvature, conic : floating
         c and k of a conic.
+    reach2, low, high, tolerance : floating
+        Of an asphere, see `workbench.optics.surfaces.Conic`.
+    change : Change
+        Of coordinates before it; a shift along z alone if it does not move.
     law : TransmittanceLaw
     net : Net
     bounds : Bounds
@@ -275,8 +304,7 @@ class Element(NamedTuple):
     reflects: bool
     curved: bool
     behind_samples: bool
-    cuts: bool
-    lift: Number
+    moves: bool
     ratio2_minus_1: Number
     critical: Number
     absorption: Number
@@ -284,8 +312,16 @@ class Element(NamedTuple):
     by_x2: Number
     by_y2: Number
     rim: Number
+    beyond: Number
+    first_x2: Number
+    first_y2: Number
     curvature: Number
     conic: Number
+    reach2: Number
+    low: Number
+    high: Number
+    tolerance: Number
+    change: Change
     law: Law
     net: Net
     bounds: Bounds
@@ -300,10 +336,15 @@ def element_of(elements, e):  # type: ignore[no-untyped-def]
         elements.bounds[e],
         elements.spans[e],
     )
-    law = Law(n[10], n[11], n[12], flags[4])
-    net = Net(n[13], n[14], n[15], n[16], n[17], n[18], (spans[0], spans[1]), spans[2])
+    c = elements.changes[e]
+    change = Change(
+        c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10], c[11]
+    )  # fmt: skip
+    law = Law(n[16], n[17], n[18], flags[3])
+    net = Net(n[19], n[20], n[21], n[22], n[23], n[24], (spans[0], spans[1]), spans[2])
     bounds = Bounds(b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8])
     return Element(
-        elements.kind[e], flags[0], flags[1], flags[2], flags[3],
-        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], law, net, bounds,
+        elements.kind[e], flags[0], flags[1], flags[2], flags[4],
+        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
+        n[14], n[15], change, law, net, bounds,
     )  # fmt: skip

@@ -28,15 +28,16 @@ SUM_Z, SUM_Z_X, SUM_Z_Y = (np.uintp(BATCH * k) for k in range(22, 25))
 SUMS_END = np.uintp(BATCH * 25)
 
 # An element: transmittance of the medium before it, cotangents of the line in the element's frame,
-# of its slopes, of where it begins and of its flux.
+# of its slopes, of where it begins and of its flux. Then where it begins along z of that frame.
 FADE, D_X, D_Y, D_A, D_B, D_START, D_FLUX = (np.uintp(BATCH * k) for k in range(32, 39))
+START = np.uintp(BATCH * 39)
 # Rays behind a face: position, direction of any length, flux (below 0: no ray), and distance
 # within the rims of the elements so far; then the cotangents.
-P_X, P_Y, P_Z, O_X, O_Y, O_Z, FLUX, RIM = (np.uintp(BATCH * k) for k in range(39, 47))
+P_X, P_Y, P_Z, O_X, O_Y, O_Z, FLUX, RIM = (np.uintp(BATCH * k) for k in range(40, 48))
 D_P_X, D_P_Y, D_P_Z, D_O_X, D_O_Y, D_O_Z, D_OUT, D_RIM = (
-    np.uintp(BATCH * k) for k in range(47, 55)
+    np.uintp(BATCH * k) for k in range(48, 56)
 )
-BLOCK = np.uintp(BATCH * 55)
+BLOCK = np.uintp(BATCH * 56)
 """Length of a block."""
 
 

@@ -9,7 +9,6 @@ from tests.optics.points import smooth
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.validation import validate
-from workbench.errors import Refused
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
 
@@ -71,17 +70,3 @@ def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     )
     found = (heights.grad * direction).sum().item()
     assert found == pytest.approx((ahead - behind) / 2e-6, rel=3e-4)
-
-
-@pytest.mark.parametrize(
-    ("fields", "sentence"),
-    [
-        ({"center": [0, 0, 0.2]}, r"source.center\[2\]: 0.2 is not before the entrance face"),
-        ({"center": [0, 0, 3.0]}, r"source.center\[2\]: 3 is not before"),
-        ({"half_width": [-1, 1]}, r"source.half_width\[0\]: -1"),
-        ({"outline": "star"}, "source.outline"),
-    ],
-)
-def test_impossible_emitters_are_refused(make_scene, fields, sentence):
-    with pytest.raises(Refused, match=sentence):
-        make_scene({"source": LED | fields})

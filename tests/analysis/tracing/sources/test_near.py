@@ -8,18 +8,6 @@ from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.sources.near import near_places
 
 
-@pytest.mark.parametrize("point", [(0.0, 0.0, -0.1), (0.7, -0.4, -1.0), (3.0, 0.0, -0.5)])
-def test_areas_are_the_derivative_of_places(point):
-    a, b = np.meshgrid(np.linspace(0.01, 0.99, 9), np.linspace(0.02, 0.98, 7))
-    point = np.array([point])
-    step = 1e-6
-    x_0, _, area = near_places(a, b, point, (2.0, 1.0))
-    x_1, _, _ = near_places(a + step, b, point, (2.0, 1.0))
-    _, y_0, _ = near_places(a, b - step / 2, point, (2.0, 1.0))
-    _, y_1, _ = near_places(a, b + step / 2, point, (2.0, 1.0))
-    assert area == pytest.approx((x_1 - x_0) * (y_1 - y_0) / step**2, rel=1e-4)
-
-
 def test_light_from_afar_gets_even_places():
     part = np.linspace(0, 1, 5)
     x, y, area = near_places(part, part, np.array([[0.0, 0.0, -1e5]]), (2.0, 1.0))

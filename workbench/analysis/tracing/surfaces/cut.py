@@ -2,7 +2,7 @@
 
 from workbench.analysis.tracing.elements import Crossings, FaceLight, TracedFace, TracedRays
 from workbench.arrays import Array
-from workbench.geometry.tool_path import Raster
+from workbench.geometry.ball_cutter import Raster
 
 _STEPS = 3  # from the face that was to be cut onto what was: they are closer than ridges are wide
 

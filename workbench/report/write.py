@@ -1,4 +1,4 @@
-"""A report as one HTML file that needs nothing else."""
+"""Report as a self-contained HTML file, and as PDF."""
 
 import base64
 import io
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from html import escape
 from typing import BinaryIO
 
-from workbench.pictures.report import to_png
+from workbench.pictures.report import Pages, to_png
 from workbench.report.content import PagePicture, Report, Section
 
 _STYLE = """
@@ -37,13 +37,7 @@ figcaption { font-size: .87rem; color: var(--pale); }
 
 
 def write_html(report: Report, file: BinaryIO) -> None:
-    """Write a report; pictures are part of the file.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written.
-    """
+    """Write a report with embedded pictures; raise OSError if that fails."""
     for part in _parts(report):
         file.write(f"{part}\n".encode())
 
@@ -82,3 +76,17 @@ def _figure(picture: PagePicture) -> str:
     name = escape(picture.name)
     image = f'<img src="data:image/png;base64,{data}" alt="{name}">'
     return f"<figure>{image}<figcaption>{name}</figcaption></figure>"
+
+
+def write_pdf(report: Report, file: BinaryIO) -> None:
+    """Write a report; raise OSError if that fails."""
+    pages = Pages(report.subtitle)
+    pages.title(report.title, report.subtitle)
+    for section in report.sections:
+        pages.heading(section.title)
+        if section.note:
+            pages.note(section.note)
+        pages.rows(section.rows, heads=bool(section.pictures))
+        for picture in section.pictures:
+            pages.picture(picture.draw, picture.height)
+    pages.write(file, report.title, report.dated)

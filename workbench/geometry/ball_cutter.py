@@ -1,12 +1,19 @@
-"""A raster of a ball cutter over a face that cuts nothing off it, and what it leaves.
+"""Raster paths of a ball cutter that do not gouge the face, and the material they leave.
 
 The tip of a ball of radius R above (x₀, y₀) may go down to the largest z + √(R² − r²) − R of all
-points of the face at a distance r, across the axis, from there: the offset surface. That is a
-sweep of balls, too, seen from below: balls of this radius around all points of the face, turned
-over. So `BallSweep` finds both the tips and what the cutter leaves.
+points of the face at a lateral distance r: the offset surface. That is also a sweep of balls seen
+from below: balls of this radius around all points of the face, turned over. So `BallSweep` computes
+both the tips and the material that the cutter leaves.
+
+A ball of radius R that touches the face at P from outside, with the unit normal n, holds no other
+point Q of it if R ≤ |Q − P|² / (2 n·(Q − P)) for each Q above the tangent plane (Federer, Curvature
+Measures, 1959, theorem 4.18). Then the offset surface at R does not fold, either. With Q close to P
+the right side becomes the radius of curvature of the concave face; other pairs are checked one by
+one.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -22,35 +29,111 @@ from workbench.geometry.basis import local_basis, sparse_basis
 from workbench.geometry.curvature import local_shape
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
-from workbench.geometry.tool_radius import GridFace, blocked_radius
+from workbench.interruption import check_given_up
 from workbench.said import Said
 from workbench.watch import Steps
 
-_IN_SPAN = 4  # lattice steps in each knot span, from whose points touching balls are found
-_PARTS = 256  # along each axis, at least, at whose ends the face's shape is evaluated
-_SAMPLES = 100_000  # points where the cut is compared with the face
-_RIM = 4_000  # further ones on its rim
+# Pairs are checked up to this many grid steps apart, then on a grid of twice the step: positions of
+# a pair are exact to a sixth of their distance or better.
+_WINDOW = 12
+_IN_SPAN = 4  # lattice steps in each knot span; the search for contact points starts from these
+_PARTS = 256  # least parts of each axis, at whose ends the face is evaluated
+_SAMPLES = 100_000  # points where cut and face are compared
+_RIM = 4_000  # further points on the rim
 _AT_ONCE = 20_000
-_HIGHER = 1.1  # ridges, until there are few enough
-# A cutter that is chosen, over the tightest hollow's radius: the number of moves goes with
+_HIGHER = 1.1  # factor on the scallop height until there are few enough moves
+# Radius of the default cutter over the least concave radius: the number of moves is proportional to
 # 1 / (R (1 − κ R)), see `CutFace._counts`, which is least here.
 _FITTING = 0.5
-_TIGHTEST = 0.1  # least 1 − κ R that lines are planned for
-_LARGEST = 0.5  # of the half-width
+_TIGHTEST = 0.1  # least 1 − κ R for which lines are planned
+_LARGEST = 0.5  # radius of the default cutter over the half-width
+
+
+class GridFace(NamedTuple):
+    """A face on a regular grid (m_x, m_y), seen from outside; concave areas bend towards +z.
+
+    Height and slopes are NaN outside the outline.
+    """
+
+    x: Array
+    y: Array
+    height: Array
+    slope_x: Array
+    slope_y: Array
+
+    def coarser(self) -> "GridFace":
+        """Every second point along both axes."""
+        fields = (each[::2, ::2] for each in self[2:])
+        return GridFace(self.x[::2], self.y[::2], *fields)
+
+
+def blocked_radius(face: GridFace, radius: float) -> tuple[float, tuple[float, float]] | None:
+    """Return the largest ball that no other part of a face blocks, and where it touches.
+
+    ``radius`` is the largest ball by curvature alone, scene units; None if that ball fits.
+    """
+    found = None
+    steepest = math.atan(float(np.nanmax(np.hypot(face.slope_x, face.slope_y))))
+    # Largest angle between the line to another point and the tangent plane.
+    above = math.sin(min(2 * steepest, math.pi / 2))
+    finest = True
+    while min(face.height.shape) > 1:
+        for i, j in _offsets(face.height.shape, finest):
+            check_given_up()
+            apart = math.hypot(i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0]))
+            if apart >= 2 * radius * above:
+                continue  # too far away to block a ball of this size
+            closest = _tightest(face, i, j)
+            if closest is not None and closest[0] < radius:
+                found = closest
+                radius = found[0]
+        if max(face.height.shape) <= _WINDOW:
+            break
+        face, finest = face.coarser(), False
+    return found
+
+
+def _offsets(shape: tuple[int, ...], finest: bool) -> Iterator[tuple[int, int]]:
+    across, up = (min(_WINDOW, n - 1) for n in shape)
+    for i in range(across + 1):
+        for j in range(-up if i else 1, up + 1):
+            # The finer grid covered closer pairs.
+            if finest or max(i, abs(j)) > _WINDOW // 2:
+                yield i, j
+
+
+def _tightest(face: GridFace, i: int, j: int) -> tuple[float, tuple[float, float]] | None:
+    rows = slice(None, -i or None), slice(i, None)
+    columns = slice(max(-j, 0), -j if j > 0 else None), slice(max(j, 0), j if j < 0 else None)
+    ends = [tuple(each[r, c] for each in face[2:]) for r, c in zip(rows, columns, strict=True)]
+    (z, p, q), (z_far, p_far, q_far) = ends
+    dx, dy = i * (face.x[1] - face.x[0]), j * (face.y[1] - face.y[0])
+    dz = z_far - z
+    square = dx * dx + dy * dy + dz * dz
+    least = None
+    for number, above in enumerate(
+        (
+            (dz - p * dx - q * dy) / np.sqrt(1 + p * p + q * q),
+            (p_far * dx + q_far * dy - dz) / np.sqrt(1 + p_far * p_far + q_far * q_far),
+        )
+    ):
+        curved = 2 * above / square
+        if not (curved > 0).any():
+            continue
+        row, column = np.unravel_index(np.nanargmax(curved), curved.shape)
+        ratio = 1 / float(curved[row, column])
+        if least is None or ratio < least[0]:
+            x, y = face.x[rows[number]][row], face.y[columns[number]][column]
+            least = ratio, (float(x), float(y))
+    return least
 
 
 @dataclass(frozen=True)
 class Raster:
     """Straight cuts along x, line after line.
 
-    Attributes
-    ----------
-    x, y : ndarray, shapes (m_x,) and (m_y,)
-        In equal steps, scene units.
-    tip : ndarray, shape (m_x, m_y)
-        Lowest point of the ball there, z.
-    radius : float
-        Radius of the ball.
+    ``x`` (m_x,) and ``y`` (m_y,) are in equal steps, ``tip`` (m_x, m_y) is z of the ball's lowest
+    point, scene units.
     """
 
     x: Array
@@ -59,11 +142,11 @@ class Raster:
     radius: float
 
     def cut_at(self, x: Array, y: Array) -> Array:
-        """Height that the ball leaves at places, shape (m,): what it sweeps over is gone."""
+        """Height (m,) of the remaining material."""
         return self.cut(x, y)[0]
 
     def cut(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Height and unit normal, to +z, of what the ball leaves; see `BallSweep.lowest`."""
+        """Height and unit normal, to +z, of the remaining material; see `BallSweep.lowest`."""
         return self._sweep.lowest(x, y)
 
     @cached_property
@@ -73,17 +156,7 @@ class Raster:
 
 @dataclass(frozen=True, eq=False)
 class CutFace:
-    """A face as a cutter that comes from +z sees it.
-
-    Attributes
-    ----------
-    net : ControlNet
-        Its net.
-    heights : ndarray, shape (n_u, n_v)
-        Its control heights, scene units.
-    outline : Outline
-        What of it is needed.
-    """
+    """A face cut from +z: its net, control heights (n_u, n_v) and the outline to cut."""
 
     net: ControlNet
     heights: Array
@@ -98,49 +171,35 @@ class CutFace:
 
     @cached_property
     def _shape(self) -> tuple[float, float]:
-        """Largest slope, and largest curvature of hollows."""
         shape = local_shape(self.net, self.heights, *self._places)
         return float(shape.slope.max()), max(float(shape.largest.max()), 0.0)
 
     @cached_property
     def _places(self) -> tuple[Array, Array]:
-        """Parameters along both axes, knots among them."""
         spans = (n - p for n, p in zip(self.net.shape, self.net.degree, strict=True))
         along_x, along_y = (np.linspace(0, 1, n * math.ceil(_PARTS / n) + 1) for n in spans)
         return along_x, along_y
 
     @cached_property
-    def fitting_radius(self) -> float:
-        """Radius of a cutter that may be taken if nobody says which, scene units.
+    def default_radius(self) -> float:
+        """Radius of the default cutter, scene units.
 
-        Such a ball is smaller than the tightest hollow, and no other part of the face is in its
-        way.
+        It is smaller than the least concave radius and fits between all parts of the face.
         """
         largest = _LARGEST * min(self.net.half_width)
-        hollow = self._shape[1]
-        if hollow * largest <= _FITTING:
+        concave = self._shape[1]
+        if concave * largest <= _FITTING:
             return largest
         x, y = ((2 * t - 1) * r for t, r in zip(self._places, self.net.half_width, strict=True))
         face = GridFace(x, y, *self.net.grid(*self._places).evaluate(self.heights))
-        blocked = blocked_radius(face, 1 / hollow)
-        return min(_FITTING * (1 / hollow if blocked is None else blocked[0]), largest)
+        blocked = blocked_radius(face, 1 / concave)
+        return min(_FITTING * (1 / concave if blocked is None else blocked[0]), largest)
 
-    def rastering(self, radius: float, scallop: float, most: int) -> Steps[Raster]:
-        """Find cuts so close that ridges between them are at most so high, in steps of a moment.
+    def plan_raster(self, radius: float, scallop: float, most: int) -> Steps[Raster]:
+        """Find cuts with a scallop height of at most ``scallop``, in short steps.
 
-        Parameters
-        ----------
-        radius : float
-            That of the ball, scene units.
-        scallop : float
-            Largest height of ridges, scene units; exact on a plane across the axis.
-        most : int
-            Places that there may be.
-
-        Raises
-        ------
-        Refused
-            If there would be more.
+        Lengths in scene units; the height is exact on a plane across the axis. Raise Refused for
+        more than ``most`` moves.
         """
         ends, counts = self._counts(radius, scallop)
         if math.prod(counts) > most:
@@ -158,13 +217,13 @@ class CutFace:
         x, y = np.linspace(-x_end, x_end, 2 * m_x - 1), np.linspace(-y_end, y_end, m_y)
         tips = yield from self._tips(x, y, radius)
         tip, middles = tips[::2], tips[1::2]
-        # A straight cut would run below an offset surface that is a hump: its ends are higher. The
-        # distance of a hump to its chord is nowhere more than twice that in the middle.
+        # A straight cut runs below a convex offset surface: raise its ends. The distance of a
+        # convex curve to its chord is nowhere more than twice that in the middle.
         lift = np.pad((2 * middles - tip[1:] - tip[:-1]).clip(0), ((1, 1), (0, 0)))
         return Raster(x[::2], y, tip + np.maximum(lift[1:], lift[:-1]), radius)
 
-    def finest(self, radius: float, scallop: float, most: int) -> float:
-        """Height of ridges that takes no more moves: as asked, or as high as needed for that."""
+    def finest_scallop(self, radius: float, scallop: float, most: int) -> float:
+        """Least scallop height, from ``scallop`` on, that takes at most ``most`` moves."""
         while scallop < radius:
             _, counts = self._counts(radius, scallop)
             if math.prod(counts) <= most:
@@ -172,18 +231,15 @@ class CutFace:
             scallop *= _HIGHER
         return radius / 2
 
+    # Centres of balls of radius R that are s apart along the offset surface of a concave face of
+    # curvature κ touch it s / (1 − κ R) apart and leave scallops of s² / (8 R (1 − κ R)). On a
+    # convex face κ is negative and scallops are lower.
     def _counts(self, radius: float, scallop: float) -> tuple[list[float], list[int]]:
-        """How far a raster reaches along x and y, and how many places it has.
-
-        Where centres of balls of radius R are s apart along the offset surface of a hollow of
-        curvature κ, the balls touch it s / (1 − κ R) apart, with ridges of s² / (8 R (1 − κ R))
-        between them. On a hump κ is negative and ridges are lower.
-        """
-        slope, hollow = self._shape
-        equivalent_radius = radius * max(1 - hollow * radius, _TIGHTEST)
+        slope, concave = self._shape
+        equivalent_radius = radius * max(1 - concave * radius, _TIGHTEST)
         height = min(scallop, equivalent_radius)
         apart = 2 * math.sqrt(2 * equivalent_radius * height - height**2) / math.sqrt(1 + slope**2)
-        # At the rim the ball touches with its side. Where it goes on to the next line it does not.
+        # At the rim the side of the ball touches. Between two lines the ball must be clear of it.
         beyond = radius * slope / math.sqrt(1 + slope**2) + apart / 2
         ends = [r + beyond for r in self.net.half_width]
         return ends, [
@@ -191,7 +247,6 @@ class CutFace:
         ]
 
     def _tips(self, x: Array, y: Array, radius: float) -> Steps[Array]:
-        """How far down a ball may go over a grid: it touches near a point of a lattice."""
         turned = self._turned_over(x, y, radius)
         stray = max(turned.x[1] - turned.x[0], turned.y[1] - turned.y[0])
         tips = np.empty((len(x), len(y)))
@@ -209,12 +264,11 @@ class CutFace:
         return tips
 
     def _turned_over(self, x: Array, y: Array, radius: float) -> BallSweep:
-        """Balls around points of the face, which goes on straight at its rim, turned over."""
         lattice = []
         reach = radius * self._shape[0] / math.sqrt(1 + self._shape[0] ** 2)
         for axis, end in enumerate((x[-1], y[-1])):
             r, spans = self.net.half_width[axis], self.net.shape[axis] - self.net.degree[axis]
-            # As fine as the cuts are along x.
+            # As fine as the cuts along x.
             steps = spans * max(_IN_SPAN, math.ceil(r / (spans * (x[1] - x[0]))))
             beyond = math.ceil((end + reach - r) / (2 * r / steps)) + 1
             lattice.append(np.arange(-beyond, steps + beyond + 1) * (2 * r / steps) - r)
@@ -223,7 +277,6 @@ class CutFace:
         return BallSweep(lattice[0], lattice[1], centre, radius)
 
     def _basis(self, axis: int, places: Array) -> csr_array:
-        """Values of the basis along an axis; straight lines go on at the rim."""
         r, knots, degree = self.net.half_width[axis], self.net.knots[axis], self.net.degree[axis]
         inner = places.clip(-r, r)
         value = sparse_basis(knots, degree, (inner / r + 1) / 2)
@@ -231,12 +284,8 @@ class CutFace:
         beyond = np.stack([(places - inner).clip(max=0), (places - inner).clip(min=0)], axis=1)
         return value + csr_array(beyond) @ slopes
 
-    def left(self, raster: Raster, seed: int = 1) -> Steps["Remains"]:
-        """Compare what a raster leaves with the face, in steps of a moment.
-
-        Fresh random points of the face are compared, not those where the cutter touches, and
-        points of its rim.
-        """
+    def cut_errors(self, raster: Raster, seed: int = 1) -> Steps["CutErrors"]:
+        """Compare the remaining material with the face at random points and on its rim."""
         a, b = np.random.default_rng(seed).random((2, _SAMPLES))
         x, y = np.concatenate([self.outline.evenly(a, b), self.outline.boundary(_RIM).T], axis=1)
         above = np.empty(len(x))
@@ -246,20 +295,14 @@ class CutFace:
             above[some] = (raster.cut_at(x[some], y[some]) - z) / np.sqrt(1 + p * p + q * q)
             yield min(begin + _AT_ONCE, len(x)) / len(x)
         most = above.argmax()
-        return Remains(float(-above.min()), float(above[most]), (float(x[most]), float(y[most])))
+        return CutErrors(float(-above.min()), float(above[most]), (float(x[most]), float(y[most])))
 
 
-class Remains(NamedTuple):
-    """What a cutter leaves of a face, along its normal, scene units.
+class CutErrors(NamedTuple):
+    """Errors of a cut face along its normal, scene units.
 
-    Attributes
-    ----------
-    cut_off : float
-        The deepest cut into the face; negative where nothing is cut.
-    left : float
-        The most that is left on it.
-    place : tuple[float, float]
-        Where that is, x and y.
+    ``cut_off`` is the deepest gouge, negative if there is none; ``left`` the largest excess, at
+    ``place`` (x, y).
     """
 
     cut_off: float
@@ -268,7 +311,6 @@ class Remains(NamedTuple):
 
 
 def _polynomials(knots: Array, degree: int) -> Array:
-    """Basis functions on each span; see `Pieces`."""
     begins = knots[degree : -degree - 1]
     width = 1 / len(begins)
     taylor = [
