@@ -18,7 +18,8 @@ from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown, varied
+from workbench.scene.paths import with_values
+from workbench.sweep.vary import MOST_POINTS, Value, Variation, shown
 
 _LONGEST_NAME = 100
 
@@ -118,7 +119,7 @@ def points_of(
 
 def _scene(base: Scene, changes: dict[str, Value], path: Path) -> Scene | Refused:
     try:
-        scene = with_absolute_files(varied(base, changes), path)
+        scene = with_absolute_files(with_values(base, changes), path)
         scene.check_one_image("a sweep")
         return scene
     except Refused as refused:
