@@ -100,11 +100,20 @@ def begin(scene: Scene, folder: File = ".") -> Session:
     Examples
     --------
     >>> scene = Scene.from_data({
-    ...     "unit": "cm",
-    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [64, 64]},
+    ...     "version": 3, "unit": "cm",
     ...     "source": {"kind": "point", "position": [0, 0, -4]},
-    ...     "screen": {"z": 5, "half_width": [1, 1], "pixels": [128, 128]},
-    ...     "target": {"builtin": "tophat"},
+    ...     "elements": [{
+    ...         "kind": "lens", "name": "lens", "half_width": [1, 1], "material": {"index": 1.5},
+    ...         "thickness": 0.5,
+    ...         "faces": [{"shape": "plane"}, {"shape": "bspline", "control_points": [64, 64]}],
+    ...     }],
+    ...     "images": [{
+    ...         "receiver": {
+    ...             "kind": "plane", "position": [0, 0, 5], "half_width": [1, 1],
+    ...             "pixels": [128, 128],
+    ...         },
+    ...         "target": {"builtin": "tophat"},
+    ...     }],
     ... })
     >>> begin(scene).target.shape
     (128, 128)

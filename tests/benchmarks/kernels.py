@@ -111,22 +111,22 @@ def _questions() -> Iterator[tuple[str, Callable[[], list[Variant]]]]:
         }
         yield f"{kind}: threads", partial(_plans, name, options)
     meshes: dict[str, dict[str, Any]] = {"exact": {}}
-    meshes |= {f"mesh, {n} × {n}": {"source": {"intersection": _mesh(n)}} for n in (1, 2, 4, 8)}
+    meshes |= {f"mesh, {n} × {n}": {"source.intersection": _mesh(n)} for n in (1, 2, 4, 8)}
     yield "point: intersection", partial(_same_rays, "flame-point", meshes)
-    counts: dict[str, list[dict[str, Any]]] = {
-        "collimated": [{"rays": [n, n]} for n in (256, 512, 1024, 2048)],
-        "point": [{"rays": n} for n in (125_000, 500_000, 2_000_000)],
+    counts: dict[str, list[Any]] = {
+        "collimated": [[n, n] for n in (256, 512, 1024, 2048)],
+        "point": [125_000, 500_000, 2_000_000],
     }
-    for kind, sources in counts.items():
-        rays = {f"{_rays_text(each['rays'])} rays": {"source": each} for each in sources}
+    for kind, numbers in counts.items():
+        rays = {f"{_rays_text(each)} rays": {"source.rays": each} for each in numbers}
         samples = () if kind == "collimated" else (354, 707, 1414)
         yield f"{kind}: rays", partial(_images, _SOURCES[kind], rays, samples)
-    filters = {f"{n} × {n} pixels": {"filter": {"size": [n, n]}} for n in (3, 1, 5, 7, 11)}
+    filters = {f"{n} × {n} pixels": {"filter.size": n} for n in (3, 1, 5, 7, 11)}
     yield "collimated: filter", partial(_images, "flame", filters)
     if torch.cuda.is_available():
-        large = {"source": {"rays": [2048, 2048]}}
+        large = {"source.rays": [2048, 2048]}
         for kind, change in {"collimated": large, "point": {}, "grid": {}}.items():
-            devices = {each: {"run": {"device": each}} | change for each in ("cpu", "cuda")}
+            devices = {each: {"run.device": each} | change for each in ("cpu", "cuda")}
             yield f"{kind}: device", partial(_same_rays, _SOURCES[kind], devices)
     for kind, name in _NEAR.items():
         yield f"{kind}: points of the source", partial(_points, name, (64, 16, 128))
@@ -144,7 +144,7 @@ def _plans(name: str, options: Mapping[str, Mapping[str, Any]]) -> list[Variant]
 
 def _same_rays(name: str, changes: Mapping[str, Mapping[str, Any]]) -> list[Variant]:
     """One set of rays, traced in several scenes; the image of the first is the true one."""
-    examples = {label: BenchmarkTask.of(name, **each) for label, each in changes.items()}
+    examples = {label: BenchmarkTask.of(name, changes=each) for label, each in changes.items()}
     descents = {label: Descent(each, wavy(each.scene)) for label, each in examples.items()}
     return _judged(descents, rays_of(next(iter(examples.values())).scene))
 
@@ -165,7 +165,7 @@ def _images(
 
     The last ways look from so many samples of the exit face along each axis, not along rays.
     """
-    examples = {label: BenchmarkTask.of(name, **each) for label, each in changes.items()}
+    examples = {label: BenchmarkTask.of(name, changes=each) for label, each in changes.items()}
     first = next(iter(examples.values()))
     heights = wavy(first.scene)
     true = validate(first.scene, first.target, {"exit": heights}, _TRUE_RAYS).irradiance
@@ -182,7 +182,7 @@ def _nets(name: str, counts: Sequence[int]) -> list[Variant]:
     """The same rays through lenses of other control nets."""
     variants = []
     for count in counts:
-        example = BenchmarkTask.of(name, lens={"control_points": [count, count]})
+        example = BenchmarkTask.of(name, changes={"lens.back.control_points": count})
         descent = Descent(example, wavy(example.scene))
         variants.append(Variant(f"{count} × {count} points", descent, rays_of(example.scene)))
     return variants
@@ -190,7 +190,7 @@ def _nets(name: str, counts: Sequence[int]) -> list[Variant]:
 
 def _points(name: str, counts: Sequence[int]) -> list[Variant]:
     """A lens in the light of so many points of a source, each by 256 × 256 samples."""
-    example = BenchmarkTask.of(name, screen={"pixels": [256, 256]})
+    example = BenchmarkTask.of(name, changes={"images[0].receiver.pixels": 256})
     heights = wavy(example.scene)
     variants = []
     for count in counts:

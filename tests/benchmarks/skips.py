@@ -29,7 +29,8 @@ def _entrance_and_search() -> list[Variant]:
     # Of the light in a cone around a square, 2/π meets the square.
     rays = round(rays_of(parallel.scene) * 3.1416 / 2)
     far = [0.0, 0.0, optic.front_z - 1e5 * max(optic.half_width)]
-    point = BenchmarkTask.of("flame", source={"kind": "point", "position": far, "rays": rays})
+    source = {"kind": "point", "position": far, "rays": rays}
+    point = BenchmarkTask.of("flame", changes={"source": source})
     return _pair(
         ("left out", Descent(parallel, wavy(parallel.scene))),
         ("a point far away", Descent(point, wavy(point.scene))),
@@ -50,7 +51,7 @@ def _constants(name: str) -> list[Variant]:
 
 def _taps() -> list[Variant]:
     """A box filter, and one that spreads each ray."""
-    box = BenchmarkTask.of("flame", filter={"kind": "box"})
+    box = BenchmarkTask.of("flame", changes={"filter": {"kind": "box"}})
     spread = BenchmarkTask.of("flame")
     return [
         Variant("box", Descent(box, wavy(box.scene)), rays_of(box.scene)),

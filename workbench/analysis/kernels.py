@@ -14,9 +14,29 @@ from workbench.design import kernels
 from workbench.scene import Scene
 
 _TINY = {
-    "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [4, 4]},
-    "screen": {"z": 5, "half_width": [1, 1], "pixels": [1, 1]},
-    "target": {"builtin": "tophat"},
+    "version": 3,
+    "elements": [
+        {
+            "kind": "lens",
+            "name": "lens",
+            "half_width": [1, 1],
+            "material": {"index": 1.5},
+            "thickness": 0.5,
+            "reflection": "schlick",
+            "faces": [{"shape": "plane"}, {"shape": "bspline", "control_points": [4, 4]}],
+        }
+    ],
+    "images": [
+        {
+            "receiver": {
+                "kind": "plane",
+                "position": [0, 0, 5],
+                "half_width": [1, 1],
+                "pixels": [1, 1],
+            },
+            "target": {"builtin": "tophat"},
+        }
+    ],
 }
 # Between them they need every loop of the independent traces.
 _SOURCES = (

@@ -207,7 +207,11 @@ def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
     --------
     >>> import numpy as np
     >>> from workbench.scene import Lens
-    >>> lens = Lens(half_width=(1, 1), refractive_index=1.5, control_points=(8, 8))
+    >>> plane, freeform = {"shape": "plane"}, {"shape": "bspline", "control_points": (8, 8)}
+    >>> lens = Lens(
+    ...     kind="lens", name="lens", half_width=(1, 1), material="PMMA", thickness=0.5,
+    ...     faces=(plane, freeform),
+    ... )
     >>> wedge = np.linspace(0.5, 0.7, 8)[:, None] * np.ones(8)
     >>> found = manufacture(lens, {"exit": wedge})
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)

@@ -23,7 +23,10 @@ class BeamShaper(LensJob):
     """A Gaussian laser beam becomes an even disc, a rectangle or any other shape."""
 
     model_config = ConfigDict(title="Laser beam shaper")
-    asked_by: ClassVar[dict[str, str]] = {"source": "beam_diameter"}
+    asked_by: ClassVar[dict[str, str]] = {
+        "source.wavelength_um": "wavelength",
+        "source": "beam_diameter",
+    }
 
     target: Picture = TopHatTarget()
     beam_diameter: Annotated[
@@ -51,6 +54,6 @@ class BeamShaper(LensJob):
         profile = {"kind": "gaussian", "radius": self.beam_diameter / 2}
         return self.through_lens(
             {"kind": "collimated", "profile": profile},
+            screen(self.distance, self.image_size),
             wavelength_um=self.wavelength / 1000,
-            screen=screen(self.distance, self.image_size),
         )

@@ -3,7 +3,7 @@
 from pydantic import ConfigDict
 
 from workbench.jobs.job import Job
-from workbench.jobs.parts import lens, screen
+from workbench.jobs.parts import GREEN_UM, lens, screen
 from workbench.jobs.proposals import proposed
 from workbench.scene import Scene
 
@@ -17,9 +17,10 @@ class Empty(Job):
         """A lens of 20 mm, and a disc as wide on a screen."""
         return proposed(
             {
-                "lens": lens((20.0, 20.0), "PMMA"),
-                "source": {"kind": "collimated"},
-                "screen": screen(100.0, (20.0, 20.0)),
-                "target": {"builtin": "tophat"},
+                "source": {"kind": "collimated", "wavelength_um": GREEN_UM},
+                "elements": [lens((20.0, 20.0), "PMMA")],
+                "images": [
+                    {"receiver": screen(100.0, (20.0, 20.0)), "target": {"builtin": "tophat"}}
+                ],
             }
         )

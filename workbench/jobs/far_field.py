@@ -43,5 +43,5 @@ class StreetLight(LensJob):
     def scene(self) -> Scene:
         """The lamp on the axis, whose nadir looks along it."""
         lamp = {"file": self.file, "position": [0.0, 0.0, -self.lamp_distance]}
-        field = {"half_angle": halves(self.image_angles)}
-        return self.through_lens({"kind": "photometric", **lamp}, far_field=field)
+        field = {"kind": "far_field", "half_angle": halves(self.image_angles)}
+        return self.through_lens({"kind": "photometric", **lamp}, field)

@@ -55,25 +55,24 @@ class Job(Part):
 
     def _asking(self, path: str) -> str:
         """The field of the job for a path of the scene; the path itself, if none asks for it."""
-        if path.partition(".")[0] in type(self).model_fields:
-            return path
-        for beginning, field in {**_USUAL, **self.asked_by}.items():
+        if path.startswith("images[0].target"):
+            return path.removeprefix("images[0].")
+        for beginning, field in (*self.asked_by.items(), *_USUAL):
             if path.startswith(beginning) and field in type(self).model_fields:
                 return field
         return path
 
 
 # Later ones count only where no earlier one does.
-_USUAL = {
-    "screen.z": "distance",
-    "screen": "image_size",
-    "far_field": "image_angles",
-    "lens.max_thickness": "thickness",
-    "lens.min_thickness": "thickness",
-    "lens.half_width": "size",
-    "lens.wavelength_um": "wavelength",
-    "lens.refractive_index": "material",
-    "mirror.half_width": "size",
-    "source.flux": "lamp_flux",
-    "source": "lamp_distance",
-}
+_USUAL = (
+    ("images[0].receiver.position[2]", "distance"),
+    ("images[0].receiver", "image_size"),
+    ("images[0].receiver", "image_angles"),
+    ("elements[0].max_thickness", "thickness"),
+    ("elements[0].min_thickness", "thickness"),
+    ("elements[0].thickness", "thickness"),
+    ("elements[0].half_width", "size"),
+    ("elements[0].material", "material"),
+    ("source.flux", "lamp_flux"),
+    ("source", "lamp_distance"),
+)

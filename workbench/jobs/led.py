@@ -43,4 +43,4 @@ class LedRectangle(LensJob):
     def scene(self) -> Scene:
         """The LED's face on the axis, which shines into the whole half-space."""
         light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
-        return self.through_lens(light, screen=screen(self.distance, self.image_size))
+        return self.through_lens(light, screen(self.distance, self.image_size))

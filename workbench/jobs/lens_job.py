@@ -21,14 +21,20 @@ class LensJob(Job):
         thickness: Thickness
 
     def through_lens(
-        self, source: dict[str, Any], *, wavelength_um: float = GREEN_UM, **receiver: Any
+        self, source: dict[str, Any], receiver: dict[str, Any], wavelength_um: float = GREEN_UM
     ) -> Scene:
-        """The proposed scene with a source and a receiver, ``screen`` or ``far_field``.
+        """Return the proposed scene with a source and a receiver, both as plain data.
 
         Raises
         ------
         Refused
             If this is no possible scene.
         """
-        task = {"lens": lens(self.size, self.material, wavelength_um), "source": source}
-        return proposed(task | receiver | {"target": written(self.target)}, self.thickness)
+        return proposed(
+            {
+                "source": source | {"wavelength_um": wavelength_um},
+                "elements": [lens(self.size, self.material)],
+                "images": [{"receiver": receiver, "target": written(self.target)}],
+            },
+            self.thickness,
+        )

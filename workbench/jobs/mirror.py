@@ -7,7 +7,7 @@ from pydantic import ConfigDict
 
 from workbench.jobs.fields import SUN, ImageSize, Pair, Picture, shipped
 from workbench.jobs.job import Job
-from workbench.jobs.parts import halves, written
+from workbench.jobs.parts import halves, mirror, written
 from workbench.jobs.proposals import proposed
 from workbench.scene import Positive, Scene
 from workbench.scene.fields import ANGLE, LENGTH, about
@@ -17,7 +17,7 @@ class MirrorJob(Job):
     """A mirror in collimated light, or in the sun, throws a picture to the side."""
 
     model_config = ConfigDict(title="Mirror")
-    asked_by: ClassVar[dict[str, str]] = {"screen.center": "aside", "source": "angular_diameter"}
+    asked_by: ClassVar[dict[str, str]] = {"source": "angular_diameter"}
 
     target: Picture = shipped("letter")
     size: Annotated[
@@ -56,16 +56,16 @@ class MirrorJob(Job):
     def scene(self) -> Scene:
         """An image that faces the mirror, at the side of +x."""
         angle = math.radians(self.aside)
+        receiver = {
+            "kind": "plane",
+            "position": [self.distance * math.sin(angle), 0.0, -self.distance * math.cos(angle)],
+            "tilt": [0.0, -self.aside, 0.0],
+            "half_width": halves(self.image_size),
+        }
         return proposed(
             {
-                "mirror": {"half_width": halves(self.size), "control_points": "auto"},
                 "source": {"kind": "collimated", "angular_diameter": self.angular_diameter},
-                "screen": {
-                    "z": -self.distance * math.cos(angle),
-                    "center": [self.distance * math.sin(angle), 0.0],
-                    "tilt": [0.0, -self.aside],
-                    "half_width": halves(self.image_size),
-                },
-                "target": written(self.target),
+                "elements": [mirror(self.size)],
+                "images": [{"receiver": receiver, "target": written(self.target)}],
             }
         )

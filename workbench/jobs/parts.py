@@ -7,21 +7,30 @@ from workbench.scene import Part
 GREEN_UM = 0.55
 
 
-def lens(
-    size: tuple[float, float], material: str, wavelength_um: float = GREEN_UM
-) -> dict[str, Any]:
-    """A lens of a full width and height."""
+def lens(size: tuple[float, float], material: str) -> dict[str, Any]:
+    """A lens of a full width and height, whose back face is designed."""
     return {
+        "kind": "lens",
+        "name": "lens",
         "half_width": halves(size),
-        "refractive_index": material,
-        "wavelength_um": wavelength_um,
-        "reflection": "fresnel",
+        "material": material,
+        "faces": [{"shape": "plane"}, {"shape": "bspline", "control_points": "auto"}],
+    }
+
+
+def mirror(size: tuple[float, float]) -> dict[str, Any]:
+    """A mirror of a full width and height."""
+    return {
+        "kind": "mirror",
+        "name": "mirror",
+        "half_width": halves(size),
+        "face": {"shape": "bspline", "control_points": "auto"},
     }
 
 
 def screen(distance: float, size: tuple[float, float]) -> dict[str, Any]:
     """A screen of a full width and height across the axis."""
-    return {"z": distance, "half_width": halves(size)}
+    return {"kind": "plane", "position": [0.0, 0.0, distance], "half_width": halves(size)}
 
 
 def emitter(
@@ -30,7 +39,7 @@ def emitter(
     """The bright face of an LED of a full width and height, so far before the lens."""
     return {
         "kind": "area",
-        "center": [0.0, 0.0, -distance],
+        "position": [0.0, 0.0, -distance],
         "half_width": halves(size),
         "flux": lumens,
     }

@@ -22,7 +22,8 @@ def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
     Parameters
     ----------
     task : dict
-        Plain data of a scene. Its lens or mirror may lack the base, and its receiver the pixels.
+        Plain data of a scene with one element and one image. A lens may lack its thickness, and the
+        receiver its pixels.
     thickness : float, optional
         Of the stock that a lens is cut from.
 
@@ -31,23 +32,29 @@ def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
     Refused
         If this is no possible scene.
     """
-    receiver = "screen" if "screen" in task else "far_field"
-    extent = task[receiver].get("half_width") or task[receiver]["half_angle"]
-    task = {**task, "version": 2, "unit": "mm"}
-    if "lens" in task:
-        task |= {"lens": _lens(task["lens"], thickness)}
-    task[receiver] = {"pixels": _pixels(extent, _MOST)} | task[receiver]
-    scene = Scene.from_data(task)
+    (element,), (image,) = task["elements"], task["images"]
+    receiver = image["receiver"]
+    extent = receiver.get("half_width") or receiver["half_angle"]
+    lens = element["kind"] == "lens"
+    if lens:
+        element = _lens(element, thickness)
+
+    def scene_with(pixels: list[int]) -> Scene:
+        seen = image | {"receiver": {"pixels": pixels} | receiver}
+        common = {"version": 3, "unit": "mm"}
+        return Scene.from_data(task | common | {"elements": [element], "images": [seen]})
+
+    pixels = _pixels(extent, _MOST)
+    scene = scene_with(pixels)
     finest = resolution(scene)
     if finest > 0:
         per_side = math.ceil(2 * max(extent) / finest * _IN_BLUR / _MULTIPLE) * _MULTIPLE
-        task[receiver] |= {"pixels": _pixels(extent, min(max(per_side, _FEWEST), _MOST))}
-    if "lens" in task and thickness is None:
-        low = task["lens"]["min_thickness"]
+        pixels = _pixels(extent, min(max(per_side, _FEWEST), _MOST))
+    if lens and thickness is None:
         rise = needed_slopes(scene).rise
-        height = low + _RISE * rise + _BODY * max(scene.optic.half_width)
-        task["lens"] |= {"base": {"shape": "flat", "height": float(f"{height:.2g}")}}
-    return Scene.from_data(task)
+        middle = element["min_thickness"] + _RISE * rise + _BODY * max(scene.optic.half_width)
+        element = element | {"thickness": float(f"{middle:.2g}")}
+    return scene_with(pixels)
 
 
 def resolution(scene: Scene) -> float:
@@ -74,16 +81,11 @@ def blur_widths(scene: Scene) -> tuple[float, float]:
 def _lens(given: dict[str, Any], thickness: float | None) -> dict[str, Any]:
     half = max(given["half_width"])
     thin = float(f"{max(_THINNEST * half, _LEAST_MM):.2g}")
-    usual: dict[str, Any] = {"control_points": "auto", "min_thickness": thin}
-    if thickness is not None:
-        thin = min(thin, thickness / 2)
-        height = float(f"{(thin + thickness) / 2:.3g}")
-        usual |= {
-            "min_thickness": thin,
-            "max_thickness": thickness,
-            "base": {"shape": "flat", "height": height},
-        }
-    return usual | given
+    if thickness is None:
+        return {"min_thickness": thin, "thickness": half / 2} | given
+    thin = min(thin, thickness / 2)
+    middle = float(f"{(thin + thickness) / 2:.3g}")
+    return {"min_thickness": thin, "max_thickness": thickness, "thickness": middle} | given
 
 
 def _pixels(extent: tuple[float, float], longer: int) -> list[int]:

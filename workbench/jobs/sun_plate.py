@@ -32,4 +32,4 @@ class SunPlate(LensJob):
     def scene(self) -> Scene:
         """Light of the sun's disc, straight onto the plate."""
         light = {"kind": "collimated", "angular_diameter": SUN}
-        return self.through_lens(light, screen=screen(self.distance, self.image_size))
+        return self.through_lens(light, screen(self.distance, self.image_size))

@@ -44,4 +44,4 @@ class Torch(LensJob):
     def scene(self) -> Scene:
         """A small bright face on the axis."""
         light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
-        return self.through_lens(light, screen=screen(self.distance, self.image_size))
+        return self.through_lens(light, screen(self.distance, self.image_size))

@@ -17,8 +17,8 @@ class WallWasher(LensJob):
 
     model_config = ConfigDict(title="Wall washer")
     asked_by: ClassVar[dict[str, str]] = {
-        "screen.half_width": "wall_size",
-        "screen": "wall_distance",
+        "images[0].receiver.half_width": "wall_size",
+        "images[0].receiver": "wall_distance",
     }
 
     target: Picture = RectangleTarget(width=0.9, height=0.9, viewed_from="front")
@@ -56,7 +56,7 @@ class WallWasher(LensJob):
     def scene(self) -> Scene:
         """The wall as a screen that is turned about x, since the lamp looks at it aslant."""
         light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
-        return self.through_lens(light, screen=self._wall())
+        return self.through_lens(light, self._wall())
 
     def _wall(self) -> dict[str, Any]:
         """The wall as the lamp sees it, which looks half-way between its lower and upper edge."""
@@ -66,8 +66,8 @@ class WallWasher(LensJob):
         middle = math.hypot(self.wall_distance, self.above)
         off = math.atan2(-self.above, self.wall_distance) - aim
         return {
-            "z": middle * math.cos(off),
-            "center": [0.0, middle * math.sin(off)],
-            "tilt": [math.degrees(aim), 0.0],
+            "kind": "plane",
+            "position": [0.0, middle * math.sin(off), middle * math.cos(off)],
+            "tilt": [math.degrees(aim), 0.0, 0.0],
             "half_width": halves(self.wall_size),
         }

@@ -197,11 +197,21 @@ def light_unit(scene: Scene) -> LightUnit:
     --------
     >>> from workbench.scene import Scene
     >>> scene = Scene.from_data({
-    ...     "unit": "cm", "version": 2,
-    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [8, 8]},
-    ...     "source": {"kind": "area", "center": [0, 0, -3], "half_width": [0.1, 0.1], "flux": 200},
-    ...     "screen": {"z": 50, "half_width": [10, 10], "pixels": [64, 64]},
-    ...     "target": {"builtin": "rectangle"},
+    ...     "version": 3, "unit": "cm",
+    ...     "source": {
+    ...         "kind": "area", "position": [0, 0, -3], "half_width": [0.1, 0.1], "flux": 200,
+    ...     },
+    ...     "elements": [{
+    ...         "kind": "lens", "name": "lens", "half_width": [1, 1], "material": "PMMA",
+    ...         "thickness": 0.5, "faces": [{"shape": "plane"}, {"shape": "bspline"}],
+    ...     }],
+    ...     "images": [{
+    ...         "receiver": {
+    ...             "kind": "plane", "position": [0, 0, 50], "half_width": [10, 10],
+    ...             "pixels": [64, 64],
+    ...         },
+    ...         "target": {"builtin": "rectangle"},
+    ...     }],
     ... })
     >>> light_unit(scene)
     LightUnit(words='lx', density=2000000.0, lumens=200.0)

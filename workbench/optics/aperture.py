@@ -1,7 +1,7 @@
 """The aperture of an optic: what of the light of a sample of the first face comes through it.
 
 The light of a source is what passes the outline of the optic in the plane of its front vertex,
-`workbench.scene.optic.Element.front_z`. A face that is not in that plane is lit by these rays alone,
+`Element.front_z`. A face that is not in that plane is lit by these rays alone,
 before and behind the plane: other rays miss the optic. The compiled twin is
 `workbench.optics.kernels.aperture`.
 """

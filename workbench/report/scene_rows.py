@@ -76,8 +76,7 @@ def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
     (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
     """
     found = [
-        {row.path: row for row in field_rows(scene)}
-        for scene in (one, other.in_unit(one.unit))
+        {row.path: row for row in field_rows(scene)} for scene in (one, other.in_unit(one.unit))
     ]
     if other.unit != one.unit:
         found[1]["unit"] = found[1]["unit"]._replace(value=other.unit)

@@ -30,10 +30,19 @@ def viewed_from(scene: "Scene") -> Side:
     --------
     >>> from workbench.scene import Scene
     >>> scene = Scene.from_data({
-    ...     "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [64, 64]},
+    ...     "version": 3,
     ...     "source": {"kind": "collimated"},
-    ...     "screen": {"z": 5, "half_width": [1, 1], "pixels": [128, 128]},
-    ...     "target": {"builtin": "text", "text": "F"},
+    ...     "elements": [{
+    ...         "kind": "lens", "name": "lens", "half_width": [1, 1], "material": "PMMA",
+    ...         "thickness": 0.5, "faces": [{"shape": "plane"}, {"shape": "bspline"}],
+    ...     }],
+    ...     "images": [{
+    ...         "receiver": {
+    ...             "kind": "plane", "position": [0, 0, 5], "half_width": [1, 1],
+    ...             "pixels": [128, 128],
+    ...         },
+    ...         "target": {"builtin": "text", "text": "F"},
+    ...     }],
     ... })
     >>> viewed_from(scene)
     'back'

@@ -1,6 +1,5 @@
 """Points of a sweep: one design for each combination of field values."""
 
-import copy
 import hashlib
 import itertools
 import json
@@ -9,7 +8,6 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +18,7 @@ from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, open_design
 from workbench.said import Said
 from workbench.scene import Scene
+from workbench.scene.paths import is_path, with_values
 
 Value = bool | int | float | str | tuple[int | float, ...]
 MOST_POINTS = 10_000
@@ -27,7 +26,6 @@ MOST_POINTS = 10_000
 _WHOLE = r"[-+]?\d+"
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?", re.IGNORECASE)
 _RANGE = re.compile(rf"({_WHOLE})\.\.({_WHOLE})")
-_STEP = re.compile(r"\.?([A-Za-z_]\w*)|\[(\d+)\]")
 _LONGEST_NAME = 100
 
 
@@ -48,7 +46,8 @@ class Variation:
         path, sign, values = text.partition("=")
         if not sign:
             raise Refused("usage", f"--vary {text!r}; field=values is needed, as in run.seed=0..4")
-        _steps(path)
+        if not is_path(path):
+            raise Refused("usage", f"--vary {path!r}; a field is needed, as in lens.thickness")
         found = dict.fromkeys(v for part in values.split(",") for v in _values(path, part))
         return cls(path, tuple(found))
 
@@ -58,19 +57,6 @@ def shown(value: Value) -> str:
     if isinstance(value, tuple):
         return "x".join(map(shown, value))
     return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def varied(scene: Scene, changes: dict[str, Value]) -> Scene:
-    """Return a scene with some fields changed; unset fields follow these changes.
-
-    A single number for a list field sets each of its elements. Raise Refused if the scene is not
-    possible.
-    """
-    data = scene.model_dump(mode="json", exclude_unset=True, exclude_none=True)
-    full = scene.settled().to_data()
-    for path, value in changes.items():
-        _put(data, full, path, value)
-    return Scene.from_data(data).with_contents_of(scene)
 
 
 def _values(path: str, text: str) -> list[Value]:
@@ -92,39 +78,6 @@ def _values(path: str, text: str) -> list[Value]:
 
 def _number(text: str) -> int | float:
     return int(text) if re.fullmatch(_WHOLE, text) else float(text)
-
-
-def _steps(path: str) -> list[str | int]:
-    if not re.fullmatch(rf"(?:{_STEP.pattern})+", path) or path.startswith((".", "[")):
-        raise Refused("usage", f"--vary {path!r}; a field is needed, as in lens.control_points")
-    return [int(found[2]) if found[2] else found[1] for found in _STEP.finditer(path)]
-
-
-def _put(data: Any, full: Any, path: str, value: Value) -> None:
-    steps: list[Any] = _steps(path)
-    *parents, last = steps
-    for step in parents:
-        full = _child(full, step)
-        if isinstance(data, dict) and step not in data:
-            # Objects complete themselves with defaults; lists must be complete.
-            data[str(step)] = copy.deepcopy(full) if isinstance(full, list) else {}
-        data = _child(data, step)
-    if isinstance(last, int) != isinstance(data, list) or not isinstance(data, list | dict):
-        raise Refused(path, "unknown field; there is no such part of the scene")
-    if isinstance(last, int) and last >= len(data):
-        raise Refused(path, f"there are only {len(data)} of them; 0 to {len(data) - 1}")
-    before = _child(full, last)
-    listed: Any = list(value) if isinstance(value, tuple) else value
-    if isinstance(before, list) and isinstance(value, int | float):
-        listed = [value] * len(before)
-    data[last] = listed
-
-
-def _child(part: Any, step: str | int) -> Any:
-    try:
-        return part[step]
-    except (KeyError, IndexError, TypeError):
-        return None
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,7 +111,8 @@ def key_of(session: Session, rays: int) -> str:
 
     The path of the target is not part of it.
     """
-    data = session.scene.to_data() | {"target": None}
+    data = session.scene.to_data()
+    data["images"][0]["target"] = None
     described = json.dumps([data, session.target.shape, rays, __version__], sort_keys=True)
     digest = hashlib.sha256(described.encode())
     digest.update(np.ascontiguousarray(session.target, dtype="<f8").tobytes())
@@ -201,7 +155,7 @@ def points_of(
 
 def _scene(base: Scene, changes: dict[str, Value], path: Path) -> Scene | Refused:
     try:
-        scene = with_absolute_files(varied(base, changes), path)
+        scene = with_absolute_files(with_values(base, changes), path)
         scene.check_one_image("a sweep")
         return scene
     except Refused as refused:

@@ -19,13 +19,15 @@ def test_reads_what_ships():
     np.testing.assert_array_equal(example.target, load_target(example.scene, shipped.file.parent))
 
 
-def test_changes_are_merged_and_other_kinds_replace():
+def test_changes_are_by_path():
     example = BenchmarkTask.of(
         "tophat",
-        lens={"control_points": [8, 9]},
-        source={"kind": "point", "position": [0, 0, -5], "rays": 10},
-        run={"method": "paper", "iterations": 3},
-        unit="mm",
+        changes={
+            "lens.back.control_points": [8, 9],
+            "source": {"kind": "point", "position": [0, 0, -5], "rays": 10},
+            "run": {"method": "paper", "iterations": 3},
+            "unit": "mm",
+        },
     )
     scene = example.scene
     assert scene.optic.control_points == (8, 9) and scene.optic.index == 1.5
@@ -34,9 +36,17 @@ def test_changes_are_merged_and_other_kinds_replace():
     assert scene.unit == "mm"
 
 
+<<<<<<< HEAD
+=======
+def test_impossible_changes_are_refused():
+    with pytest.raises(Refused, match="control_points"):
+        BenchmarkTask.of("tophat", changes={"lens.back.control_points": [2, 2]})
+
+
+>>>>>>> v3files
 @pytest.mark.parametrize("name", ["tophat", "flame-x1", "ball-x5", "flame-point"])
 def test_the_wavy_lens_is_allowed_and_bends_light(name):
-    scene = BenchmarkTask.of(name, lens={"control_points": [16, 16]}).scene
+    scene = BenchmarkTask.of(name, changes={"lens.back.control_points": 16}).scene
     heights = wavy(scene)
     free = HeightRange.of(scene.optic, ControlNet.of(scene.optic))
     assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()

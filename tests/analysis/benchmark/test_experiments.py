@@ -58,7 +58,8 @@ def test_every_experiment_of_the_paper_is_there():
 def test_derivatives_move_light_and_make_none():
     found = []
     for name in DERIVATIVES:
-        example = BenchmarkTask.of(name, source={"rays": [96, 96]}, screen={"pixels": [32, 32]})
+        changes = {"source.rays": 96, "images[0].receiver.pixels": 32}
+        example = BenchmarkTask.of(name, changes=changes)
         found.append(derivative(example))
     a, b, c = found
     for each in found:

@@ -5,15 +5,15 @@ import pytest
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.analysis.benchmark.leds import designed, table
 
-SMALL = {"run": {"iterations": 2}, "screen": {"pixels": [29, 14]}}
-ENTRANCE = {"shape": "freeform", "control_points": [8, 6], "height_range": [-2.0, 2.0]}
+SMALL = {"run.iterations": 2, "images[0].receiver.pixels": [29, 14]}
+FRONT = {"shape": "bspline", "control_points": [8, 6], "height_range": [-2.0, 2.0]}
 
 
 @pytest.mark.parametrize("plane_exit", [False, True])
 def test_a_lens_is_checked_where_the_target_is_bright(plane_exit, monkeypatch):
     monkeypatch.setattr("workbench.analysis.benchmark.leds._RAYS", 200_000)
-    lens = {"control_points": [12, 8], "entrance": ENTRANCE}
-    example = BenchmarkTask.of("led-rectangle", lens=lens, **SMALL)
+    lens = {"lens.back.control_points": [12, 8], "lens.front": FRONT}
+    example = BenchmarkTask.of("led-rectangle", changes=lens | SMALL)
     progress = []
     found = designed("led", example, plane_exit, lambda *state: progress.append(state))
     assert 0.2 < found.efficiency < 0.9

@@ -68,10 +68,11 @@ class BoundedDesign:
 def lenses(iterations: int | None, notify: Notify) -> Iterator[BoundedDesign]:
     """Design the plate of the example *Sun plate* for four pictures."""
     for picture in _PICTURES:
-        changes: dict[str, Any] = {"target": {"image": f"../targets/{picture}-256.png"}}
+        changes: dict[str, Any] = {"images[0].target.image": f"../targets/{picture}-256.png"}
         if iterations is not None:
-            changes["run"] = {"iterations": iterations}
-        yield compare_with_bound(picture, BenchmarkTask.of("sun-plate", **changes), notify)
+            changes["run.iterations"] = iterations
+        example = BenchmarkTask.of("sun-plate", changes=changes)
+        yield compare_with_bound(picture, example, notify)
 
 
 def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> BoundedDesign:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,12 @@ from workbench.design.snapshot import History, Result
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
 from workbench.scene import Scene
+from workbench.scene.paths import with_values
 from workbench.targets import load_target
 
 _PHOTO = 256  # pixels of the shipped photograph a side
 _SEED = 13
+NO_CHANGES: Mapping[str, Any] = MappingProxyType({})
 
 Notify = Callable[[str, str], None]
 """Called now and then with what is measured, and how far that is."""
@@ -46,7 +49,9 @@ class BenchmarkTask:
     target: Array
 
     @classmethod
-    def of(cls, name: str, image: Array | None = None, **changes: Any) -> "BenchmarkTask":
+    def of(
+        cls, name: str, image: Array | None = None, changes: Mapping[str, Any] = NO_CHANGES
+    ) -> "BenchmarkTask":
         """Read a shipped example.
 
         Parameters
@@ -55,15 +60,11 @@ class BenchmarkTask:
             As in `resources.EXAMPLES`.
         image : ndarray, shape (n_y, n_x), optional
             The target, in place of the example's own.
-        **changes
-            Parts of the scene file to be changed: a dictionary is merged into its part, anything
-            else takes its place. A source of another kind and another method replace theirs.
+        changes : mapping of str to plain data, optional
+            Values that differ from the example's, by their paths; see `workbench.scene.paths`.
         """
         shipped = next(each for each in resources.EXAMPLES if each.name == name)
-        data = Scene.from_json(shipped.file.read_bytes()).to_data()
-        for part, change in changes.items():
-            data[part] = _merged(data[part], change)
-        scene = Scene.from_data(data)
+        scene = with_values(Scene.from_json(shipped.file.read_bytes()), changes)
         target = load_target(scene, shipped.file.parent) if image is None else image
         return cls(name, shipped.group, definite(scene, target), target)
 
@@ -73,8 +74,7 @@ class BenchmarkTask:
         example = cls.of(
             "photo",
             photograph(size),
-            source={"rays": [2 * size, 2 * size]},
-            screen={"pixels": [size, size]},
+            {"source.rays": 2 * size, "images[0].receiver.pixels": size},
         )
         return replace(example, name=f"photo-{size}")
 
@@ -112,7 +112,7 @@ class BenchmarkTask:
             The scene file.
         """
         np.save(folder / "target.npy", self.target)
-        scene = Scene.from_data(self.scene.to_data() | {"target": {"image": "target.npy"}})
+        scene = with_values(self.scene, {"images[0].target": {"image": "target.npy"}})
         file = folder / "scene.json"
         file.write_text(scene.to_json(), "utf-8")
         return file
@@ -152,12 +152,3 @@ def wavy(scene: Scene) -> Array:
     limits = HeightLimits.of(scene.optic, ControlNet.of(scene.optic))
     height = min(height, 0.4 * float((limits.upper - limits.lower).min()))
     return np.asarray(limits.undesigned + height * rise)
-
-
-def _merged(part: Any, change: Any) -> Any:
-    if not (isinstance(part, dict) and isinstance(change, dict)):
-        return change
-    for field in ("kind", "method"):
-        if change.get(field, part.get(field)) != part.get(field):
-            return change
-    return part | change

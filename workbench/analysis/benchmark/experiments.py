@@ -232,7 +232,7 @@ def _methods(name: str) -> Iterator[tuple[BenchmarkTask, str]]:
     if run.method != "paper":
         stages = [stage.model_dump(mode="json", exclude_none=True) for stage in run.stages]
         paper = {"method": "paper", "iterations": _PAPER_ITERATIONS, "stages": stages}
-        yield BenchmarkTask.of(name, run=paper), "paper"
+        yield BenchmarkTask.of(name, changes={"run": paper}), "paper"
     yield example, run.method
 
 

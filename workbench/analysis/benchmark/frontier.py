@@ -165,12 +165,12 @@ class Course:
 def quick(iterations: int | None) -> Effort:
     """The frontier in small: within two minutes on two cores."""
     small: dict[str, Any] = {
-        "lens": {"control_points": [32, 32]},
-        "source": {"rays": [256, 256]},
-        "screen": {"pixels": [128, 128]},
-        "run": {"iterations": 150},
+        "lens.back.control_points": [32, 32],
+        "source.rays": [256, 256],
+        "images[0].receiver.pixels": [128, 128],
+        "run.iterations": 150,
     }
-    examples = tuple(BenchmarkTask.of(name, **small) for name in ("tophat", "flame"))
+    examples = tuple(BenchmarkTask.of(name, changes=small) for name in ("tophat", "flame"))
     return Effort(examples, tuple(METHODS), iterations or 200, step=2.0, processes=1)
 
 

@@ -22,25 +22,25 @@ class _Variant(NamedTuple):
     """Which faces of the lens of the example *LED to a rectangle* are shaped, and how."""
 
     faces: str
-    lens: Mapping[str, Any]
+    changes: Mapping[str, Any]
     plane_exit: bool = False
 
 
-_FREEFORM = {"shape": "freeform"}
+_FREEFORM = {"shape": "bspline"}
 _VARIANTS = (
     _Variant("flat, freeform", {}),
     _Variant(
         "freeform, plane; PMMA",
         {
-            "entrance": _FREEFORM | {"control_points": [32, 16], "height_range": [-5.0, 14.0]},
-            "base": {"height": 16.0},
-            "refractive_index": "PMMA",
+            "lens.front": _FREEFORM | {"control_points": [32, 16], "height_range": [-5.0, 14.0]},
+            "lens.thickness": 16.0,
+            "lens.material": "PMMA",
         },
         plane_exit=True,
     ),
-    _Variant("two freeform, automatic range", {"entrance": _FREEFORM}),
-    _Variant("two freeform, -4 to 4 mm", {"entrance": _FREEFORM | {"height_range": [-4.0, 4.0]}}),
-    _Variant("flat, freeform; coated (1 %)", {"coating": [0.01, 0.01]}),
+    _Variant("two freeform, automatic range", {"lens.front": _FREEFORM}),
+    _Variant("two freeform, -4 to 4 mm", {"lens.front": _FREEFORM | {"height_range": [-4.0, 4.0]}}),
+    _Variant("flat, freeform; coated (1 %)", {"lens.coating": [0.01, 0.01]}),
 )
 
 
@@ -75,10 +75,10 @@ class LedDesign:
 def lenses(iterations: int | None, notify: Notify) -> Iterator[LedDesign]:
     """Design the lens of the example *LED to a rectangle* with one and two freeform faces."""
     for variant in _VARIANTS:
-        changes: dict[str, Any] = {"lens": variant.lens}
+        changes = dict(variant.changes)
         if iterations is not None:
-            changes["run"] = {"iterations": iterations}
-        example = BenchmarkTask.of("led-rectangle", **changes)
+            changes["run.iterations"] = iterations
+        example = BenchmarkTask.of("led-rectangle", changes=changes)
         yield designed(variant.faces, example, variant.plane_exit, notify)
 
 

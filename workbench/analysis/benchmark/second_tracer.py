@@ -18,7 +18,7 @@ RAYS = 16_000_000
 _PIXELS = (64, 48)
 
 _POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
-_AREA = {"kind": "area", "center": [0.2, -0.1, -3.0], "half_width": [0.3, 0.2]}
+_AREA = {"kind": "area", "position": [0.2, -0.1, -3.0], "half_width": [0.3, 0.2]}
 _SUN = {"kind": "collimated", "direction": [2.0, 3.0], "angular_diameter": 4.0}
 _BEAM = {"profile": {"kind": "gaussian", "radius": 0.8}}
 
@@ -32,7 +32,7 @@ SOURCES: dict[str, dict[str, Any]] = {
     "Lambertian point": _POINT | {"emission": "lambertian"},
     "grid of points": {
         "kind": "grid",
-        "center": [0.1, 0.2, -4.0],
+        "position": [0.1, 0.2, -4.0],
         "half_width": [0.5, 0.3],
         "points": [3, 2],
     },
@@ -52,25 +52,43 @@ SOURCES: dict[str, dict[str, Any]] = {
         "position": [0.1, 0.0, -2.0],
     },
 }
-_UPRIGHT = {"z": 4.0, "half_width": [1.2, 0.9], "pixels": _PIXELS}
-_TILTED = {"center": [0.6, 0.2], "tilt": [10.0, 40.0], "half_width": [1.6, 1.2]}
-_FAR_FIELD = {"half_angle": [8.0, 6.0], "center": [1.4, -0.2]}
+_SCREEN = {"kind": "plane", "pixels": _PIXELS}
 RECEIVERS: dict[str, dict[str, Any]] = {
-    "upright": {"screen": _UPRIGHT},
-    "tilted": {"screen": _UPRIGHT | {"z": 5.0} | _TILTED},
-    "far field": {"far_field": _FAR_FIELD | {"pixels": _PIXELS}},
+    "upright": _SCREEN | {"position": [0.0, 0.0, 4.0], "half_width": [1.2, 0.9]},
+    "tilted": _SCREEN
+    | {"position": [0.6, 0.2, 5.0], "tilt": [10.0, 40.0, 0.0], "half_width": [1.6, 1.2]},
+    "far field": {
+        "kind": "far_field",
+        "half_angle": [8.0, 6.0],
+        "center": [1.4, -0.2],
+        "pixels": _PIXELS,
+    },
+}
+_OF_MIRROR = _SCREEN | {
+    "position": [3.5, 0.5, -6.0],
+    "tilt": [0.0, -30.0, 0.0],
+    "half_width": [2.0, 1.5],
 }
 OUTLINES = "rectangle", "ellipse"
 
-_LENS = {"half_width": [1.0, 0.8], "refractive_index": 1.5, "control_points": [12, 10]}
-_ENTRANCE = {"shape": "freeform", "control_points": [7, 9], "height_range": [-0.1, 0.3]}
-_OF_MIRROR = {"z": -6.0, "center": [3.5, 0.5], "tilt": [0.0, -30.0], "half_width": [2.0, 1.5]}
+_FACE = {"shape": "bspline", "control_points": [12, 10]}
+_FRONT = {"shape": "bspline", "control_points": [7, 9], "height_range": [-0.1, 0.3]}
+_LENS = {
+    "kind": "lens",
+    "name": "lens",
+    "half_width": [1.0, 0.8],
+    "material": {"index": 1.5},
+    "thickness": 0.5,
+}
 OPTICS: dict[str, dict[str, Any]] = {
-    "one face": {"lens": _LENS},
-    "two faces": {"lens": _LENS | {"entrance": _ENTRANCE}},
+    "one face": _LENS | {"faces": [{"shape": "plane"}, _FACE]},
+    "two faces": _LENS | {"faces": [_FRONT, _FACE]},
     "mirror": {
-        "mirror": {"half_width": [1.0, 0.8], "control_points": [12, 10], "reflectance": 0.8},
-        "screen": _UPRIGHT | _OF_MIRROR,
+        "kind": "mirror",
+        "name": "mirror",
+        "half_width": [1.0, 0.8],
+        "reflectance": 0.8,
+        "face": _FACE,
     },
 }
 
@@ -164,11 +182,14 @@ def _watch(notify: Notify, case: str) -> Callable[[float], None]:
 
 def scene_of(optic: str, source: str, receiver: str, outline: str) -> Scene:
     """The scene of a row."""
-    parts = RECEIVERS[receiver] | OPTICS[optic]
-    kind = "mirror" if "mirror" in parts else "lens"
-    parts |= {kind: parts[kind] | {"outline": outline}}
+    seen_by = _OF_MIRROR if optic == "mirror" else RECEIVERS[receiver]
     return Scene.from_data(
-        {"version": 2, "source": SOURCES[source], "target": {"builtin": "tophat"}} | parts
+        {
+            "version": 3,
+            "source": SOURCES[source],
+            "elements": [OPTICS[optic] | {"outline": outline}],
+            "images": [{"receiver": seen_by, "target": {"builtin": "tophat"}}],
+        }
     )
 
 

@@ -102,9 +102,9 @@ LIGHTS = {
 def light_of(scene: Scene) -> Illuminant:
     """The light that the source of a scene is likely to be.
 
-    Light from infinitely far is daylight, a Gaussian beam that of a laser of the
-    wavelength stated, and what stands somewhere is an LED. A beam of no known or no visible wavelength
-    counts as white.
+    Light from infinitely far is daylight, a Gaussian beam that of a laser of the wavelength
+    stated, and what stands somewhere is an LED. A beam of no stated or no visible wavelength counts
+    as white.
     """
     if scene.source.place is not None:
         return LIGHTS["led"]

@@ -42,11 +42,30 @@ from workbench.scene import Filter, Scene
 # A scene whose trace compiles the loops.
 _SMALL = {
     "format": "freeform-scene",
-    "version": 1,
-    "lens": {"half_width": [1.0, 1.0], "refractive_index": 1.5, "control_points": [4, 4]},
+    "version": 3,
     "source": {"kind": "collimated"},
-    "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [2, 2]},
-    "target": {"builtin": "tophat"},
+    "elements": [
+        {
+            "kind": "lens",
+            "name": "lens",
+            "half_width": [1.0, 1.0],
+            "material": {"index": 1.5},
+            "thickness": 0.5,
+            "reflection": "schlick",
+            "faces": [{"shape": "plane"}, {"shape": "bspline", "control_points": [4, 4]}],
+        }
+    ],
+    "images": [
+        {
+            "receiver": {
+                "kind": "plane",
+                "position": [0.0, 0.0, 5.0],
+                "half_width": [1.0, 1.0],
+                "pixels": [2, 2],
+            },
+            "target": {"builtin": "tophat"},
+        }
+    ],
 }
 # Origins nearer to each other's mirror image than this part of their extent count as a pair.
 _SAME = 1e-9

@@ -4,5 +4,5 @@ from scipy.spatial.transform import Rotation
 
 
 def file_axes(degrees: tuple[float, float, float]) -> Rotation:
-    """Return the rotation about x, new y and new z that takes axes of a file to those of the scene."""
+    """Return the rotation about x, new y and new z from the axes of a file to the scene's."""
     return Rotation.from_euler("XYZ", degrees, degrees=True)
