@@ -26,7 +26,7 @@ def row(forms, path, visible=True):
 
 
 def editor(forms, path):
-    """The field at a path, of its row: ``lens.degree[0]``."""
+    """The field at a path, of its row: ``elements[0].half_width[0]``."""
     return field_row(forms, path).editors[path]
 
 
@@ -62,11 +62,10 @@ def choose(forms, path, value):
     chooser.activated.emit(chooser.currentIndex())
 
 
-def move_screen(document, z, text="change of screen at z", key=""):
+def move_screen(document, z, text="change of receiver position", key=""):
     """One step of the design, of this text and key."""
     scene = document.session.scene
-    screen = scene.receiver.model_copy(update={"z": float(z)})
-    document.edit(scene.with_receiver(screen), text, key)
+    document.edit(scene.with_receiver(scene.receiver.moved_to(float(z))), text, key)
 
 
 def accept_as(pattern):

@@ -84,7 +84,7 @@ def three_dimensional(screen: Screen) -> bool:
 
 
 def test_a_lens_is_designed_and_saved_by_hand(scene, screen, tmp_path):
-    place = place_of("target.radius", scene, screen)
+    place = place_of("images[0].target.radius", scene, screen)
     saved = tmp_path / "by-hand.freeform"
     process = subprocess.Popen(
         [BIN / "freeform-workbench", scene],

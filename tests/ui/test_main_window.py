@@ -65,7 +65,7 @@ def built(window):
 
 
 def edit(window, z):
-    editor(window.forms, "screen.z").setText(str(z))
+    editor(window.forms, "images[0].receiver.position[2]").setText(str(z))
     window.forms.commit()
 
 
@@ -98,7 +98,7 @@ def test_the_title_shows_name_and_changes(window, tmp_path):
 
 
 def test_undo_in_a_field_takes_typing_back_first_then_the_edit(window, qtbot):
-    field = editor(window.forms, "screen.z")
+    field = editor(window.forms, "images[0].receiver.position[2]")
     field.setFocus()
     field.selectAll()
     qtbot.keyClicks(field, "7")
@@ -119,7 +119,7 @@ def test_shortcuts_are_unique():
 def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
     path = tmp_path / "mine.freeform"
     monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
-    editor(window.forms, "screen.z").setText("8")
+    editor(window.forms, "images[0].receiver.position[2]").setText("8")
     window.commands["save"].trigger()
     assert read_session(path).scene.receiver.z == 8
 

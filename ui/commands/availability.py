@@ -68,7 +68,7 @@ class Situation:
     @property
     def two_faces(self) -> bool:
         """Whether the entrance face is freeform, too."""
-        return self.optic.entrance.shape == "freeform"
+        return self.optic.entrance.shape == "bspline"
 
     @property
     def editable(self) -> bool:

@@ -135,7 +135,7 @@ class JobForm(QScrollArea):
         data = self.job.model_dump(mode="json", exclude_none=True)
         try:
             for edit in edits:
-                put(edit, data, self.job)
+                put(edit, data)
             self.job = self.job.with_answers(data)
         except Refused as refused:
             return refused

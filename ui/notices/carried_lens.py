@@ -15,7 +15,7 @@ from workbench.files.session import Session
 from workbench.geometry.approximation import deviation, nearest_finer
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.powers import written
-from workbench.scene import AutoNet, Element
+from workbench.scene import AutoNet, Scene
 from workbench.scene.faces import LARGEST_NET
 
 _NO_LENS = later(
@@ -80,7 +80,7 @@ class CarriedLens(QObject):
             return
         if before.scene.unit != after.scene.unit:  # converted, the lens with all the rest
             return
-        changed = _changed_net(before.scene.optic, after.scene.optic)
+        changed = _changed_net(before.scene, after.scene)
         if after.result is not None and changed is None:  # within its new limits
             return
         if new is None:
@@ -166,23 +166,20 @@ class _ChangedNet(NamedTuple):
     automatic: bool
 
 
-def _changed_net(before: Element, after: Element) -> _ChangedNet | None:
+def _changed_net(before: Scene, after: Scene) -> _ChangedNet | None:
     """The first face with another net, of those that both have; the exit face before the other."""
-    old, new = freeform_nets(before), freeform_nets(after)
+    optic = after.optic
+    old, new = freeform_nets(before.optic), freeform_nets(optic)
     changed = [face for face in new if face in old and old[face] != new[face]]
-    if after.designed_face in changed:
-        face, name, path = (
-            after.designed_face,
-            tr("the {optic}", optic=after.called),
-            f"{after.called}.control_points",
-        )
-        points: object = after.control_points
-    elif changed:
-        (face,), name, path = changed, tr("the entrance face"), "lens.entrance.control_points"
-        points = value_at(after, "entrance.control_points")
-    else:
+    if not changed:
         return None
-    return _ChangedNet(face, old[face], new[face], path, name, isinstance(points, AutoNet))
+    if optic.designed_face in changed:
+        face, name = optic.designed_face, tr("the {optic}", optic=optic.called)
+    else:
+        (face,), name = changed, tr("the entrance face")
+    path = f"{after.face_path(face)}.control_points"
+    automatic = isinstance(value_at(after, path), AutoNet)
+    return _ChangedNet(face, old[face], new[face], path, name, automatic)
 
 
 def _size(shape: tuple[int, int]) -> str:

@@ -58,7 +58,7 @@ class CoarseNetNotice(QObject):
     def _refine(self) -> None:
         """Leave the net to the program, and design anew."""
         scene = self._document.session.scene
-        path = f"{scene.optic.called}.control_points"
+        path = f"{scene.face_path()}.control_points"
         edit = Edit(path, tr("automatic control points"), {path: "auto"})
         self._document.edit(edited_scene(scene, [edit]), edit.text, "")
         self._start_over()

@@ -94,13 +94,13 @@ class ShortfallNotice(QObject):
     def _wider(self, shortfall: Shortfall) -> Edit | None:
         """The range that would help, if there is one."""
         scene = self._document.session.scene
-        path = f"{scene.optic.called}.height_range"
+        path = f"{scene.face_path()}.height_range"
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
             return Edit(path, tr("automatic height range"), {path: None})
         if shortfall.cause == "height_range" and shortfall.needed is not None:
             return Edit(path, tr("wider height range"), {path: _wide(*shortfall.needed)})
         if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
-            path = "lens.entrance.height_range"
+            path = f"{scene.face_path('entrance')}.height_range"
             return Edit(path, tr("wider entrance range"), {path: list(wider)})
         return None
 

@@ -57,7 +57,7 @@ class Edit:
     Attributes
     ----------
     path : str
-        Field that was touched, as refusals name it (``lens.control_points[0]``).
+        Field that was touched, as refusals name it (``images[0].receiver.pixels[0]``).
     text : str
         What the undo menu calls it.
     changes : dict
@@ -96,7 +96,7 @@ class Edit:
     def step(self, before: Scene, after: Scene) -> str:
         """What the undo menu calls it, which has led from one scene to another.
 
-        With both values where these are numbers: "screen half width 1 → 50 mm".
+        With both values where these are numbers: "receiver half width 1 → 50 mm".
         """
         old, new = (_numbers(value_at(scene, self.field)) for scene in (before, after))
         if old == new or not (old and new):
@@ -206,7 +206,7 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
             data = {}
         if edit.changes and not data:
             data = scene.to_data()
-        put(edit, data, scene)
+        put(edit, data)
     if not data:
         return scene
     found = Scene.from_data(data)
@@ -214,7 +214,7 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
     return scene if found == scene.with_net(None) else found
 
 
-def put(edit: Edit, data: dict[str, Any], part: Part) -> None:
+def put(edit: Edit, data: dict[str, Any]) -> None:
     """Put the changes of an edit into plain data.
 
     Parameters
@@ -222,9 +222,7 @@ def put(edit: Edit, data: dict[str, Any], part: Part) -> None:
     edit : Edit
         Its changes are put there.
     data : dict
-        Of the part; it says the unit of its lengths.
-    part : Part
-        What the data are of.
+        Of a part of the scene; it says the unit of its lengths.
 
     Raises
     ------
@@ -232,29 +230,10 @@ def put(edit: Edit, data: dict[str, Any], part: Part) -> None:
         If there is no such field, or what was typed is no number.
     """
     for path, value in edit.changes.items():
-        holder, last = _holder_in(data, part, path)
+        holder, last = holder_of(data, path)
+        if not isinstance(holder, list | dict):  # another edit has taken it away
+            raise Refused(path, Said("this task has no such field any more"))
         holder[last] = _read(value, path, data["unit"])
-
-
-def _holder_in(data: dict[str, Any], scene: Part, path: str) -> tuple[Any, int | str]:
-    """As `holder_of`, in data that leaves out what older files do not know while it is as usual.
-
-    Raises
-    ------
-    Refused
-        If the scene has no such field: another edit has taken it away.
-    """
-    holder, last = holder_of(data, path)
-    if holder is None:
-        numbers = path[: path.rindex("[")]
-        around, name = holder_of(data, numbers)
-        usual = value_at(scene, numbers)
-        if isinstance(around, dict) and usual is not None:
-            around[name] = list(usual)
-            holder, last = holder_of(data, path)
-    if not isinstance(holder, list | dict):
-        raise Refused(path, Said("this task has no such field any more"))
-    return holder, last
 
 
 def _read(value: object, path: str, unit: str) -> object:

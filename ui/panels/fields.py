@@ -18,14 +18,15 @@ from PySide6.QtWidgets import (
 )
 
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
-from ui.panels.edits import Edit, holder_of, value_at
+from ui.panels.edits import Edit, Typed, holder_of, value_at
 from ui.widgets import theme
 from ui.words import inside, tr
-from workbench.scene import Measure, Part
+from workbench.scene import Element, Measure, Part
 
 Changes = dict[str, object]
 Condition = Callable[[Any], bool]
 _NONE = Measure()
+_INDENT = 10  # logical pixels
 
 
 class Row(QWidget):
@@ -56,6 +57,7 @@ class Row(QWidget):
         super().__init__()
         self.path, self.measure, self.between = path, measure, ""
         self.label = QLabel(label)
+        self.of = ""  # the part whose field it is, where a panel has several of a kind
         self.name = label  # distinguished from those of other panels by the panel
         self._conditions: list[Condition] = []
         self._unit = QLabel()
@@ -75,6 +77,10 @@ class Row(QWidget):
         for widget in (self.label, self):
             widget.setToolTip(f"<p>{tip}</p>")  # rich text, because only that wraps
 
+    def indent(self) -> None:
+        """Move the label to the right: the field belongs to the one above."""
+        self.label.setIndent(self.label.indent() + _INDENT if self.label.indent() > 0 else _INDENT)
+
     def leave_undo(self) -> None:
         """Leave undo of entered text to the window: this is a row of the design."""
         for editor in self.findChildren(TextEditor):
@@ -91,6 +97,8 @@ class Row(QWidget):
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
         """Show what a scene, or plain data, holds, except where a refused edit still stands."""
         part, name = holder_of(scene, self.path)
+        if isinstance(part, Element):
+            part = part.lit(scene.source.wavelength)
         remarks = part.remarks() if isinstance(part, Part) else {}
         unit = self.measure.sign_in(value_at(scene, "unit"))
         self._unit.setText(tr(remarks.get(str(name), unit)))
@@ -204,14 +212,23 @@ class TextRow(Row):
     ----------
     button_tip : str
         What the button does; none if it is left out.
+    optional : bool
+        Whether the text may be left out.
     """
 
     asked = Signal()
 
     def __init__(
-        self, path: str, label: str, tip: str, button_tip: str = "", measure: Measure = _NONE
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        button_tip: str = "",
+        measure: Measure = _NONE,
+        optional: bool = False,
     ) -> None:
         super().__init__(path, label, tip, measure)
+        self._optional = optional
         self.editor = TextEditor()
         self._add(self.editor)
         if button_tip:
@@ -221,7 +238,7 @@ class TextRow(Row):
             button.setAccessibleName(button_tip)
             button.clicked.connect(self.asked)
             self._add(button, 0)
-        self.editor.committed.connect(lambda text: self._tell(path, {path: text}))
+        self.editor.committed.connect(lambda text: self._tell(path, {path: self.value_of(text)}))
         self.editor.reverted.connect(lambda: self.reverted.emit(path))
 
     def show_scene(self, scene: Any, pending: Set[str]) -> None:
@@ -233,8 +250,29 @@ class TextRow(Row):
 
     def text_of(self, value: Any) -> str:
         """What a person reads for the scene's value."""
-        text: str = value
+        text: str = value or ""
         return text
+
+    def value_of(self, text: str) -> object:
+        """The scene's value for what a person has typed."""
+        return None if self._optional and not text.strip() else text
+
+    def _is_there(self, scene: Any) -> bool:
+        if self._optional:
+            return holder_of(scene, self.path)[0] is not None
+        return super()._is_there(scene)
+
+
+class NumbersRow(TextRow):
+    """Any number of numbers as one line, with a semicolon between them."""
+
+    def text_of(self, value: Any) -> str:
+        """The numbers, short but exact."""
+        return "; ".join(format(number, ".12g") for number in value)
+
+    def value_of(self, text: str) -> object:
+        """What was typed for each of the numbers."""
+        return [Typed(each, self.measure) for each in text.split(";") if text.strip()]
 
 
 class ChoiceRow(Row):

@@ -9,11 +9,10 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from ui.document.document import Document
 from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
+from ui.panels.elements import ElementsPanel
 from ui.panels.fields import Row
 from ui.panels.images import ImagesPanel
-from ui.panels.lens import LensPanel
 from ui.panels.panel import Panel, PartPanel
-from ui.panels.receiver import ReceiverPanel
 from ui.panels.regions import RegionsPanel
 from ui.panels.run import RunPanel
 from ui.panels.scene import ScenePanel
@@ -24,12 +23,8 @@ from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session
-from workbench.scene import ImageTarget, Scene
+from workbench.scene import Image, ImageTarget, Scene
 
-_PANELS: dict[str, type[PartPanel]] = {"lens": LensPanel, "mirror": LensPanel, "run": RunPanel}
-
-# At first, as the stages are: what automatic designs do without.
-_FOLDED = ("filter",)
 _MOST_OF_SCREEN = 0.34  # of its width, that the forms insist on
 
 
@@ -94,26 +89,27 @@ class Forms(QScrollArea):
         self._show()
 
     def _make_panels(self) -> list[Panel]:
-        """A panel for each part of the scene, in the order of its fields."""
+        """A panel for each part of the scene, those of the first image at the top."""
         parts = {field.name: field for field in Scene.fields() if field.parts}
-        self._images = ImagesPanel(parts.pop("further_images"))
-        regions = RegionsPanel(parts.pop("regions"))
-        self._target = TargetPanel(parts.pop("target"))
+        of_image = {field.name: field for field in Image.fields()}
+        self._target = TargetPanel(of_image["target"])
         self._source = SourcePanel(parts["source"])
-        made: list[Panel] = []
-        far_field = parts.pop("far_field")
-        for name, field in parts.items():
-            if name == "screen":
-                made.append(ReceiverPanel(field, far_field))
-            elif name == "source":
-                made.append(self._source)
-            else:
-                panel = _PANELS.get(name, PartPanel)(field)
-                panel.unfold(name not in _FOLDED)
-                made.append(panel)
-        stages = StagesPanel()
-        stages.unfold(False)
-        return [ScenePanel(), self._target, *made, self._images, regions, stages]
+        self._images = ImagesPanel(parts["images"])
+        image_filter, stages = PartPanel(parts["filter"]), StagesPanel()
+        for panel in (image_filter, stages):
+            panel.unfold(False)
+        return [
+            ScenePanel(),
+            self._target,
+            PartPanel(of_image["receiver"], "images[0].receiver"),
+            self._source,
+            ElementsPanel(parts["elements"]),
+            RunPanel(parts["run"]),
+            image_filter,
+            self._images,
+            RegionsPanel(parts["regions"]),
+            stages,
+        ]
 
     def _lay_out(self) -> None:
         """The panels below each other, with all fields in line, below the hint."""
@@ -211,11 +207,13 @@ class Forms(QScrollArea):
 
     def switch_entrance(self) -> None:
         """Give the lens a freeform entrance face, or a flat one again."""
-        two_faces = self._session.scene.optic.entrance.shape == "freeform"
-        shape = "flat" if two_faces else "freeform"
-        changes: dict[str, object] = {"lens.entrance": {"shape": shape}}
+        scene = self._session.scene
+        two_faces = scene.optic.entrance.shape == "bspline"
+        shape = "plane" if two_faces else "bspline"
+        path = scene.face_path("entrance")
+        changes: dict[str, object] = {path: {"shape": shape}}
         text = tr("flat entrance face") if two_faces else tr("freeform entrance face")
-        self.edit(Edit("lens.entrance.shape", text, changes, alone=True))
+        self.edit(Edit(f"{path}.shape", text, changes, alone=True))
 
     def take_aspect(self) -> None:
         """Give the receiver, and its pixels, the aspect of the target's picture."""
@@ -235,13 +233,13 @@ class Forms(QScrollArea):
             )
             return
         (half, _), (pixels, _) = receiver.half_extent, receiver.pixels
-        name = "far_field" if scene.screen is None else "screen"
+        path = "images[0].receiver"
         changes: dict[str, object] = {
-            f"{name}.{receiver.extent}": [half, half / aspect],
-            f"{name}.pixels": [pixels, max(round(pixels / aspect), 1)],
+            f"{path}.{receiver.extent}": [half, half / aspect],
+            f"{path}.pixels": [pixels, max(round(pixels / aspect), 1)],
         }
         text = tr("{receiver} of the picture's aspect", receiver=receiver.called)
-        self.edit(Edit(f"{name}.{receiver.extent}", text, changes, alone=True))
+        self.edit(Edit(f"{path}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
         """Have an image file chosen for a panel; any other one is for the first target."""
@@ -314,7 +312,7 @@ class Forms(QScrollArea):
         try:
             self._document.read_image_again()
         except Refused as refused:
-            path = "target.image"
+            path = f"{self._target.path}.image"
             self._pending[path] = Waiting(Edit(path, tr("new reading of the image"), {}), refused)
             self.message.emit(tr("Refused: {refused}").format(refused=error_text(refused)))
             self._show()

@@ -23,6 +23,7 @@ class ListedPanel(Panel):
     def __init__(self, title: str, parts: PartListRow[Any]) -> None:
         self._parts = parts
         self._bound = -1  # the part whose rows are there
+        self._called = ""  # in their names
         super().__init__(title, [parts])
         parts.chosen.connect(self._choose)
 
@@ -50,9 +51,12 @@ class ListedPanel(Panel):
         self.reverted.emit(self._parts.path)
 
     def _bind(self, number: int) -> None:
-        if number == self._bound:
-            return
-        self._remove_rows(list(self.rows[1:]))
-        self._bound = number
-        if number >= 0:
-            self._add_rows(self.rows_of(number), self.name_of(number))
+        name = self.name_of(number) if number >= 0 else ""
+        if number != self._bound:
+            self._remove_rows(list(self.rows[1:]))
+            self._bound = number
+            if number >= 0:
+                self._add_rows(self.rows_of(number), name)
+        elif name != self._called:
+            self._name_rows(self.rows[1:], name)
+        self._called = name

@@ -91,14 +91,20 @@ class Panel(QWidget):
 
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
         """Append rows, which undo menu and refusals call by ``name`` and their label."""
+        self._name_rows(rows, name)
         for row in rows:
-            row.name = tr("{panel} {field}").format(panel=name, field=inside(row.label.text()))
             row.label.setMinimumWidth(self._label_width)
             self._form.addRow(row.label, row)
             row.leave_undo()
             row.edited.connect(self.edited)
             row.reverted.connect(self.reverted)
             self._rows.append(row)
+
+    def _name_rows(self, rows: Sequence[Row], name: str) -> None:
+        for row in rows:
+            row.name = name
+            for part in filter(None, (row.of, row.label.text())):
+                row.name = tr("{panel} {field}").format(panel=row.name, field=inside(part))
 
     def _remove_rows(self, rows: Sequence[Row]) -> None:
         """Take rows away; what is typed in them and not entered is lost."""
@@ -112,24 +118,26 @@ class Panel(QWidget):
 
 
 class PartPanel(Panel):
-    """The rows of a part of the scene, as its fields say them."""
+    """The rows of a part of the scene, as its fields say them.
 
-    def __init__(self, field: FieldDescription) -> None:
-        self._part = field.name
+    Parameters
+    ----------
+    field : FieldDescription
+        What it says of itself.
+    path : str
+        Where it is in the scene, if that is not its name.
+    """
+
+    def __init__(self, field: FieldDescription, path: str = "") -> None:
+        self.path = path or field.name
         rows, kinds = Rows(lambda: self.session.scene, self.own_rows()), field.mark(Kinds)
         super().__init__(
             tr(field.title),
-            rows.of_kinds(field, kinds, field.name, kinds.title)
+            rows.of_kinds(field, kinds, self.path, kinds.title)
             if kinds
-            else rows.of_part(field.parts[0], field.name),
+            else rows.of_part(field.parts[0], self.path),
         )
 
     def own_rows(self) -> dict[str, Make]:
         """Fields whose rows show more than the fields say."""
         return {}
-
-    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
-        """Show the part; nothing where the scene has none."""
-        there = getattr(session.scene, self._part) is not None
-        super().show_session(session, present if there else frozenset(), pending)
-        self.setVisible(there)

@@ -1,7 +1,10 @@
 """Parts of the scene as a list, in their order, and what can be done with them."""
 
+import re
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from itertools import count
 from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
@@ -19,7 +22,7 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 class PartListRow(Row, Generic[AnyPart]):
-    """The parts one below the other, with buttons to add, remove and move them.
+    """The parts one below the other, with buttons to add, duplicate, remove and move them.
 
     Parameters
     ----------
@@ -32,13 +35,22 @@ class PartListRow(Row, Generic[AnyPart]):
     name : str
         What the list is called where it is read aloud.
     tips : sequence of str
-        Of the buttons that add, remove, and move up and down.
+        Of the buttons that add, duplicate, remove, and move up and down.
+    adding : sequence of str
+        Texts of the buttons that add; by default there is one.
     """
 
     chosen = Signal()
 
     def __init__(
-        self, path: str, label: str, tip: str, called: str, name: str, tips: Sequence[str]
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        called: str,
+        name: str,
+        tips: Sequence[str],
+        adding: Sequence[str] = (),
     ) -> None:
         super().__init__(path, label, tip)
         self._called = called
@@ -49,24 +61,28 @@ class PartListRow(Row, Generic[AnyPart]):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
         self._rest = Wrapped()
-        self._buttons = [
-            _button(text, tip)
-            for text, tip in zip((tr("Add"), tr("Remove"), tr("Up"), tr("Down")), tips, strict=True)
+        adding = adding or (tr("Add"),)
+        texts = (*adding, tr("Duplicate"), tr("Remove"), tr("Up"), tr("Down"))
+        actions = (
+            *(partial(self._append, which) for which in range(len(adding))),
+            self._duplicate,
+            self._drop,
+            partial(self._move, -1),
+            partial(self._move, 1),
+        )
+        buttons = [
+            _button(text, tip, act) for text, tip, act in zip(texts, tips, actions, strict=True)
         ]
-        actions = (self._append, self._drop, lambda: self._move(-1), lambda: self._move(1))
-        buttons = QHBoxLayout()
-        buttons.setSpacing(2)
-        for button, action in zip(self._buttons, actions, strict=True):
-            button.clicked.connect(action)
-            buttons.addWidget(button)
-        buttons.addStretch()
+        self._of_chosen = buttons[len(adding) :]
+        lines = [buttons] if len(adding) == 1 else [buttons[: len(adding)], self._of_chosen]
         content = QWidget()
         column = QVBoxLayout(content)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(3)
         column.addWidget(self._list)
         column.addWidget(self._rest)
-        column.addLayout(buttons)
+        for line in lines:
+            column.addLayout(_side_by_side(line))
         self._add(content)
         self.setFocusProxy(self._list)
 
@@ -85,9 +101,9 @@ class PartListRow(Row, Generic[AnyPart]):
     def show_parts(self, parts: tuple[AnyPart, ...], remark: str) -> None:
         """Show the parts, and below them a remark."""
         if parts != self._parts:
-            self._parts = parts
             with QSignalBlocker(self._list):
-                chosen = min(max(self.current, 0), len(parts) - 1)
+                chosen = self._chosen_among(parts)
+                self._parts = parts
                 self._list.clear()
                 for number, part in enumerate(parts, start=1):
                     self._list.addItem(f"{number}.  {self._summary(part)}")
@@ -98,29 +114,48 @@ class PartListRow(Row, Generic[AnyPart]):
             frame = 2 * self._list.frameWidth()
             self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
         self._rest.say(remark)
+        self._rest.setVisible(bool(remark))
         self._list.setVisible(bool(parts))
         self._enable()
 
     @abstractmethod
-    def _new(self) -> AnyPart:
-        """What is added behind the others."""
+    def _new(self, which: int) -> AnyPart:
+        """What the button of this number adds behind the others."""
 
     @abstractmethod
     def _summary(self, part: AnyPart) -> str:
         """What makes a part different, in one line."""
 
-    def _enable(self) -> None:
-        current, count = self.current, len(self._parts)
-        _, remove, up, down = self._buttons
-        remove.setEnabled(count > 0)
-        up.setEnabled(current > 0)
-        down.setEnabled(0 <= current < count - 1)
+    def _copy(self, part: AnyPart) -> AnyPart:
+        """What is put behind a part as its duplicate."""
+        return part
 
-    def _append(self) -> None:
+    def _chosen_among(self, parts: tuple[AnyPart, ...]) -> int:
+        """Which of other parts is to be chosen; −1 where there are none."""
+        return min(max(self.current, 0), len(parts) - 1)
+
+    def _enable(self) -> None:
+        current, last = self.current, len(self._parts) - 1
+        duplicate, remove, up, down = self._of_chosen
+        duplicate.setEnabled(last >= 0)
+        remove.setEnabled(last >= 0)
+        up.setEnabled(current > 0)
+        down.setEnabled(0 <= current < last)
+
+    def _append(self, which: int) -> None:
         self._put(
-            [*self._parts, self._new()],
+            [*self._parts, self._new(which)],
             tr("new {part}").format(part=self._called),
             len(self._parts),
+        )
+
+    def _duplicate(self) -> None:
+        current, parts = self.current, list(self._parts)
+        parts.insert(current + 1, self._copy(parts[current]))
+        self._put(
+            parts,
+            tr("copy of {part} {number}").format(part=self._called, number=current + 1),
+            current + 1,
         )
 
     def _drop(self) -> None:
@@ -142,15 +177,36 @@ class PartListRow(Row, Generic[AnyPart]):
         )
 
     def _put(self, parts: list[AnyPart], text: str, chosen: int) -> None:
-        data = [part.model_dump(mode="json", exclude_none=True) for part in parts]
+        data = _data(parts)
         self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
-        if self._parts == tuple(parts):  # not refused
+        if _data(self._parts) == data:  # not refused
             self._list.setCurrentRow(min(chosen, len(parts) - 1))
 
 
-def _button(text: str, tip: str) -> QToolButton:
+def another_name(name: str, taken: Iterable[str], between: str) -> str:
+    """A name that no other part has: that of a part, with the next free number behind it."""
+    stem = re.sub(rf"{between}\d+$", "", name)
+    names = set(taken)
+    return next(new for k in count(2) if (new := f"{stem}{between}{k}") not in names)
+
+
+def _data(parts: Iterable[Part]) -> list[dict[str, Any]]:
+    return [part.model_dump(mode="json", exclude_none=True) for part in parts]
+
+
+def _button(text: str, tip: str, act: Callable[[], None]) -> QToolButton:
     button = QToolButton()
     button.setText(text)
     button.setToolTip(tip)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # typed text is entered before it acts
+    button.clicked.connect(lambda _: act())
     return button
+
+
+def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
+    line = QHBoxLayout()
+    line.setSpacing(2)
+    for button in buttons:
+        line.addWidget(button)
+    line.addStretch()
+    return line

@@ -1,6 +1,6 @@
 """The regions of a scene as a list."""
 
-from ui.panels.part_list import PartListRow
+from ui.panels.part_list import PartListRow, another_name
 from ui.words import inside, tr
 from workbench.powers import written
 from workbench.scene import AnyRegion, RectangleRegion, Scene
@@ -20,6 +20,7 @@ class RegionListRow(PartListRow[AnyRegion]):
             tr("Regions"),
             (
                 tr("Add a region in the middle"),
+                tr("Add a copy of the chosen region behind it"),
                 tr("Remove the chosen region"),
                 tr("Move the chosen region up"),
                 tr("Move the chosen region down"),
@@ -32,9 +33,14 @@ class RegionListRow(PartListRow[AnyRegion]):
         self._scene = scene
         self.show_parts(scene.regions, "" if scene.regions else tr("None."))
 
-    def _new(self) -> AnyRegion:
+    def _new(self, which: int) -> AnyRegion:
         assert self._scene is not None  # shown before anything can be clicked
         return RectangleRegion(name=tr("Region {count}").format(count=len(self._scene.regions) + 1))
+
+    def _copy(self, part: AnyRegion) -> AnyRegion:
+        assert self._scene is not None  # shown before anything can be clicked
+        taken = (region.name for region in self._scene.regions)
+        return part.model_copy(update={"name": another_name(part.name, taken, " ")})
 
     def _summary(self, part: AnyRegion) -> str:
         """Name, kind and how far it goes, in the receiver's own coordinates."""

@@ -49,16 +49,12 @@ class CornersRow(TextRow):
         """Numbers and semicolons."""
         return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value)
 
-    def _tell(self, path: str, changes: dict[str, object]) -> None:
-        super()._tell(path, {path: _places(str(changes[path]))})
-
-
-def _places(text: str) -> object:
-    """Numbers of places; the text itself where it has others, which the scene refuses."""
-    try:
-        return [[float(number) for number in place.split(",")] for place in text.split(";")]
-    except ValueError:
-        return text
+    def value_of(self, text: str) -> object:
+        """Numbers of places; the text itself where it has others, which the scene refuses."""
+        try:
+            return [[float(number) for number in place.split(",")] for place in text.split(";")]
+        except ValueError:
+            return text
 
 
 def _corner_rows(field: FieldDescription, path: str) -> list[Row]:

@@ -8,7 +8,16 @@ from PySide6.QtCore import Signal
 
 from ui.panels.auto_row import AutoRow
 from ui.panels.edits import holder_of, value_at
-from ui.panels.fields import Changes, CheckRow, ChoiceRow, Condition, NumberRow, Row, TextRow
+from ui.panels.fields import (
+    Changes,
+    CheckRow,
+    ChoiceRow,
+    Condition,
+    NumberRow,
+    NumbersRow,
+    Row,
+    TextRow,
+)
 from ui.panels.optional import OptionalRow
 from ui.words import inside, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
@@ -30,7 +39,9 @@ class Rows:
     otherwise : str
         What a person reads for there being none of what may be left out.
     stage : str
-        Path of the stage whose rows these are; empty for the scene itself.
+        Path of the stage or image whose rows these are; empty for the scene itself.
+    place : str
+        Where the task has what the scene has there.
     """
 
     def __init__(
@@ -39,8 +50,10 @@ class Rows:
         own: Mapping[str, Make] | None = None,
         otherwise: str = "",
         stage: str = "",
+        place: str = "",
     ) -> None:
-        self._task, self._own, self._otherwise, self._stage = task, own or {}, otherwise, stage
+        self._task, self._own, self._otherwise = task, own or {}, otherwise
+        self._stage, self._place = stage, place
 
     def of_part(self, part: type[Part], path: str) -> list[Row]:
         """Rows of a part at a path."""
@@ -77,17 +90,34 @@ class Rows:
         return rows
 
     def _of_field(self, field: FieldDescription, path: str) -> list[Row]:
-        if kinds := field.mark(Kinds):
-            return self.of_kinds(field, kinds, path)
         if field.listed:
             return []  # their panel has rows for one of them
+        if field.members:
+            return [
+                row
+                for number in range(len(field.members))
+                for row in self._of_member(field, number, path)
+            ]
+        if kinds := field.mark(Kinds):
+            choice, *rows = self.of_kinds(field, kinds, path)
+            for row in rows:
+                row.indent()
+            return [choice, *rows]
         if field.parts:
             return self.of_part(field.parts[0], path)
         return [value_row(field, path, self._otherwise)]
 
+    def _of_member(self, field: FieldDescription, number: int, path: str) -> list[Row]:
+        """Rows of one of a fixed number of parts, whose title is part of their names."""
+        member = field.members[number]
+        choice, *rows = self.of_field(member, f"{path}[{number}]")
+        for row in rows:
+            row.of = tr(member.title)
+        return [choice, *rows]
+
     def _first_of(self, kinds: Kinds, kind: type[Part], path: str) -> Part | None:
         task = self._task()
-        before = value_at(task, path.removeprefix(f"{self._stage}.") if self._stage else path)
+        before = value_at(task, f"{self._place}{path.removeprefix(self._stage)}".removeprefix("."))
         return kinds.exchanged(before, kind, task)
 
     def _method(self, scene: Scene) -> str:
@@ -116,7 +146,9 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
     if field.type is bool:
         return CheckRow(path, label, tip)
     if field.number is None:
-        return TextRow(path, label, tip)
+        return TextRow(path, label, tip, optional=field.optional)
+    if field.several:
+        return NumbersRow(path, label, tip, measure=field.measure)
     between = field.between if field.count > 1 else ""
     numbers = (between, field.count, field.number is int)
     if field.auto:

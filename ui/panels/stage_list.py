@@ -22,6 +22,7 @@ class StageListRow(PartListRow[Stage]):
             tr("Stages of the run"),
             (
                 tr("Add a stage behind the others"),
+                tr("Add a copy of the chosen stage behind it"),
                 tr("Remove the chosen stage"),
                 tr("Run the chosen stage sooner"),
                 tr("Run the chosen stage later"),
@@ -37,7 +38,7 @@ class StageListRow(PartListRow[Stage]):
         )
         self.show_parts(stages, then if stages else tr("None: the scene is run as it stands."))
 
-    def _new(self) -> Stage:
+    def _new(self, which: int) -> Stage:
         """Half of what is left for the scene is a fair share; the scene refuses what is none."""
         return Stage(iterations=max(1, self._left // 2))
 

@@ -41,7 +41,7 @@ def is_image_file(path: Path) -> bool:
 
 
 class TargetPanel(PartPanel):
-    """Bound to ``scene.target``.
+    """Bound to the target of the first image.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class TargetPanel(PartPanel):
 
     def __init__(self, field: FieldDescription) -> None:
         dropped = tr("An image file can also be dropped onto the window.")
-        super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"))
+        super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
         for row in self.rows:
             if isinstance(row, KindRow | TextRow):
                 row.asked.connect(lambda *_: self.image_asked.emit())
@@ -79,8 +79,8 @@ class TargetPanel(PartPanel):
             self.image_again.emit()
             return
         target = of_image(path, self.session.scene.target)
-        edit = Edit("target.image", tr("change of target image"), {"target": target}, waits=False)
-        self.edited.emit(edit)
+        text, changes = tr("change of target image"), {self.path: target}
+        self.edited.emit(Edit(f"{self.path}.image", text, {**changes}, waits=False))
 
 
 def of_image(path: Path, before: Finish) -> dict[str, object]:

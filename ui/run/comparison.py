@@ -142,7 +142,7 @@ class RunComparison(QDialog):
 
     def _figures_of(self, run: KeptRun) -> list[tuple[str, str]]:
         """Figures of a run's chosen image; a check knows the error of the first."""
-        number = min(self._choice.currentIndex(), len(run.scene.further_images))
+        number = min(self._choice.currentIndex(), len(run.scene.images) - 1)
         return figures_of(run.of_image(number), "" if number else self._verified(run))
 
     def _recolour(self) -> None:

@@ -233,8 +233,7 @@ def _errors(frame: "Frame") -> list[str]:
     from workbench.design.loss import relative_error  # late: takes long to import
     from workbench.extended.bound import percent
 
-    further = len(frame.session.scene.further_images)
-    alone = [frame.of_image(number) for number in range(1 + further)] if further else [frame]
+    alone = [frame.of_image(number) for number in range(len(frame.session.scene.images))]
     return [percent(relative_error(each.snapshot.state, each.session.target)) for each in alone]
 
 

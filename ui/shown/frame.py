@@ -54,7 +54,7 @@ class Frame:
 
     def of_image(self, number: int) -> "Frame":
         """The frame as if one of the scene's images were the only one; 0 is the first."""
-        if not self.session.scene.further_images:
+        if len(self.session.scene.images) == 1:
             return self
         session = self.session.of_image(number)
         state = self.state.of_image(number, session.target)

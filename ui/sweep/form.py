@@ -1,5 +1,6 @@
 """Fields that a sweep varies, and their values."""
 
+import re
 from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 _AT_MOST = 2  # fields at once
 # Nothing of the lens depends on these, or a sweep refuses them.
-_NOT = ("unit", "regions", "further_images")
+_NOT = re.compile(r"unit|regions|images\[[1-9]|elements\[\d+\]\.(kind|name)$")
 _VALUES = later(
     "Between commas: numbers as 1, 2.5, 3; whole numbers as 0..4; pairs as 64x48; words as auto. "
     "Lengths in the unit of the scene."
@@ -49,9 +50,7 @@ class SweepForm(QWidget):
 
     def show_scene(self, scene: "Scene") -> None:
         """Offer the fields of a scene; chosen ones stay, as far as it has them."""
-        self._rows = {
-            row.path: row for row in field_rows(scene, 2) if not row.path.startswith(_NOT)
-        }
+        self._rows = {row.path: row for row in field_rows(scene) if not _NOT.match(row.path)}
         for number, field in enumerate(self.fields):
             chosen = field.currentData()
             field.blockSignals(True)

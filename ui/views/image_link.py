@@ -92,7 +92,7 @@ class ImageLink(QObject):
 
     def number_in(self, scene: "Scene") -> int:
         """Which image of a scene is seen: the last one of a scene that has fewer."""
-        return min(self.number, len(scene.further_images))
+        return min(self.number, len(scene.images) - 1)
 
     def _set(self, name: str, value: object) -> None:
         if value != getattr(self, name):

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from workbench.report.content import Fact
-from workbench.scene import FieldDescription, Part, Scene
+from workbench.scene import Element, FieldDescription, Part, Scene
 
 _FILE = {"format", "version"}
 _NONE = "–"
@@ -29,6 +29,8 @@ def field_rows(scene: Scene) -> Iterator[FieldRow]:
 
 
 def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]:
+    if isinstance(part, Element):
+        part = part.lit(scene.source.wavelength)
     remarks = part.remarks()
     for field in part.fields():
         value, place = getattr(part, field.name), f"{path}{field.name}"
@@ -38,6 +40,10 @@ def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]
         elif field.listed:
             for number, each in enumerate(value):
                 where = f"{place}[{number}].", f"{called} {number + 1} · "
+                yield from _rows(each, *where, scene)
+        elif field.members:
+            for member, each in zip(field.members, value, strict=True):
+                where = f"{path}{member.name}.", f"{title}{member.title} · "
                 yield from _rows(each, *where, scene)
         elif value is not None and place not in _FILE:
             text = f"{_text(value, field)} {field.measure.words_in(scene.unit)}".rstrip()
@@ -49,7 +55,7 @@ def _text(value: Any, field: FieldDescription) -> str:
     if isinstance(value, tuple):
         if value and isinstance(value[0], tuple):  # places
             return "; ".join(", ".join(_text(each, field) for each in place) for place in value)
-        between = " × " if field.between == "×" else ", "
+        between = " × " if field.between == "×" and not field.several else ", "
         return between.join(_text(each, field) for each in value)
     if isinstance(value, bool):
         return "yes" if value else "no"
@@ -73,7 +79,7 @@ def differences(one: Scene, other: Scene) -> tuple[Difference, ...]:
     >>> scene = read_scene(path("examples", "tophat.json"))
     >>> other = scene.with_receiver(scene.receiver.moved_to(6.0))
     >>> differences(scene, other)
-    (Difference(title='Screen · At z', values=('5 cm', '6 cm')),)
+    (Difference(title='Images 1 · Receiver · Position', values=('0, 0, 5 cm', '0, 0, 6 cm')),)
     """
     found = [
         {row.path: row for row in field_rows(scene)} for scene in (one, other.in_unit(one.unit))

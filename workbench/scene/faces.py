@@ -6,12 +6,14 @@ vertex stands is a matter of the element.
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple
+from fractions import Fraction
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 from pydantic import ConfigDict, Field
 
+from workbench import units
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
@@ -222,6 +224,13 @@ class ConicFace(Part):
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
         """Shallow enough for any element."""
         return {"radius": float(f"{10 * math.hypot(*scene.optic.half_width):.2g}")}
+
+    def scaled(self, factor: Fraction) -> Self:
+        """See `Part.scaled`; a coefficient of rⁿ is a length to the power 1 − n."""
+        coefficients = tuple(
+            units.times(a, factor ** (-2 * k - 3)) for k, a in enumerate(self.coefficients)
+        )
+        return super().scaled(factor).model_copy(update={"coefficients": coefficients})
 
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast.

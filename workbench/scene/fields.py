@@ -86,6 +86,13 @@ PLACE, RANGE = Between(","), Between("to")
 
 
 @dataclass(frozen=True)
+class Members:
+    """Mark of a field with a fixed number of parts: what a person reads for each."""
+
+    titles: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Choices:
     """Mark of a field with a few values: what a person reads for each; its name, if left out."""
 
@@ -189,9 +196,24 @@ class FieldDescription:
         return len(get_args(self.type)) if get_origin(self.type) is tuple else 1
 
     @property
+    def several(self) -> bool:
+        """Whether it holds any number of values."""
+        return Ellipsis in get_args(self.type)
+
+    @property
     def listed(self) -> bool:
         """Whether it holds any number of parts of the scene."""
-        return Ellipsis in get_args(self.type) and bool(self.parts)
+        return self.several and bool(self.parts)
+
+    @property
+    def members(self) -> tuple["FieldDescription", ...]:
+        """A description for each of its parts, where their number is fixed; see `Members`."""
+        mark = self.mark(Members)
+        item, marks = self._item
+        return tuple(
+            FieldDescription(f"{self.name}[{number}]", title, self.tip, item, False, False, marks)
+            for number, title in enumerate(mark.titles if mark else ())
+        )
 
     @property
     def choices(self) -> tuple[tuple[str, str], ...]:

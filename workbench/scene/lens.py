@@ -30,7 +30,7 @@ from workbench.scene.element import (
     relative,
 )
 from workbench.scene.faces import Face
-from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, about
+from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import NonNegative, Part, Positive
@@ -112,6 +112,7 @@ class Lens(Element):
     ]
     faces: Annotated[
         tuple[Face, Face],
+        Members(("Front face", "Back face")),
         about("Faces", "Front face and back face, in the order in which light meets them."),
     ]
 
@@ -220,6 +221,12 @@ class Lens(Element):
 
     def check_element(self) -> None:
         """Refuse what cannot be computed with, and what cannot be made."""
+        front, back = self.faces
+        if front.designed and not back.designed:
+            raise Refused(
+                "faces[1].shape" if back.shape != "bspline" else "faces[1].fixed",
+                Said("a front face is designed together with the back face; 'bspline', not fixed"),
+            )
         super().check_element()
         if not self.index > 1:
             low = Said("{index:g}; greater than 1 is needed", index=self.index)

@@ -13,7 +13,7 @@ from workbench.said import Said
 from workbench.scene import limits
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, Place
 from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection, Sampling
-from workbench.scene.fields import LENGTH, PLACE, Measure, about
+from workbench.scene.fields import LENGTH, PLACE, Fallback, Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
 
@@ -35,6 +35,7 @@ class AnySource(Part):
     wavelength_um: Annotated[
         Positive | None,
         Measure("µm"),
+        Fallback("source.wavelength"),
         about(
             "Wavelength",
             "Vacuum wavelength at which the indices of materials are taken. Left empty, it is "

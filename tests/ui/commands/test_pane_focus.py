@@ -46,7 +46,7 @@ def test_keys_cycle_the_focus_through_all_visible_panes(window, qtbot):
 
 
 def test_a_pane_restores_the_focus_of_its_last_field(window, qtbot):
-    field = editor(window.forms, "screen.z")
+    field = editor(window.forms, "images[0].receiver.position[2]")
     field.setFocus()
     window.commands["go_log"].trigger()
     assert not field.hasFocus()

@@ -53,7 +53,7 @@ def document(qapp, tmp_path):
     document.deleteLater()
 
 
-def move_screen(document, z, key="screen.z"):
+def move_screen(document, z, key="images[0].receiver.position[2]"):
     document.edit(changed(document.session.scene, "screen", z=float(z)), "change of screen", key)
 
 

@@ -79,7 +79,7 @@ def test_an_image_for_the_target_is_asked_for(window, asked, folders):
     image = pictures / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     answers.append(image)
-    choose(window.forms, "target.builtin", "image")
+    choose(window.forms, "images[0].target.builtin", "image")
     assert window.document.session.scene.target.image == str(image)
-    choose(window.forms, "target.builtin", "image")
+    choose(window.forms, "images[0].target.builtin", "image")
     assert begun[1] == str(pictures)

@@ -7,17 +7,11 @@ from workbench.errors import Refused
 
 
 @pytest.mark.parametrize(
-    "path", ["source.position[2]", "lens.control_points[1]", "run.stages[3].iterations"]
+    "path",
+    ["source.position[2]", "elements[0].faces[1].control_points[1]", "run.stages[3].iterations"],
 )
 def test_an_edit_of_a_field_that_has_gone_is_refused(make_scene, path):
     scene = make_scene({"lens.control_points": "auto"})  # of parallel light, and without stages
     with pytest.raises(Refused, match="no such field any more") as refused:
         edited_scene(scene, [Edit(path, "change", {path: 7})])
     assert refused.value.path == path
-
-
-def test_numbers_that_a_file_may_leave_out_are_edited_one_by_one(make_scene):
-    scene = make_scene()
-    assert "direction" not in scene.to_data()["source"]
-    edited = edited_scene(scene, [Edit("direction", "turn", {"source.direction[1]": 4.0})])
-    assert edited.source.direction == (0.0, 4.0)
