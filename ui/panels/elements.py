@@ -1,5 +1,7 @@
 """The elements of a scene: a list of them, and the settings of the one that is chosen."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ui.panels.edits import value_at
@@ -16,7 +18,7 @@ from workbench.scene import AnyElement, FieldDescription, Kinds, Part, PlacedFac
 
 _CUSTOM_INDEX = "index"
 _AUTOMATIC, _OWN_RANGE = "automatic", "own"
-_FACE = ".face"  # begins the paths of faces
+_FACES = "face", "faces"
 
 
 class ElementsPanel(ListedPanel):
@@ -36,12 +38,11 @@ class ElementsPanel(ListedPanel):
         return begun(self.session.scene.elements[number].name)
 
     def rows_of(self, number: int) -> list[Row]:
-        """Kind and settings of an element, those of its faces below the others."""
+        """Kind and settings of an element."""
         kinds = self._field.mark(Kinds)
         assert kinds is not None  # they are of several kinds
         rows = _ElementRows(self, number)
-        made = rows.of_kinds(self._field, kinds, rows.path, tr("Kind"))
-        return sorted(made, key=lambda row: row.path.startswith(f"{rows.path}{_FACE}"))
+        return rows.of_kinds(self._field, kinds, rows.path, tr("Kind"))
 
 
 class _ElementRows(Rows):
@@ -56,6 +57,12 @@ class _ElementRows(Rows):
         super().__init__(lambda: panel.session.scene, own)
         self._panel, self._number = panel, number
         self.path = f"elements[{number}]"
+
+    def fields_of(
+        self, kinds: Sequence[type[Part]]
+    ) -> list[tuple[FieldDescription, list[type[Part]]]]:
+        """Show faces below all else."""
+        return sorted(super().fields_of(kinds), key=lambda own: own[0].name in _FACES)
 
     @property
     def _element(self) -> AnyElement:

@@ -1,7 +1,11 @@
 """A list of parts of the scene, and the settings of the one that is chosen."""
 
 from abc import abstractmethod
+from itertools import pairwise
 from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
 
 from ui.panels.fields import Row
 from ui.panels.panel import Panel
@@ -57,6 +61,20 @@ class ListedPanel(Panel):
             self._bound = number
             if number >= 0:
                 self._add_rows(self.rows_of(number), name)
+                self._put_in_tab_order()
         elif name != self._called:
             self._name_rows(self.rows[1:], name)
         self._called = name
+
+    def _put_in_tab_order(self) -> None:
+        """Let Tab reach the new rows behind the list; they would come last of all panels."""
+        stops = [
+            widget
+            for row in self.rows
+            for widget in row.findChildren(QWidget)
+            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+            and widget.focusProxy() is None
+            and widget.window() is self.window()  # not the lists that choosers open
+        ]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)

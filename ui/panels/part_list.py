@@ -63,7 +63,7 @@ class PartListRow(Row, Generic[AnyPart]):
         self._rest = Wrapped()
         adding = adding or (tr("Add"),)
         texts = (*adding, tr("Duplicate"), tr("Remove"), tr("Up"), tr("Down"))
-        actions = (
+        actions: tuple[Callable[[], None], ...] = (
             *(partial(self._append, which) for which in range(len(adding))),
             self._duplicate,
             self._drop,

@@ -82,12 +82,18 @@ class Rows:
             self._otherwise if field.optional else "",
         )
         rows: list[Row] = [choice]
-        for own, having in _merged(field.parts):
+        for own, having in self.fields_of(field.parts):
             if own.name != kinds.field:
                 for row in self.of_field(own, f"{path}.{own.name}"):
                     row.only_if(_is_of(path, having))
                     rows.append(row)
         return rows
+
+    def fields_of(
+        self, kinds: Sequence[type[Part]]
+    ) -> list[tuple[FieldDescription, list[type[Part]]]]:
+        """Fields of all kinds in the order shown, and which kinds have them."""
+        return _merged(kinds)
 
     def _of_field(self, field: FieldDescription, path: str) -> list[Row]:
         if field.listed:

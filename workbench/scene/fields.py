@@ -209,10 +209,11 @@ class FieldDescription:
     def members(self) -> tuple["FieldDescription", ...]:
         """A description for each of its parts, where their number is fixed; see `Members`."""
         mark = self.mark(Members)
+        titles: tuple[str, ...] = mark.titles if mark else ()
         item, marks = self._item
         return tuple(
             FieldDescription(f"{self.name}[{number}]", title, self.tip, item, False, False, marks)
-            for number, title in enumerate(mark.titles if mark else ())
+            for number, title in enumerate(titles)
         )
 
     @property

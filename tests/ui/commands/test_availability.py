@@ -2,12 +2,19 @@ import pytest
 
 from ui.commands.availability import Situation
 from ui.commands.table import COMMANDS
-from workbench.scene import Lens, Mirror
-from workbench.scene.entrance import SplineFace
+from workbench.scene import Lens, Mirror, PlaneFace, SplineFace
 
-LENS = Lens(half_width=(1, 1), control_points=(8, 8), refractive_index=1.5)
-TWO_FACES = LENS.altered(entrance=SplineFace())
-MIRROR = Mirror(half_width=(1, 1), control_points=(8, 8))
+FACE = SplineFace(control_points=(8, 8))
+LENS = Lens(
+    kind="lens",
+    name="lens",
+    half_width=(1.0, 1.0),
+    material="PMMA",
+    thickness=0.5,
+    faces=(PlaneFace(), FACE),
+)
+TWO_FACES = LENS.with_face("entrance", SplineFace())
+MIRROR = Mirror(kind="mirror", name="mirror", half_width=(1.0, 1.0), face=FACE)
 
 
 def situation(

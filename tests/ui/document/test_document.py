@@ -39,10 +39,14 @@ def lens_result():
     )
 
 
-def changed(scene, part, **values):
-    return scene.model_copy(
-        update={part: getattr(scene, part).model_copy(update=values)},
-    )
+def with_pixels(document, *pixels):
+    scene = document.session.scene
+    return scene.with_receiver(scene.receiver.model_copy(update={"pixels": pixels}))
+
+
+def with_seed(document, seed):
+    scene = document.session.scene
+    return scene.model_copy(update={"run": scene.run.model_copy(update={"seed": seed})})
 
 
 @pytest.fixture
@@ -54,7 +58,8 @@ def document(qapp, tmp_path):
 
 
 def move_screen(document, z, key="images[0].receiver.position[2]"):
-    document.edit(changed(document.session.scene, "screen", z=float(z)), "change of screen", key)
+    scene = document.session.scene
+    document.edit(scene.with_receiver(scene.receiver.moved_to(float(z))), "change of screen", key)
 
 
 def test_consecutive_edits_of_one_field_are_one_step(document):
@@ -67,7 +72,7 @@ def test_consecutive_edits_of_one_field_are_one_step(document):
 
 def test_edits_of_different_fields_are_steps_of_their_own(document):
     move_screen(document, 6)
-    document.edit(changed(document.session.scene, "run", seed=3), "change of seed", "run.seed")
+    document.edit(with_seed(document, 3), "change of seed", "run.seed")
     move_screen(document, 7)
     assert document.undo_stack.count() == 3
 
@@ -89,7 +94,7 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
 
 
 def test_another_screen_loads_the_target_for_its_pixels(document):
-    document.edit(changed(document.session.scene, "screen", pixels=(20, 8)), "pixels", "pixels")
+    document.edit(with_pixels(document, 20, 8), "pixels", "pixels")
     assert document.session.target.shape == (8, 20)
     document.undo_stack.undo()
     assert document.session.target.shape == (10, 12)
@@ -101,7 +106,7 @@ def test_a_missing_image_is_refused_only_where_it_is_read_again(document, tmp_pa
     scene = small_scene(target={"image": str(image)})
     document.edit(scene, "target", "target")
     image.unlink()
-    document.edit(changed(document.session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
+    document.edit(with_pixels(document, 9, 9), "pixels", "pixels")
     session = document.session
     assert session.target.shape == (9, 9)
     with pytest.raises(Refused, match=r"target\.png"):
@@ -118,7 +123,7 @@ def test_a_relative_image_starts_beside_the_file(document, tmp_path):
 
 def test_another_lens_removes_the_result_and_undo_restores_it(document):
     document.set_result(lens_result(), "design run")
-    document.edit(changed(document.session.scene, "run", seed=3), "change of seed", "run.seed")
+    document.edit(with_seed(document, 3), "change of seed", "run.seed")
     assert document.session.result is not None
     move_screen(document, 6)
     assert document.session.result is None

@@ -11,7 +11,7 @@ NET = "lens.control_points"
 
 @pytest.fixture
 def session(make_scene, rng):
-    scene = make_scene({NET: "auto", "screen.pixels": [20, 16]})
+    scene = make_scene({"lens.control_points": "auto", "screen.pixels": [20, 16]})
     return Session(scene, rng.random((16, 20)))
 
 
