@@ -42,7 +42,9 @@ def desk(qtbot, session, history, rng):
 
 def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
     before = desk.document.session
-    enter(qtbot, desk.forms, "lens.control_points[0]", "21")  # 9 spans of degree 3 become 18
+    enter(
+        qtbot, desk.forms, "elements[0].faces[1].control_points[0]", "21"
+    )  # 9 spans of degree 3 become 18
     after = desk.document.session
     assert after.result.state.heights["exit"].shape == (21, 10)
     assert after.result.state.irradiance is before.result.state.irradiance
@@ -55,7 +57,7 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
 
 def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     before = desk.document.session
-    enter(qtbot, desk.forms, "lens.control_points[0]", "20")
+    enter(qtbot, desk.forms, "elements[0].faces[1].control_points[0]", "20")
     after = desk.document.session
     assert after.result is None and after.start["exit"].shape == (20, 10)
     off = deviation(
@@ -77,7 +79,7 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
 
 def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
     for z in ("6", "7", "8"):
-        enter(qtbot, desk.forms, "screen.z", z)
+        enter(qtbot, desk.forms, "images[0].receiver.position[2]", z)
         desk.document.undo_stack.setClean()  # steps of their own
     assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
     assert desk.document.session.start is not None
@@ -85,7 +87,7 @@ def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
 
 
 def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot):
-    enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
+    enter(qtbot, desk.forms, "elements[0].half_width[0]", "1.5")
     assert "does not fit the new outline" in desk.messages.text
     assert desk.document.session.heights is None
     desk.document.undo_stack.undo()
@@ -95,7 +97,7 @@ def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot
 
 def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
     before = desk.document.session.heights["exit"]
-    enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
+    enter(qtbot, desk.forms, "elements[0].faces[1].height_range[1]", "0.01")
     after = desk.document.session
     moved = np.abs(after.heights["exit"] - before).max()
     assert after.result is None and after.heights["exit"].max() <= 0.51
@@ -105,17 +107,16 @@ def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how
 def test_a_second_freeform_face_is_said_and_taken_back(desk):
     document = desk.document
     before = document.session
-    two_faced = before.scene.optic.altered(
-        entrance=SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
-    )
-    document.edit(before.scene.altered(lens=two_faced), "two faces", "lens.entrance.shape")
+    front = SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
+    two_faced = before.scene.optic.with_face("entrance", front)
+    document.edit(before.scene.with_optic(two_faced), "two faces", "elements[0].faces[0].shape")
     assert set(document.session.heights) == {"entrance", "exit"}
     assert desk.messages.text.startswith("The entrance face is freeform now, and flat so far.")
     document.undo_stack.undo()
     assert document.session is before
     document.undo_stack.redo()
     two = document.session
-    flat = two.scene.optic.altered(entrance=PlaneFace())
-    document.edit(two.scene.altered(lens=flat), "one face", "lens.entrance")
+    flat = two.scene.optic.with_face("entrance", PlaneFace())
+    document.edit(two.scene.with_optic(flat), "one face", "elements[0].faces[0]")
     assert set(document.session.heights) == {"exit"}
     assert desk.messages.text.startswith("The entrance face is flat now;")

@@ -120,7 +120,7 @@ def test_notice_of_a_run_is_withdrawn_if_its_best_lens_lacks_nothing(desk, qtbot
 
 
 def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, qtbot):
-    free = desk.document.session.scene.optic.altered(height_range=None)
+    free = desk.document.session.scene.optic.shaped(height_range=None)
     desk.document.edit(desk.document.session.scene.with_optic(free), "range", "")
     desk.fall_short(NARROW)
     design(desk, qtbot)

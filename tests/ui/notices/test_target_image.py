@@ -32,8 +32,8 @@ def test_a_design_with_a_missing_image_can_be_padded_and_blurred(window, saved, 
     assert window.files.open(saved)
     assert window.messages.text == ""
     before = window.document.session.target
-    enter(qtbot, window.forms, "target.padding", "0.2")
-    enter(qtbot, window.forms, "target.blur", "1")
+    enter(qtbot, window.forms, "images[0].target.padding", "0.2")
+    enter(qtbot, window.forms, "images[0].target.blur", "1")
     session = window.document.session
     assert (session.scene.target.padding, session.scene.target.blur) == (0.2, 1)
     assert session.target.sum() < before.sum() and not window.forms.refused
@@ -62,4 +62,4 @@ def test_the_same_image_chosen_again_is_read_again(window, saved, image):
     assert window.document.session.picture == image.read_bytes() != before.picture
     image.unlink()
     window.forms.choose_image(image)
-    assert "is not an existing file" in row(window.forms, "target.image").refusal
+    assert "is not an existing file" in row(window.forms, "images[0].target.image").refusal

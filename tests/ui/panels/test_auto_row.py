@@ -6,7 +6,7 @@ from tests.ui.hands import enter, row
 from workbench.design.session import Session
 from workbench.scene import AutoNet
 
-NET = "lens.control_points"
+NET = "elements[0].faces[1].control_points"
 
 
 @pytest.fixture
@@ -40,7 +40,7 @@ def test_an_empty_field_leaves_it_to_the_program_again(forms, document, qtbot):
 
 def test_an_entrance_face_shows_the_net_of_the_exit_face_and_takes_it(forms, document):
     forms.switch_entrance()
-    net = "lens.entrance.control_points"
+    net = "elements[0].faces[0].control_points"
     assert shown(forms, net) == (True, [("", "49"), ("", "39")])
     row(forms, net).box.click()
     assert document.session.scene.optic.entrance.control_points == (49, 39)

@@ -38,7 +38,7 @@ def counted(monkeypatch):
 
 
 def test_an_edit_validates_once(forms, qtbot, counted):
-    enter(qtbot, forms, "screen.z", "7")
+    enter(qtbot, forms, "images[0].receiver.position[2]", "7")
     assert counted == {"written": 1, "validated": 1}
 
 

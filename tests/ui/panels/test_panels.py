@@ -29,20 +29,23 @@ def session():
 
 
 def test_a_number_is_entered_with_return(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "7.25")
+    enter(qtbot, forms, "images[0].receiver.position[2]", "7.25")
     assert document.session.scene.receiver.z == 7.25
-    assert document.undo_stack.undoText() == "screen at z 5 → 7.25 cm"
+    assert document.undo_stack.undoText() == "receiver position 0, 0, 5 → 0, 0, 7.25 cm"
 
 
 def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbot):
     for axis, text in ((0, "40"), (1, "50"), (0, "50")):
-        enter(qtbot, forms, f"screen.half_width[{axis}]", text)
+        enter(qtbot, forms, f"images[0].receiver.half_width[{axis}]", text)
     assert document.undo_stack.count() == 1
-    assert document.undo_stack.undoText() == "screen half width 1 → 50 cm"
-    enter(qtbot, forms, "screen.half_width[0]", "30")
-    assert document.undo_stack.undoText() == "screen half width 1 × 1 → 30 × 50 cm"
-    enter(qtbot, forms, "lens.height_range[1]", "0.4")
-    assert document.undo_stack.undoText() == "lens from the base -0.3 to 0.3 → -0.3 to 0.4 cm"
+    assert document.undo_stack.undoText() == "receiver half width 1 → 50 cm"
+    enter(qtbot, forms, "images[0].receiver.half_width[0]", "30")
+    assert document.undo_stack.undoText() == "receiver half width 1 × 1 → 30 × 50 cm"
+    enter(qtbot, forms, "elements[0].faces[1].height_range[1]", "0.4")
+    assert (
+        document.undo_stack.undoText()
+        == "lens back face from the base -0.3 to 0.3 → -0.3 to 0.4 cm"
+    )
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert document.session.scene.receiver.half_width == (1.0, 1.0)
@@ -51,14 +54,14 @@ def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbo
 @pytest.mark.parametrize(
     ("path", "text", "value"),
     [
-        ("screen.z", "70 mm", 7),
-        ("screen.z", "15/2", 7.5),
-        ("screen.z", "7,5", 7.5),
-        ("screen.z", "3 in - 0.62", None),
-        ("screen.z", "3 in - 6.2 mm", 7),
-        ("lens.min_thickness", "300 um", 0.03),
+        ("images[0].receiver.position[2]", "70 mm", 7),
+        ("images[0].receiver.position[2]", "15/2", 7.5),
+        ("images[0].receiver.position[2]", "7,5", 7.5),
+        ("images[0].receiver.position[2]", "3 in - 0.62", None),
+        ("images[0].receiver.position[2]", "3 in - 6.2 mm", 7),
+        ("elements[0].min_thickness", "300 um", 0.03),
         ("run.iterations", "2*128", 256),
-        ("lens.control_points[1]", "(30 + 2)/2", 16),
+        ("elements[0].faces[1].control_points[1]", "(30 + 2)/2", 16),
     ],
 )
 def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path, text, value):
@@ -66,40 +69,40 @@ def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path
     enter(qtbot, forms, path, text)
     if value is None:
         assert document.session is before
-        assert "give both a unit" in row(forms, path).refusal
+        assert "give both a unit" in field_row(forms, path).refusal
     else:
         assert editor(forms, path).text() == f"{value}"
         assert not forms.refused and document.session is not before
 
 
 def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "1 mm")  # within the lens
+    enter(qtbot, forms, "images[0].receiver.position[2]", "1 mm")  # within the lens
     choose(forms, "unit", "mm")
-    enter(qtbot, forms, "lens.height_range[1]", "-4.1")
-    enter(qtbot, forms, "lens.min_thickness", "0")
+    enter(qtbot, forms, "elements[0].faces[1].height_range[1]", "-4.1")
+    enter(qtbot, forms, "elements[0].min_thickness", "0")
     assert forms.refused and document.session.scene.receiver.z == 50
     choose(forms, "unit", "m")
-    assert editor(forms, "screen.z").text() == "1 mm"
+    assert editor(forms, "images[0].receiver.position[2]").text() == "1 mm"
 
 
 @pytest.mark.parametrize(
     ("path", "text", "reason"),
     [
-        ("screen.z", "far", "'far' is not a number"),
-        ("screen.z", "0.1", "may touch the lens"),
-        ("screen.z", "nan", "'nan' is not a number"),
-        ("screen.z", "1e999", "too large"),
-        ("screen.z", "5 kg", "'kg' is not known here; mm, cm, m, inch"),
-        ("screen.z", "1,000", "1,000 may be 1.000 or 1000"),
-        ("screen.z", "5/0", "divides by zero"),
+        ("images[0].receiver.position[2]", "far", "'far' is not a number"),
+        ("images[0].receiver.position[2]", "0.1", "may touch the lens"),
+        ("images[0].receiver.position[2]", "nan", "'nan' is not a number"),
+        ("images[0].receiver.position[2]", "1e999", "too large"),
+        ("images[0].receiver.position[2]", "5 kg", "'kg' is not known here; mm, cm, m, inch"),
+        ("images[0].receiver.position[2]", "1,000", "1,000 may be 1.000 or 1000"),
+        ("images[0].receiver.position[2]", "5/0", "divides by zero"),
         ("run.seed", "3 mm", "'mm' is not known here; no unit"),
-        ("lens.half_width[1]", "-1", "must be greater than 0"),
-        ("lens.control_points[0]", "3", "3 is too few for degree 3; at least 4"),
-        ("lens.control_points[0]", "6.5", "is not a whole number"),
-        ("lens.height_range[0]", "1", "low before high"),
+        ("elements[0].half_width[1]", "-1", "must be greater than 0"),
+        ("elements[0].faces[1].control_points[0]", "3", "3 is too few for degree 3; at least 4"),
+        ("elements[0].faces[1].control_points[0]", "6.5", "is not a whole number"),
+        ("elements[0].faces[1].height_range[0]", "1", "low before high"),
         ("filter.size[0]", "4", "4 is even"),
         ("run.seed", "", "'' is not a number; a number is needed"),
-        ("target.radius", "2", "at most 1"),
+        ("images[0].target.radius", "2", "at most 1"),
     ],
 )
 def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, reason):
@@ -114,20 +117,20 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
 
 
 def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
-    enter(qtbot, forms, "lens.degree[0]", "7")
-    assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
-    assert "6 is too few for degree 7" in row(forms, "lens.degree").refusal
-    enter(qtbot, forms, "lens.control_points[0]", "9")
+    enter(qtbot, forms, "elements[0].faces[1].degree[0]", "7")
+    assert "6 is too few for degree 7" in row(forms, "elements[0].faces[1].control_points").refusal
+    assert "6 is too few for degree 7" in row(forms, "elements[0].faces[1].degree").refusal
+    enter(qtbot, forms, "elements[0].faces[1].control_points[0]", "9")
     lens = document.session.scene.optic
     assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
     assert not forms.refused
 
 
 def test_undo_shows_the_earlier_values_and_drops_what_was_refused(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "7")
+    enter(qtbot, forms, "images[0].receiver.position[2]", "7")
     enter(qtbot, forms, "run.seed", "x")
     document.undo_stack.undo()
-    assert editor(forms, "screen.z").text() == "5"
+    assert editor(forms, "images[0].receiver.position[2]").text() == "5"
     assert editor(forms, "run.seed").text() == "0"
     assert not forms.refused
 
@@ -156,32 +159,30 @@ def test_another_unit_converts_all_lengths(forms, document, qtbot):
     assert (scene.unit, scene.receiver.z, scene.optic.half_width) == ("mm", 50, (10, 10))
     assert scene == before.scene.in_unit("mm")
     assert document.session.target is before.target
-    assert row(forms, "screen.z")._unit.text() == "mm"
-    assert editor(forms, "screen.z").text() == "50"
+    assert row(forms, "images[0].receiver.position")._unit.text() == "mm"
+    assert editor(forms, "images[0].receiver.position[2]").text() == "50"
     assert document.undo_stack.undoText() == "change of unit"
     document.undo_stack.undo()
     assert document.session is before
 
 
-def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):
-    choose(forms, "lens.refractive_index", "N-BK7")
-    lens = document.session.scene.optic
-    assert (lens.refractive_index, lens.wavelength_um) == ("N-BK7", 0.5876)
-    assert row(forms, "lens.wavelength_um").isVisible()
-    choose(forms, "lens.refractive_index", "index")
-    lens = document.session.scene.optic
-    assert lens.refractive_index == pytest.approx(1.5168, abs=1e-4)
-    assert lens.wavelength_um is None
-    assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
+def test_a_custom_index_begins_with_that_of_the_material_in_the_light(forms, document, qtbot):
+    choose(forms, "elements[0].material", "N-BK7")
+    assert document.session.scene.elements[0].material == "N-BK7"
+    enter(qtbot, forms, "source.wavelength_um", "0.4861")
+    assert row(forms, "elements[0].material")._unit.text() == "n = 1.52238"
+    choose(forms, "elements[0].material", "index")
+    assert document.session.scene.elements[0].material.index == pytest.approx(1.52238, abs=1e-5)
+    assert row(forms, "elements[0].material.index").isVisible()
 
 
 def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
     image = tmp_path / "target.png"
     Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
     forms.image_asked.connect(lambda: forms.choose_image(image))
-    choose(forms, "target.builtin", "image")
+    choose(forms, "images[0].target.builtin", "image")
     assert document.session.scene.target.image == str(image)
-    assert row(forms, "target.image").editor.text() == str(image)
+    assert row(forms, "images[0].target.image").editor.text() == str(image)
 
 
 def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
@@ -197,19 +198,21 @@ def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, 
         assert "notes.txt" in received[count]
         assert not forms.refused and not any(each.refusal for each in rows(forms))
         assert document.undo_stack.count() == count
-    assert row(forms, "target.image").editor.text() == str(image)
+    assert row(forms, "images[0].target.image").editor.text() == str(image)
 
 
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
     session, received = document.session, []
     forms.postponed.connect(received.append)
     forms.set_running(True)
-    enter(qtbot, forms, "screen.z", "7")
+    enter(qtbot, forms, "images[0].receiver.position[2]", "7")
     choose(forms, "source.kind", "point")
     enter(qtbot, forms, "source.position[2]", "-9")  # a field of the source to come
     assert document.session is session
-    assert editor(forms, "screen.z").text() == "7" and forms.postponed_edits == 3
-    assert "change of screen at z" in received[0] and "source kind" in received[-1]
+    assert (
+        editor(forms, "images[0].receiver.position[2]").text() == "7" and forms.postponed_edits == 3
+    )
+    assert "change of receiver position" in received[0] and "source kind" in received[-1]
     forms.set_running(False)
     forms.make_postponed_edits()
     scene = document.session.scene
@@ -235,7 +238,7 @@ def test_another_source_stands_before_the_lens(forms, document):
     choose(forms, "source.emission", "lambertian")
     choose(forms, "source.kind", "grid")
     source = document.session.scene.source
-    assert (source.kind, source.center, source.half_width) == ("grid", (0, 0, -5), (0.5, 0.5))
+    assert (source.kind, source.position, source.half_width) == ("grid", (0, 0, -5), (0.5, 0.5))
     assert source.emission == "lambertian"  # what both have is kept
     choose(forms, "source.kind", "collimated")
     assert document.session.scene.source.kind == "collimated"
@@ -257,9 +260,9 @@ def test_each_source_has_its_fields_once(forms, document, kind):
     [([1, 1], [12, 10], 1), ([2, 1], [8, 8], 2), ([1, 4], [8, 8], 0.25)],
 )
 def test_the_thumbnail_has_the_aspect_of_the_screen(forms, document, half_width, pixels, aspect):
-    screen = {"z": 5, "half_width": half_width, "pixels": pixels}
-    scene = Scene.from_data(document.session.scene.to_data() | {"screen": screen})
-    document.edit(scene, "screen", "screen")
+    data = document.session.scene.to_data()
+    data["images"][0]["receiver"] |= {"half_width": half_width, "pixels": pixels}
+    document.edit(Scene.from_data(data), "receiver", "receiver")
     thumbnail = forms._target._thumbnail
     place = thumbnail.place
     assert place.width() / place.height() == pytest.approx(aspect, rel=0.05)
@@ -268,14 +271,16 @@ def test_the_thumbnail_has_the_aspect_of_the_screen(forms, document, half_width,
 
 
 def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):
-    assert row(forms, "lens.height_range").chooser.currentText() == "Own limits"
-    choose(forms, "lens.height_range", "automatic")
+    assert row(forms, "elements[0].faces[1].height_range").chooser.currentText() == "Own limits"
+    choose(forms, "elements[0].faces[1].height_range", "automatic")
     assert document.session.scene.optic.height_range is None
-    assert [each.isVisible() for each in rows(forms) if each.path == "lens.height_range"] == [
+    assert [
+        each.isVisible() for each in rows(forms) if each.path == "elements[0].faces[1].height_range"
+    ] == [
         True,
         False,  # no numbers
     ]
-    choose(forms, "lens.height_range", "own")
+    choose(forms, "elements[0].faces[1].height_range", "own")
     assert document.session.scene.optic.height_range == (-0.3, 0.3)
-    enter(qtbot, forms, "lens.height_range[1]", "0.4")
+    enter(qtbot, forms, "elements[0].faces[1].height_range[1]", "0.4")
     assert document.session.scene.optic.height_range == (-0.3, 0.4)

@@ -24,15 +24,15 @@ def begin(open_window, make_session):
 
 
 def number(window, qtbot):
-    return enter(qtbot, window.forms, "screen.z", "far")
+    return enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
 
 
 def whole_number_of_a_pair(window, qtbot):
-    return enter(qtbot, window.forms, "lens.degree[1]", "99")
+    return enter(qtbot, window.forms, "elements[0].faces[1].degree[1]", "99")
 
 
 def pair_that_the_program_may_choose(window, qtbot):
-    return enter(qtbot, window.forms, "lens.control_points[0]", "2")
+    return enter(qtbot, window.forms, "elements[0].faces[1].control_points[0]", "2")
 
 
 def number_that_may_be_left_out(window, qtbot):
@@ -40,7 +40,7 @@ def number_that_may_be_left_out(window, qtbot):
 
 
 def text(window, qtbot):
-    return fill(qtbot, row(window.forms, "target.text").editor, "")
+    return fill(qtbot, row(window.forms, "images[0].target.text").editor, "")
 
 
 def corners(window, qtbot):
@@ -107,8 +107,8 @@ def test_escape_takes_a_refused_entry_back_from_any_field(begin, qtbot, entry, c
 def test_escape_takes_all_refused_entries_and_typed_text_back(begin, qtbot):
     window = begin()
     before = shown(window.forms)
-    enter(qtbot, window.forms, "screen.z", "far")
-    enter(qtbot, window.forms, "screen.half_width[0]", "wide")
+    enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
+    enter(qtbot, window.forms, "images[0].receiver.half_width[0]", "wide")
     field = enter(qtbot, window.forms, "run.seed", "1", key=None)
     qtbot.keyClick(field, Qt.Key.Key_Escape)
     assert shown(window.forms) == before and not window.forms.refused
@@ -117,6 +117,6 @@ def test_escape_takes_all_refused_entries_and_typed_text_back(begin, qtbot):
 def test_an_entry_that_is_refused_during_a_run_is_taken_back(begin, qtbot):
     window = begin()
     window.forms.set_running(True)
-    field = enter(qtbot, window.forms, "screen.z", "far")
+    field = enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
     qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
     assert field.text() == "7" and not window.forms.refused

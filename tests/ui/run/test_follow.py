@@ -210,7 +210,7 @@ def test_a_run_stops_the_following_design(desk, qtbot):
 def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, designed):
     lenses = []
     for settled, z in enumerate((6, 7, 8), 1):
-        desk.edit(z, key="screen.z")  # one field, edited again and again
+        desk.edit(z, key="images[0].receiver.position[2]")  # one field, edited again and again
         desk.wait(settled)
         lenses.append(desk.document.session.result)
     runs = desk.document.session.runs

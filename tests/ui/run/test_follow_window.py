@@ -39,7 +39,7 @@ def test_a_value_that_is_typed_is_followed_and_undone_as_one_step(following, des
     texts = []
     window.loaded.follow.message.connect(texts.append)
     with settled(window, qtbot):
-        fill(qtbot, editor(window.forms, "screen.z"), "6")
+        fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "6")
     result = document.session.result
     assert document.session.scene.receiver.z == 6
     assert result.iterations > 0
@@ -61,7 +61,7 @@ def test_a_run_keeps_edits_waiting_and_they_are_followed_after_it(following, qtb
     window.loaded.control.runner.frame_ready.connect(frames.append)
     window.commands["start"].trigger()
     qtbot.waitUntil(lambda: any(frame.snapshot.iteration for frame in frames))
-    fill(qtbot, editor(window.forms, "screen.z"), "6")
+    fill(qtbot, editor(window.forms, "images[0].receiver.position[2]"), "6")
     assert window.loaded.follow.text == ""
     with settled(window, qtbot):
         window.commands["stop"].trigger()
