@@ -230,11 +230,11 @@ def put(edit: Edit, data: dict[str, Any]) -> None:
         If there is no such field, or what was typed is no number.
     """
     for path, value in edit.changes.items():
-        holder: Any
         holder, last = holder_of(data, path)
         if not isinstance(holder, list | dict):  # another edit has taken it away
             raise Refused(path, Said("this task has no such field any more"))
-        holder[last] = _read(value, path, data["unit"])
+        found = _read(value, path, data["unit"])
+        holder[last] = found  # type: ignore[index]  # a list has an index here
 
 
 def _read(value: object, path: str, unit: str) -> object:

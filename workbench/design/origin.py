@@ -80,5 +80,8 @@ def _fields(part: Any, path: str) -> Iterator[tuple[str, Any]]:
     if isinstance(part, dict):
         for name, value in part.items():
             yield from _fields(value, f"{path}.{name}" if path else name)
+    elif isinstance(part, list) and any(isinstance(each, dict) for each in part):
+        for number, each in enumerate(part):
+            yield from _fields(each, f"{path}[{number}]")
     else:
         yield path, part

@@ -74,7 +74,10 @@ def test_a_run_can_be_exported(running, qtbot, tmp_path):
 
 def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qtbot, tmp_path):
     assert carried.commands["export"].isEnabled() and carried.commands["report"].isEnabled()
-    received = "designed for another task (Run 1: flat): screen.z 5.0, now 7.0"
+    received = (
+        "designed for another task (Run 1: flat): "
+        "images[0].receiver.position [0.0, 0.0, 5.0], now [0.0, 0.0, 7.0]"
+    )
     assert received in carried.commands["export"].toolTip()
     shown = carried._lens.session
     np.testing.assert_array_equal(
