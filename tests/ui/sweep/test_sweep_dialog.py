@@ -61,7 +61,7 @@ def texts(dialog, row):
 
 def test_fields_are_offered_with_what_they_are_now(dialog):
     choose(dialog, 0, "elements[0].faces[1].control_points", "")
-    assert dialog.form.fields[0].currentText() == "Lens · Control points"
+    assert dialog.form.fields[0].currentText() == "Elements 1 · Back face · Control points"
     assert dialog.form.values[0].placeholderText() == "now 12 × 10"
     assert dialog.form.fields[0].findData("unit") < 0
     assert dialog.form.fields[1].currentText() == "none"
