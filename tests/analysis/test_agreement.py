@@ -41,14 +41,6 @@ def test_shares_beyond_noise_and_bound_are_a_contradiction(batches, same):
     assert agreement(share(batches), 0.61, same, off=0.01).contradiction is None
 
 
-def test_images_beyond_noise_and_bound_are_a_contradiction(batches, rng):
-    apart = CorrectedDistance.of(0.04**2 + 1e-4 * rng.normal(size=16))
-    expected = float(np.mean(batches))
-    found = agreement(share(batches), expected, apart).contradiction
-    assert "the images by cells and by random rays are " in found
-    assert agreement(share(batches), expected, apart, bound=0.03).contradiction is None
-
-
 def test_a_run_beside_the_check():
     assert run_apart(0.015, 0.0, 0.7, 0.702, 0.0) is None
     assert run_apart(0.3, 0.0004, 0.7, 0.7, 0.0).startswith("the image of the run is 30 % off")

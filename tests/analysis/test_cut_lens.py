@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from workbench.analysis.cut_lens import tracing_cut
-from workbench.errors import Refused
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
@@ -46,11 +45,3 @@ def test_ridges_turn_light_by_their_slope(scene):
     height, normal = raster.cut(np.zeros(1), np.array([between]))
     assert abs(normal[0, 1]) == pytest.approx(apart / 2 / 0.5, rel=1e-2)
     assert height == pytest.approx(0.5 + 0.5 - np.sqrt(0.25 - (apart / 2) ** 2), abs=1e-6)
-
-
-def test_the_cut_of_a_mirror_is_not_traced(make_scene, scene):
-    raster = raster_of(scene, np.full((8, 8), 0.5), 0.5, 1e-3)
-    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
-    other = make_scene({"version": 2, "lens": None, "mirror": mirror, "screen.z": -5})
-    with pytest.raises(Refused, match="mirror"):
-        next(tracing_cut(other, {"mirror": np.zeros((8, 8))}, np.ones((16, 16)), raster))

@@ -25,12 +25,6 @@ class TestEqualImages:
         assert found.contrast == 1
 
 
-def test_psnr_by_hand():
-    target, image = np.array([[1.0, 1.0], [2.0, 0.0]]), np.array([[1.0, 1.0], [1.0, 1.0]])
-    # Normalised they differ by 1/4 in two of four pixels; the peak is 1/2.
-    assert metrics.psnr(image, target) == pytest.approx(20 * math.log10(0.5 / math.sqrt(1 / 32)))
-
-
 def test_relative_l2_by_hand():
     target, image = np.array([[0.0, 2.0]]), np.array([[1.0, 1.0]])
     assert metrics.relative_l2(image, target) == pytest.approx(math.sqrt(0.5))
@@ -59,11 +53,6 @@ class TestSsim:
                 luminance = (2 * mean_p * mean_q + 1e-4) / (mean_p**2 + mean_q**2 + 1e-4)
                 scores.append(luminance * (2 * cov + 9e-4) / (var_p + var_q + 9e-4))
         assert metrics.ssim(image, target) == pytest.approx(np.mean(scores), rel=1e-10)
-
-    def test_falls_with_noise(self, target, rng):
-        noise = rng.random(target.shape)
-        found = [metrics.ssim(target + part * noise, target) for part in (0.0, 0.1, 0.5)]
-        assert found[0] > found[1] > found[2]
 
 
 def test_correlation(target, rng):

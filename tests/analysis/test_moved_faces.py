@@ -5,11 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.tolerances import Perturbation
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
-from workbench.analysis.validation import validate
 from workbench.geometry.surface import ControlNet
 
 INDEX = 1.5
@@ -60,32 +58,3 @@ def test_a_ray_meets_a_decentred_face_where_it_met_the_face_beside(make_scene, r
     here, beside = leaving(scene, heights, Pose(), 0.3 - shift[0], 0.2 - shift[1])
     assert there == pytest.approx(here, abs=1e-14)
     assert place - beside == pytest.approx([*shift, 0.0], abs=1e-14)
-
-
-def test_light_beside_a_decentred_face_leaves_at_the_side(make_scene):
-    # A strip of the square of light, and a crescent of the same width in the middle.
-    for outline in ("rectangle", "ellipse"):
-        scene = make_scene({"lens.outline": outline, "screen.half_width": [2.0, 2.0]})
-        plate = {"exit": np.full((12, 10), 0.5)}
-        account = validate(
-            scene, np.ones((32, 32)), plate, 100_000, pose=Pose(exit_decentre=(0.1, 0.0))
-        ).account
-        assert account.lost["left_side"] == pytest.approx(0.96 * 0.05, rel=0.005)
-        assert account.efficiency + sum(account.lost.values()) == pytest.approx(1)
-
-
-def test_an_entrance_face_is_as_rough_as_it_was_said(make_scene):
-    for entrance in ({"shape": "flat"}, FREEFORM):
-        scene = make_scene({"version": 2, "lens.entrance": entrance})
-        heights = {"exit": np.full((12, 10), 0.5)}
-        if entrance is FREEFORM:
-            heights["entrance"] = np.zeros((6, 6))
-        rough = Perturbation(entrance_surface=(1e-3, 0.3), seed=3)
-        off, moved = rough.applied(scene, heights)
-        assert moved["exit"] is heights["exit"]
-        net = ControlNet(*off.optic.entrance.net(off.optic.net_shape), off.optic.half_width)
-        middles = (np.arange(200) + 0.5) / 200
-        errors = net.grid(middles, middles).evaluate(moved["entrance"])[0]
-        assert errors.std() == pytest.approx(1e-3, rel=0.02)
-        found = validate(off, np.ones((32, 32)), moved, 20_000)
-        assert found.account.efficiency + sum(found.account.lost.values()) == pytest.approx(1)

@@ -5,12 +5,10 @@ import pytest
 import torch
 
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.tolerances import Perturbation
 from workbench.analysis.validation import validate
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.scene.auto_net import AutoNet
 
 SOURCES = {
     "collimated": {"kind": "collimated", "rays": [64, 64]},
@@ -78,18 +76,3 @@ def test_rays_and_the_design_see_the_same_light(scene):
     expected, found = light.account.to_data(), traced.account.to_data()
     for loss in ("fresnel_entrance", "fresnel_exit", "left_side", "missed_lens"):
         assert found[loss] == pytest.approx(expected[loss], abs=1e-3)
-
-
-@pytest.mark.parametrize("scene", ["collimated"], indirect=True)
-def test_a_rough_exit_face_leaves_the_net_of_the_entrance_face(scene):
-    entrance = scene.optic.entrance.model_copy(update={"control_points": AutoNet()})
-    scene = scene.with_optic(scene.optic.model_copy(update={"entrance": entrance}))
-    heights = lens_of(scene)
-    rough = Perturbation(surface=(1e-3, 0.1), seed=1)
-    moved, found = rough.applied(scene, heights)
-    nets = freeform_nets(moved.optic)
-    assert {face: each.shape for face, each in found.items()} == {
-        face: net.shape for face, net in nets.items()
-    }
-    assert nets["exit"].shape > nets["entrance"].shape
-    np.testing.assert_array_equal(found["entrance"], heights["entrance"])

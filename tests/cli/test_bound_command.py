@@ -20,11 +20,3 @@ def test_json_has_the_bound_and_its_assumptions(freeform, extended):
     assert 0 < found["relative_l2_half_as_wide"] < found["relative_l2_bound"]
     assert 0 < found["on_target_bound"] <= found["efficiency_bound"] <= 1
     assert any("one blur over the whole lens" in each for each in found["assumptions"])
-
-
-def test_bound_of_a_point_is_zero_and_says_why(freeform, scene_file):
-    status, stdout, _ = freeform("bound", scene_file, "--json")
-    assert (status, json.loads(stdout)["relative_l2_bound"]) == (0, 0)
-    status, stdout, _ = freeform("bound", scene_file)
-    assert status == 0
-    assert stdout.startswith("No size of this source")

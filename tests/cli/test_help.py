@@ -31,13 +31,3 @@ def test_the_first_help_names_every_verb(help_of):
     stderr = help_of()
     for name in VERBS:
         assert f"\n  {name} " in stderr
-
-
-def test_the_version_is_printed(capsys):
-    from workbench import __version__
-    from workbench.cli import main
-
-    with pytest.raises(SystemExit) as ended:
-        main(["--version"])
-    assert ended.value.code == 0
-    assert capsys.readouterr().out == f"freeform {__version__}\n"

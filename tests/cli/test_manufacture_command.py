@@ -1,6 +1,5 @@
 import json
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +7,7 @@ import pytest
 from tests.accounts import account_of
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
-from workbench.files.session import Session, read_session, write_session
+from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 
@@ -74,38 +73,3 @@ def test_limits(freeform, bowl, tmp_path):
     assert [v["state"] for v in json.loads(stdout)["limits"]] == ["met", "broken"]
     status, _, stderr = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
     assert (status, stderr) == (0, "")
-
-
-@pytest.fixture
-def moved(bowl):
-    """Moves the exit face of the bowl along z."""
-
-    def move(by):
-        session = read_session(bowl)
-        result = session.result.with_state(
-            heights=FaceArrays({"exit": session.result.state.heights["exit"] + by})
-        )
-        write_session(replace(session, result=result), bowl)
-        return bowl
-
-    return move
-
-
-@pytest.mark.parametrize(
-    ("by", "flaw"),
-    [(-10.3, "not above the entrance face at z = 0"), (4.4, "not before the screen at z = 5")],
-)
-def test_a_lens_that_is_no_body_has_figures_but_is_not_checked_or_exported(
-    freeform, moved, by, flaw, tmp_path
-):
-    lens, solid = moved(by), tmp_path / "lens.step"
-    status, stdout, stderr = freeform("manufacture", lens)
-    assert status == 1
-    assert "thinnest" in stdout
-    assert flaw in stderr
-    for arguments in (("validate", lens, "--rays", 1000), ("export", lens, solid)):
-        status, stdout, stderr = freeform(*arguments)
-        assert (status, stdout) == (2, "")
-        assert stderr.startswith("freeform: lens: its exit face is at z = ")
-        assert flaw in stderr
-    assert not solid.exists()

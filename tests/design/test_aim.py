@@ -37,9 +37,3 @@ def test_first_lens_with_an_extended_source_is_nearer_than_that_for_the_target_i
         )
     )
     assert bound < aimed < 0.8 * sharp
-
-
-def test_source_without_a_size_begins_with_transport_to_the_target(make_scene, target):
-    scene = make_scene({"lens.control_points": [16, 16]})
-    first = first_lens(scene, target).heights
-    np.testing.assert_array_equal(first["exit"], transport_start(scene, target))

@@ -5,7 +5,6 @@ import torch
 
 from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.lens_blur import LensBlur
-from workbench.design.levels import lens_blur_of
 from workbench.extended.blur import Blur
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
@@ -84,19 +83,3 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights
         ahead, back = (value(heights["exit"] + s * step * way) for s in (1, -1))
     slope = ((ahead - back) / (2 * step)).item()
     assert (gradient * way).sum().item() == pytest.approx(slope, rel=0.01)
-
-
-def test_steep_faces_blur_by_more_than_a_plate(make_scene, rng):
-    scene = make_scene(SUN | {"screen.half_width": [2.4, 2.4], "screen.pixels": [80, 80]})
-    x, _ = ControlNet.of(scene.optic).positions
-    wedge = scene.optic.base.height + 0.4 + 0.35 * x[:, None] + 0.01 * rng.random((12, 12))
-    heights = {"exit": torch.as_tensor(wedge)}
-    plate, found = LensBlur(Blur.of(scene, wedge.mean())), lens_blur_of(scene, heights)
-    assert found is not None
-    assert found.mean.widths[0] > 1.05 * plate.mean.widths[0]
-    all_of_it = BeamPlan(scene, Corners(128, 128, 256)).trace(heights).flux
-    of_plate, of_found = (
-        (BlurredPlan(scene, (256, 256), blur).trace(heights).flux - all_of_it).norm()
-        for blur in (plate, found)
-    )
-    assert of_found < 0.8 * of_plate

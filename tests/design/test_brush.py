@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbench.design.brush import Stroke, bump, resized
+from workbench.design.brush import Stroke, bump
 from workbench.geometry.surface import ControlNet
 
 
@@ -59,14 +59,3 @@ def test_locked_points_stay(lens, flat):
     assert raised[3, 4] > 0.55
     assert not Stroke(lens, "exit", flat, locked, (4, 4), 0.0).moves
     assert Stroke(lens, "exit", flat, locked, (3, 4), 0.0).moves
-
-
-def test_sizes_go_from_a_point_to_the_whole_lens(lens):
-    net = ControlNet.of(lens)
-    radii = [resized(net, 0.0, steps) for steps in range(20)]
-    assert radii[0] == 0 and radii[-1] == 1
-    _, weights = bump(net, (6, 5), radii[1])
-    assert (weights > 0).sum() >= 9
-    assert (np.diff(radii[:6]) > 0).all() and (np.diff(radii) >= 0).all()
-    assert resized(net, radii[3], -1) == pytest.approx(radii[2])
-    assert resized(net, radii[1], -1) == 0 == resized(net, radii[5], -9)

@@ -32,11 +32,3 @@ def test_a_coarse_net_is_named_with_what_can_show_the_target(scene, stripes):
     found = coarse_net(scene, stripes, result)
     assert found.shape == (6, 6) and min(found.finer) > 12 and found.error > 0.05
     assert "6 × 6 control points are too few" in found.sentence
-
-
-def test_light_of_some_size_may_be_the_reason_too(scene, make_scene, stripes):
-    result = designed(scene, stripes)
-    sun = make_scene(
-        {"lens.control_points": [6, 6], "source.angular_diameter": 2.0, "run.iterations": 300}
-    )
-    assert coarse_net(sun, stripes, result) is None

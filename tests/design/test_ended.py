@@ -52,9 +52,3 @@ def test_a_failure_is_recorded_and_raised(make_scene, disc):
     with pytest.raises(RunFailed, match="the loss is not finite"):
         list(history.follow(failing()))
     assert history.result().ended == "failed: the loss is not finite"
-
-
-def test_a_run_without_improvement_is_reported(make_scene, disc):
-    run_data = {"method": "paper", "iterations": 3, "learning_rate": 1e9}
-    why = ended(run(make_scene({"run": run_data}), disc))
-    assert why == "all iterations are done; no iteration made the lens better"

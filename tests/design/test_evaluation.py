@@ -5,8 +5,6 @@ import pytest
 
 from workbench.design.evaluation import Evaluator
 from workbench.design.run import run
-from workbench.design.snapshot import History
-from workbench.scene import Scene
 
 PAPER = {"method": "paper", "iterations": 3}
 POINT = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 4096}
@@ -34,17 +32,3 @@ def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
     assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
     assert found.state.heights is not last.state.heights
     assert not found.state.heights["exit"].flags.writeable
-
-
-def test_a_snapshot_counts_on_from_an_earlier_result(make_scene, scene_data, target):
-    scene = make_scene({"run.iterations": 2})
-    history = History()
-    for snapshot in run(scene, target):
-        history.add(snapshot)
-    earlier = history.result()
-    found = Evaluator(scene, target, earlier.state.heights).snapshot(earlier.state.heights, earlier)
-    assert (found.iteration, found.seconds) == (2, earlier.seconds)
-    scene_data["run"]["stages"] = [{"iterations": 2, "control_points": [8, 8]}]
-    staged = Scene.from_data(scene_data)
-    found = Evaluator(staged, target, earlier.state.heights).snapshot(earlier.state.heights)
-    assert (found.stage, found.stages) == (1, 2)

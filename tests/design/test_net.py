@@ -34,21 +34,6 @@ def test_detail_in_dark_places_gets_more_control_points(chosen):
     assert chosen(target=np.tile(3 * stripes, (120, 1)))[0] == 375
 
 
-def test_a_wide_source_is_worth_no_more_than_its_blur(chosen):
-    def grid(half_width):
-        place = {"kind": "grid", "center": [0, 0, -5], "points": [3, 3]}
-        return chosen({"source": {**place, "half_width": half_width}})
-
-    assert grid([0.0, 0.0]) == (375, 225)
-    assert grid([1.0, 0.0]) == (141, 225)
-    assert grid([1.0, 1.0]) == (141, 113)
-
-
-def test_numbers_of_control_points_in_the_scene_are_kept(make_scene):
-    scene = make_scene()
-    assert definite(scene, np.ones((32, 32))) is scene
-
-
 def _session(make_scene, rng, **fields):
     return Session(make_scene({"lens.control_points": "auto"}), 3 + rng.random((32, 32)), **fields)
 

@@ -5,13 +5,6 @@ import pytest
 from workbench.design.pace import Pace
 
 
-def noted(steps):
-    pace = Pace()
-    for seconds, iteration in steps:
-        pace.note(seconds, iteration)
-    return pace
-
-
 def test_the_pace_is_that_of_the_last_seconds():
     pace = Pace()
     assert pace.rate is None and pace.left(10) is None
@@ -22,12 +15,3 @@ def test_the_pace_is_that_of_the_last_seconds():
         pace.note(10 + 0.4 * iteration, 100 + iteration)
     assert pace.rate == pytest.approx(2.5)
     assert pace.left(10) == pytest.approx(4)
-
-
-def test_another_run_begins_anew():
-    pace = noted((i, i) for i in range(10))
-    pace.note(0.0, 0)
-    assert pace.rate is None
-    for iteration in range(5, 10):
-        pace.note(0.1 * iteration, iteration)
-    assert pace.rate == pytest.approx(10)

@@ -48,12 +48,3 @@ def test_the_kept_picture_counts_until_the_file_is_read_again(session, image):
     assert again.picture == image.read_bytes() and again.scene == kept.scene
     assert not changed_on_disk(again.scene, again.picture)
     assert np.abs(again.target - kept.target).max() > 0.9
-
-
-def test_another_image_brings_its_own_picture(session, image):
-    other = image.with_name("other.png")
-    Image.fromarray(LETTER.T.copy()).save(other)
-    found = edited(session, image=str(other))
-    assert found.picture == other.read_bytes()
-    data = found.scene.to_data() | {"target": {"builtin": "ball"}}
-    assert with_task(found, Scene.from_data(data), image.parent).picture is None

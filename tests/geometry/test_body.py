@@ -11,10 +11,6 @@ def plate():
     return np.full((12, 10), 0.5)
 
 
-def test_a_plate_is_a_body(make_scene, plate):
-    check_body(make_scene(), {"exit": plate})
-
-
 @pytest.mark.parametrize("height", [-9.8, 0.0, 1e-12, 5.0, 4000.0])
 def test_a_face_that_touches_or_passes_another_is_refused(make_scene, plate, height):
     with pytest.raises(Refused, match="no body of glass") as refused:

@@ -40,19 +40,6 @@ def test_a_quadric_is_exact(degree):
     assert (found.smallest <= found.largest).all()
 
 
-@pytest.mark.parametrize("hollow", [1, -1])
-def test_a_sphere(hollow):
-    radius = 3.0
-    found = shape_of(lambda x, y: 4 - hollow * np.sqrt(radius**2 - x**2 - y**2))
-    np.testing.assert_allclose(found.mean, hollow / radius, rtol=1e-5)
-    np.testing.assert_allclose(found.gaussian, 1 / radius**2, rtol=1e-5)
-    r = np.hypot(X, Y)
-    np.testing.assert_allclose(found.slope, r / np.sqrt(radius**2 - r**2), atol=1e-6)
-    # Where they are equal, rounding in their difference is under a root.
-    np.testing.assert_allclose(found.smallest, hollow / radius, rtol=2e-3)
-    np.testing.assert_allclose(found.largest, hollow / radius, rtol=2e-3)
-
-
 def test_a_cylinder_across_the_axes():
     radius, cos, sin = 3.0, np.cos(np.pi / 6), 0.5
     found = shape_of(lambda x, y: 4 - np.sqrt(radius**2 - (cos * x + sin * y) ** 2))

@@ -5,7 +5,6 @@ import pytest
 
 from workbench.jobs import side_view
 from workbench.jobs.mirror import MirrorJob
-from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 from workbench.jobs.wall_washer import WallWasher
 
@@ -42,19 +41,3 @@ def test_side_view_of_a_tilted_part_is_taken_from_where_the_tilt_shows(kind, acr
         upright, tilted = tilted, upright
     assert np.ptp(upright[:, 0]) == pytest.approx(0.0, abs=1e-9)
     assert np.ptp(tilted[:, 0]) > 0.1 * np.ptp(tilted[:, 1])
-
-
-@pytest.mark.parametrize(
-    ("job", "text", "length"),
-    [
-        (MirrorJob(distance=130.0), "130 mm", 130.0),
-        (MirrorJob(distance=130.0, aside=0.0), "130 mm", 130.0),
-        (WallWasher(wall_distance=1234.0), "1234 mm", 1234.0),
-        (SunPlate(distance=321.0), "321 mm", 321.0),
-    ],
-    ids=["mirror", "straight mirror", "wall", "plate"],
-)
-def test_the_distance_is_the_one_that_was_asked_for(job, text, length):
-    view = side_view(job.scene())
-    (distance,) = (each for each in view.dimensions if each.distance and each.text == text)
-    assert np.linalg.norm(np.subtract(*distance.ends)) == pytest.approx(length)

@@ -62,14 +62,6 @@ def test_a_ray_in_the_centre_of_its_pixel_is_spread_by_the_formula():
     assert flux.sum() == pytest.approx(1)
 
 
-def test_ghost_pixels_light_the_edge():
-    filter = GaussianFilter(size=(3, 3), alpha=1.0)
-    just_beside = image_at(*points((3.1, 0.25)), SCREEN, filter)
-    assert 0.1 < just_beside[:, -1].sum() < 0.5
-    beyond = image_at(*points((3.51, 0.25)), SCREEN, filter)
-    assert beyond.sum() == 0
-
-
 @given(
     x=st.floats(-3.4, 3.4),
     y=st.floats(-2.4, 2.4),

@@ -152,26 +152,6 @@ def test_the_rim_belongs_to_the_mesh(dtype):
         assert np.abs(met.depth.numpy() - height).max() < 20 * torch.finfo(dtype).eps
 
 
-def test_rays_through_the_side_meet_nothing_but_have_a_depth():
-    # They leave at half the height of a plate 1/2 high, on each of its sides.
-    x, y = np.array([0.9375, -0.9375, 0, 0]), np.array([0, 0, 0.6875, -0.6875])
-    slope_x, slope_y = np.array([0.25, -0.25, 0, 0]), np.array([0, 0, 0.25, -0.25])
-    met = meet(bundle(x, y, slope_x, slope_y), torch.full(NET.shape, 0.5))
-    assert not met.found.any()
-    assert (met.depth - 0.25).abs().max() < 1e-15
-
-
-def test_a_tilted_plane_is_exact_with_any_subdivision(rng):
-    x, y = NET.positions
-    heights = torch.as_tensor(0.6 + 0.2 * x[:, None] - 0.1 * y[None])
-    rays = random_rays(rng, 20_000)
-    here = 0.6 + 0.2 * rays.x - 0.1 * rays.y
-    depth = here / (1 - 0.2 * rays.slope_x + 0.1 * rays.slope_y)
-    for subdivisions in ((1, 1), (3, 2)):
-        met = meet(rays, heights, subdivisions)
-        assert (met.depth - depth)[met.found].abs().max() < 1e-14
-
-
 def test_a_bilinear_face_is_met_exactly_on_its_edges_and_off_by_the_twist_between(rng):
     # In a unit square z = f + ... + w st, and the triangles leave out w st or w (1 − s)(1 − t):
     # nothing on the edges, and w/4 in the middle of the diagonal.

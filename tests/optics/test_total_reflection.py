@@ -44,23 +44,3 @@ def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_
         f"{100 * found.share:.2g} % of the light is totally reflected at the exit face, "
         f"most of it around x = {x:.3g} cm, y = {y:.3g} cm"
     )
-
-
-def test_the_middle_is_a_bright_place_where_light_is_reflected_at_two(make_scene):
-    scene = make_scene({"lens.control_points": [24, 24]})
-    x, y = ControlNet.of(scene.optic).positions
-    rise = 1.2 * np.clip(np.abs(x) - 0.6, 0, None)[:, None] + 0 * y
-    found = total_reflection(scene, {"exit": 0.5 + rise})
-    assert found.places[:, 0].min() < -0.5 and found.places[:, 0].max() > 0.5
-    assert abs(found.middle[0]) > 0.5
-
-
-def test_a_plate_reflects_nothing_totally(make_scene):
-    scene = make_scene()
-    assert total_reflection(scene, {"exit": np.full((12, 10), 0.5)}) is None
-
-
-def test_a_mirror_reflects_nothing_totally(make_scene):
-    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
-    scene = make_scene({"lens": None, "mirror": mirror, "screen.z": -5.0})
-    assert total_reflection(scene, {"mirror": np.zeros((8, 8))}) is None

@@ -65,20 +65,6 @@ def test_writes_a_png(name, rows):
         assert low < 60 and high > 200
 
 
-def test_courses_have_a_panel_each_scene_and_a_line_each_method():
-    flame, letter = benchmark.courses(COURSES).axes
-    assert (flame.get_title(), letter.get_title()) == ("flame", "letter")
-    lines = {line.get_label(): line for line in flame.lines}
-    for course in COURSES[:2]:
-        np.testing.assert_array_equal(lines[course.method].get_xdata(), course.times)
-        np.testing.assert_array_equal(lines[course.method].get_ydata(), course.errors)
-        assert lines[course.method].get_drawstyle() == "steps-post"  # better lenses come at once
-    own = flame.lines[-1]
-    assert own.get_color() == lines["auto"].get_color()
-    np.testing.assert_array_equal(own.get_xydata(), COURSES[1].own_curve)
-    assert not letter.lines
-
-
 def test_the_page_shows_each_experiment(designs, derivative, tmp_path):
     design, refused = designs
     figure = page([derivative, *designs])

@@ -26,13 +26,6 @@ def in_window(plotter, point):
     return plotter.renderer.GetDisplayPoint()[:2]
 
 
-def test_points_are_picked_where_they_have_moved(net, plotter, rng):
-    net.update(rng.uniform(0.3, 0.7, (12, 10)))
-    for index in [(0, 0), (11, 0), (4, 7)]:
-        x, y = in_window(plotter, net._places[index])
-        assert net.pick(x, y) == index
-
-
 def test_nothing_is_picked_beside_the_lens(net, plotter):
     assert net.pick(1, 1) is None
 

@@ -4,7 +4,6 @@ from matplotlib.figure import Figure
 
 from workbench.pictures.figure_data import shown_data
 from workbench.pictures.images import IrradianceImage
-from workbench.pictures.loss import LossCourse, LossPicture
 from workbench.pictures.section import SectionCurves, cut_through
 
 
@@ -41,15 +40,3 @@ def test_curves_of_the_same_places_share_them(scene, figure, rng):
         "irradiance: flux / cm^2",
     ]
     np.testing.assert_array_equal(columns[2].values, image[1])
-
-
-def test_runs_of_any_length_are_copied_without_decoration(figure):
-    picture = LossPicture(figure.subplots())
-    picture.compare([LossCourse("other, coarse", np.array([5.0, 4.0, 3.0]), np.ones(3))])
-    picture.update(np.array([2.0, 1.0]), 5, stage_starts=(1,))
-    columns = shown_data(figure)
-    names = ["iteration", "this run: loss", "iteration", "other, coarse: loss"]
-    assert [column.name for column in columns] == names
-    np.testing.assert_array_equal(columns[0].values, [1, 2, np.nan])
-    np.testing.assert_array_equal(columns[1].values, [2, 1, np.nan])
-    np.testing.assert_array_equal(columns[3].values, [5, 4, 3])

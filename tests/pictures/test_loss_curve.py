@@ -2,21 +2,12 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.loss import LossCourse, LossPicture, Verified
+from workbench.pictures.loss import LossPicture, Verified
 
 
 @pytest.fixture
 def axes():
     return Figure().subplots()
-
-
-def test_limits_change_only_when_the_curve_leaves_them(axes):
-    curve = LossPicture(axes)
-    assert curve.update(np.array([3.0]), 10) is True
-    assert axes.get_ylim() == (2, 5)
-    assert curve.update(np.array([3.0, 2.5, 4.9]), 10) is False
-    assert curve.update(np.array([3.0, 2.5, 4.9, 0.3]), 10) is True
-    assert axes.get_ylim() == pytest.approx((0.2, 5))
 
 
 def test_against_seconds(axes):
@@ -27,23 +18,6 @@ def test_against_seconds(axes):
     assert axes.get_xlim() == (0, 5)
     assert axes.get_xlabel() == "time (s)"
     assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
-
-
-def test_other_runs_differ_by_dashes_and_fit_in_the_limits(axes):
-    picture = LossPicture(axes)
-    one = LossCourse("coarse net", np.array([9.0, 4.0, 0.3]), np.array([1.0, 2.0, 3.0]))
-    picture.compare([one, one._replace(name="fine net")])
-    picture.update(np.array([3.0, 2.0]), 2)
-    assert axes.get_xlim() == (0, 3)
-    assert axes.get_ylim() == pytest.approx((0.2, 10))
-    named = {line.get_label(): line for line in axes.lines}
-    assert {"this run", "coarse net", "fine net"} <= named.keys()
-    looks = {named[name].get_linestyle() for name in ("this run", "coarse net", "fine net")}
-    assert len(looks) == 3
-    texts = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert texts == ["this run", "coarse net", "fine net"]
-    picture.compare([])
-    assert axes.get_legend() is None and len(axes.lines) == 2
 
 
 def test_checks_stand_where_the_run_was(axes):

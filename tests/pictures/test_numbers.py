@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator
 
-from workbench.pictures.axes import Extent, colour_bar, map_image, set_tick_labels
+from workbench.pictures.axes import Extent, colour_bar, map_image
 from workbench.pictures.figure_data import shown_data
 
 
@@ -16,22 +15,6 @@ def image():
     image = map_image(axes, "height", Extent.around((1.0, 1.0), "mm"), (2, 2), "gray")
     colour_bar(axes, image, "height (mm)", "both")
     return image
-
-
-def axis_texts(low, high, places):
-    axes = Figure().subplots()
-    axes.set_xlim(low, high)
-    axes.xaxis.set_major_locator(FixedLocator(places))
-    set_tick_labels(axes, "x")
-    axes.figure.draw_without_rendering()
-    return [text.get_text() for text in axes.get_xticklabels()]
-
-
-def test_numbers_have_as_many_decimals_as_one_of_them_needs():
-    assert axis_texts(0, 3, [0, 1, 2, 3]) == ["0", "1", "2", "3"]
-    assert axis_texts(-1, 1, [-1, -0.5, 0, 0.5, 1]) == ["−1.0", "−0.5", "0.0", "0.5", "1.0"]
-    assert axis_texts(0, 0.0573, [0.05]) == ["0.05"]  # alone, too
-    assert axis_texts(100_000, 100_001, [100_000.25, 100_000.5]) == ["100.00025", "100.00050"]
 
 
 def test_axes_have_a_power_too_and_files_of_numbers_have_none():

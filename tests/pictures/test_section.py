@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from workbench.pictures.section import SectionCurves, cut_between, cut_through, values_along
+from workbench.pictures.section import SectionCurves, cut_through
 
 
 @pytest.fixture
@@ -29,18 +29,6 @@ def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line
     across = "y = 0.4" if along == "x" else "x = 1.1"
     assert axes.get_xlabel() == f"{along} (cm) at {across} cm"
     assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is False
-
-
-@pytest.mark.parametrize("ends", [((-1.7, 0.7), (1.2, -0.6)), ((0.3, -0.7), (0.3, 0.7))])
-def test_along_any_line_a_slanted_plane_is_exact(scene, ends):
-    x, y = -1.75 + 0.5 * np.arange(8), 0.75 - 0.5 * np.arange(4)
-    plane = 3 + 2 * x + 5 * y[:, None]
-    (x_0, y_0), (x_1, y_1) = ends
-    cut = cut_between(scene, *ends)
-    assert cut.along[0] == 0 and cut.along[-1] == pytest.approx(np.hypot(x_1 - x_0, y_1 - y_0))
-    part = cut.along / cut.along[-1]
-    wanted = 3 + 2 * (x_0 + part * (x_1 - x_0)) + 5 * (y_0 + part * (y_1 - y_0))
-    np.testing.assert_allclose(values_along(plane, cut), wanted)
 
 
 @pytest.mark.parametrize(("along", "line"), [("x", np.s_[1]), ("y", np.s_[::-1, 6])])

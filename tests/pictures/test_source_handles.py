@@ -54,13 +54,3 @@ def test_moving_rounds_to_what_a_person_would_type(make_scene):
     assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
     grid = make_scene({"source": GRID}).source
     assert moved(grid, "middle", by, 3).center == (0.112, -0.1, -3.0)
-
-
-def test_a_corner_widens_both_sides(make_scene):
-    grid = make_scene({"source": GRID}).source
-    wider = moved(grid, 3, np.array([0.1, -0.2, 0.0]), 3)
-    assert wider.half_width == (0.9, 0.3) and wider.center == grid.center
-    through = moved(grid, 0, np.array([2.0, 0.0, 0.0]), 3)
-    assert through.half_width == (1.2, 0.5)
-    line = make_scene({"source": {**GRID, "points": [5, 1]}}).source
-    assert moved(line, 0, np.array([0.1, 0.3, 0.0]), 3).half_width == (0.7, 0.5)

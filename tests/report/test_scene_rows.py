@@ -20,15 +20,6 @@ def test_every_field_has_a_row_with_its_unit(make_scene):
     assert "format" not in found
 
 
-def test_places_are_told_one_after_the_other(make_scene):
-    corners = [[-0.25, -0.5], [0.25, 0], [0, 0.125]]
-    found = rows(
-        make_scene({"regions": [{"name": "Desk", "shape": "polygon", "corners": corners}]})
-    )
-    wanted = "-0.25, -0.5; 0.25, 0; 0, 0.125 of the receiver's width and height"
-    assert found["regions[0].corners"] == wanted
-
-
 def leaves(data, path=""):
     if isinstance(data, dict):
         for name, value in data.items():
@@ -51,16 +42,3 @@ def test_every_field_of_the_scene_has_a_row(make_scene, changes):
     scene = make_scene(changes)
     wanted = set(leaves(scene.to_data())) - {"format", "version", "run.stages"}
     assert wanted == set(rows(scene))
-
-
-def test_a_material_comes_with_its_index(make_scene):
-    found = rows(make_scene({"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.5876}))
-    assert found["lens.refractive_index"].startswith("PMMA (n = 1.49")
-    assert found["lens.wavelength_um"] == "0.5876 µm"
-
-
-def test_stages(make_scene):
-    source = {"kind": "point", "position": [0, 0, -5]}
-    found = rows(make_scene({"run.stages": [{"iterations": 3, "source": source}]}))
-    assert found["run.stages[0].iterations"] == "3"
-    assert found["run.stages[0].source.position"] == "0, 0, -5 cm"

@@ -4,18 +4,8 @@ import pytest
 
 from workbench.design.limits import HeightLimits, undesigned
 from workbench.errors import Refused
-from workbench.geometry.surface import freeform_nets
-from workbench.scene import FreeformEntrance
 
 FREEFORM = {"shape": "freeform"}
-
-
-def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
-    lens = make_scene({"lens.entrance": FREEFORM}).optic
-    assert lens.entrance == FreeformEntrance()
-    nets = freeform_nets(lens)
-    assert nets["entrance"] == nets["exit"]
-    assert list(nets) == ["entrance", "exit"]  # as light meets them
 
 
 def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene):
@@ -93,10 +83,3 @@ def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entra
 def test_impossible_entrance_faces_are_refused(make_scene, entrance, changes, reason):
     with pytest.raises(Refused, match=reason):
         make_scene({"lens.entrance": {**FREEFORM, **entrance}, **changes})
-
-
-def test_lengths_of_an_entrance_face_are_converted(make_scene):
-    entrance = {**FREEFORM, "height_range": [-0.2, 0.1]}
-    lens = make_scene({"lens.entrance": entrance}).in_unit("mm").optic
-    assert lens.entrance.height_range == (-2.0, 1.0)
-    assert lens.entrance_range == (-2.0, 1.0)

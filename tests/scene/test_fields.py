@@ -4,7 +4,7 @@ from typing import Annotated
 
 import pytest
 
-from workbench.scene import LENGTH, CollimatedSource, GridSource, Kinds, PointSource, Scene
+from workbench.scene import LENGTH, CollimatedSource, Kinds, PointSource, Scene
 from workbench.scene.fields import Measure, about
 from workbench.scene.part import Part, Positive
 
@@ -76,12 +76,3 @@ def test_another_kind_keeps_the_fields_that_both_kinds_have(make_scene):
     assert (point.position, point.emission) == ((0, 1, -3), "lambertian")
     assert point.rays == 500_000  # rays of one point of a grid are another thing
     assert kinds.exchanged(point, CollimatedSource, scene) == CollimatedSource(kind="collimated")
-
-
-def test_a_source_that_is_new_stands_in_front_of_its_lens(make_scene):
-    scene = make_scene(
-        {"lens.half_width": [2.0, 1.0], "lens.base": {"height": 1.0}, "lens.entrance_z": -1.0}
-    )
-    kinds = next(field for field in Scene.fields() if field.name == "source").mark(Kinds)
-    grid = kinds.exchanged(scene.source, GridSource, scene)
-    assert (grid.center, grid.half_width) == ((0, 0, -11), (1, 0.5))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.scenes import changed
-from workbench.design.task import begin, with_task
+from workbench.design.task import begin
 from workbench.errors import Refused
 from workbench.scene import Scene
 
@@ -31,12 +31,6 @@ def test_a_scene_of_several_images_is_written_as_version_2_and_read_back(several
     assert data["version"] == 2
     assert data["further_images"][0]["weight"] == 2.0
     assert Scene.from_data(data) == several
-
-
-def test_all_lengths_of_further_images_are_converted(several):
-    screen = several.in_unit("mm").further_images[0].screen
-    assert screen.z == pytest.approx(60)
-    assert screen.half_width == pytest.approx((15, 10))
 
 
 def test_each_image_is_a_scene_of_its_own(several):
@@ -81,11 +75,3 @@ def test_targets_of_further_images_are_drawn_with_the_task(several, tmp_path):
     assert second.weight == 2.0
     alone = begin(several.single[1], tmp_path)
     np.testing.assert_array_equal(second.target, alone.target)
-
-
-def test_a_drawn_target_stays_through_conversions_and_edits_beside_it(several, tmp_path):
-    session = begin(several, tmp_path)
-    drawn = session.scene.further_images[0].wanted
-    assert session.in_unit("mm").scene.further_images[0].wanted is drawn
-    edited = with_task(session, Scene.from_data(several.to_data() | {"unit": "cm"}), tmp_path)
-    assert edited.scene.further_images[0].wanted is drawn

@@ -19,17 +19,6 @@ class TestVersions:
         assert written["version"] == 1
         assert not {"reflection", "coating", "absorption"} & written["lens"].keys()
 
-    def test_coating_and_absorption_come_back(self, scene_data):
-        scene = read(scene_data, 2, coating=[0.0, 0.02], absorption=0.003)
-        assert Scene.from_json(scene.to_json()) == scene
-        assert scene.to_data()["version"] == 2
-
-
-def test_absorption_is_per_length(scene_data):
-    scene = read(scene_data, 2, absorption=0.5).in_unit("mm")
-    assert scene.optic.absorption == pytest.approx(0.05)
-    assert scene.optic.half_width == (10, 10)
-
 
 @pytest.mark.parametrize(
     ("lens", "path", "said"),

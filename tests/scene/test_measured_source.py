@@ -1,6 +1,5 @@
 """Sources whose light stands in a file."""
 
-import numpy as np
 import pytest
 
 from workbench.errors import Refused
@@ -23,13 +22,6 @@ LAMP = {"kind": "photometric", "file": "lamp.ies", "position": [0.0, 0.0, -3.0]}
 def test_impossible_measured_source_is_refused(make_scene, source, said):
     with pytest.raises(Refused, match=f"^{said}"):
         make_scene({"source": LAMP | source})
-
-
-def test_turns_follow_each_other_about_x_y_and_z(make_scene):
-    turned = make_scene({"source": LAMP | {"rotation": [90.0, 0.0, 90.0]}}).source.matrix
-
-    assert np.allclose(turned @ [0, 0, 1], [1, 0, 0])  # to −y, then to +x
-    assert np.allclose(turned @ [1, 0, 0], [0, 1, 0])
 
 
 def test_another_unit_keeps_the_lamp_and_moves_it(make_scene):

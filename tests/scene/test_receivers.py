@@ -76,10 +76,3 @@ def test_directions_to_places_lead_there():
     to = screen.drawn(None, u, v) - np.stack(start, axis=-1)
     assert np.cross(way, to) == pytest.approx(0, abs=1e-14)
     assert (way * to).sum(axis=-1) == pytest.approx(np.linalg.norm(to, axis=-1))
-
-
-def test_a_unit_of_length_leaves_angles_as_they_are(make_scene):
-    scene = make_scene({"screen.center": [0.5, 0.0], "screen.tilt": [10.0, 20.0]}).in_unit("mm")
-    assert (scene.receiver.center, scene.receiver.tilt) == ((5.0, 0.0), (10.0, 20.0))
-    far = make_scene({"screen": None, "far_field": FAR})
-    assert far.in_unit("mm").receiver == far.receiver

@@ -1,6 +1,5 @@
 """The scene file: what it may leave out, what is refused and how that is said."""
 
-import json
 import math
 
 import numpy as np
@@ -11,17 +10,10 @@ from workbench.scene import (
     AutoRun,
     FlatBase,
     GaussianFilter,
-    Lens,
     Scene,
     Screen,
     SphereBase,
 )
-
-
-def test_a_scene_survives_its_file(make_scene):
-    scene = make_scene({"lens.base": {"shape": "sphere", "height": 0.5, "radius": 8.0}})
-    assert Scene.from_json(scene.to_json()) == scene
-    assert Scene.from_data(scene.to_data()) == scene
 
 
 def test_only_the_starred_fields_are_needed():
@@ -169,15 +161,6 @@ def test_data_that_are_no_scene_are_refused_in_one_sentence(text):
     with pytest.raises(Refused) as refused:
         Scene.from_json(text)
     assert "\n" not in str(refused.value)
-
-
-def test_a_material_gives_its_index(scene_data):
-    lens = scene_data["lens"] | {"refractive_index": "N-BK7", "wavelength_um": 0.5876}
-    assert Lens.model_validate_json(json.dumps(lens)).index == pytest.approx(1.5168, abs=1e-4)
-    with pytest.raises(Refused, match=r"lens\.wavelength_um: 9 is outside the data for N-BK7"):
-        Lens.model_validate_json(json.dumps(lens | {"wavelength_um": 9.0}))
-    with pytest.raises(Refused, match=r"lens\.refractive_index: 'butter' is not in the catalogue"):
-        Lens.model_validate_json(json.dumps(lens | {"refractive_index": "butter"}))
 
 
 @pytest.mark.parametrize(("form", "sign"), [("concave", 1), ("convex", -1)])

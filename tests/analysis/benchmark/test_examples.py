@@ -1,12 +1,7 @@
 import numpy as np
-import pytest
-import torch
 
 import resources
-from workbench.analysis.benchmark.examples import BenchmarkTask, wavy
-from workbench.design.heights import HeightRange
-from workbench.geometry.surface import ControlNet
-from workbench.optics.plan import Plan
+from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.scene import PaperRun, PointSource
 from workbench.targets import load_target
 
@@ -32,14 +27,3 @@ def test_changes_are_merged_and_other_kinds_replace():
     assert isinstance(scene.source, PointSource) and scene.source.rays == 10
     assert isinstance(scene.run, PaperRun) and scene.run.iterations == 3
     assert scene.unit == "mm"
-
-
-@pytest.mark.parametrize("name", ["tophat", "flame-x1", "ball-x5", "flame-point"])
-def test_the_wavy_lens_is_allowed_and_bends_light(name):
-    scene = BenchmarkTask.of(name, lens={"control_points": [16, 16]}).scene
-    heights = wavy(scene)
-    free = HeightRange.of(scene.optic, ControlNet.of(scene.optic))
-    assert (heights > free.lower.numpy()).all() and (heights < free.upper.numpy()).all()
-    slopes = np.diff(heights, axis=0)
-    assert np.ptp(slopes) > 0
-    assert Plan(scene).trace({"exit": torch.tensor(heights)}).account.on_screen > 0.1

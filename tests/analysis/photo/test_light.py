@@ -6,8 +6,6 @@ import pytest
 from workbench.analysis.photo.colour import linear_rgb, tristimulus
 from workbench.analysis.photo.light import LIGHTS, light_of, line
 
-MANY = np.linspace(0.38, 0.78, 81)
-
 
 def test_d65_has_its_chromaticity_and_is_the_white_of_srgb():
     power = LIGHTS["daylight"].power
@@ -15,12 +13,6 @@ def test_d65_has_its_chromaticity_and_is_the_white_of_srgb():
     assert (x / (x + y + z), y / (x + y + z)) == pytest.approx((0.3127, 0.3290), abs=0.002)
     red, green, blue = linear_rgb(np.array([x, y, z]) / y)
     assert (red, green, blue) == pytest.approx((1.0, 1.0, 1.0), abs=0.02)
-
-
-@pytest.mark.parametrize("name", LIGHTS)
-@pytest.mark.parametrize("wavelengths", [[0.55], [0.4, 0.5, 0.7], MANY])
-def test_light_that_no_wavelength_differs_in_is_white(name, wavelengths):
-    assert LIGHTS[name].weights(np.array(wavelengths)).sum(axis=0) == pytest.approx(1.0)
 
 
 def test_a_laser_keeps_its_colour():

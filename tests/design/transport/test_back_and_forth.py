@@ -25,15 +25,6 @@ def test_a_blob_moves_as_a_whole(weights):
         assert (source * np.abs(error)).sum() < 0.7  # of a cell
 
 
-def test_a_square_shrinks_evenly():
-    target = np.zeros((64, 64))
-    target[16:48, 16:48] = 1 / 32**2
-    to_0, to_1 = Transport(np.full((64, 64), 1 / 64**2), target, (1.0, 1.0)).map()
-    expected = 15.5 + 0.5 * (np.arange(64) + 0.5)
-    for error in (to_0 - expected[:, None], to_1 - expected):
-        assert np.quantile(np.abs(error), 0.99) < 0.5
-
-
 @pytest.mark.parametrize("target", ["pixel", "checkerboard", "line"])
 def test_extreme_targets_get_finite_maps_into_the_light(target):
     wanted = np.zeros((32, 32))

@@ -64,18 +64,6 @@ def test_light_goes_to_the_same_parts_of_the_image_after_an_edit(source, edit, t
     assert edit == "pixels" or np.sqrt(np.square(stale).mean()) > 1e-2
 
 
-@pytest.mark.parametrize("degree", [2, 3, 5])
-def test_a_net_of_any_degree_is_told_by_its_cells(degree):
-    lens = {"control_points": [300, 24], "degree": [degree, degree]}
-    before = scene_of("point", lens=lens)
-    scene = scene_of("point", lens=lens | {"refractive_index": 1.51})
-    x, y = ControlNet.of(before.optic).positions
-    heights = 0.5 + 0.1 * np.square(x)[:, None] + 0.05 * np.square(y)[None, :] * (1 + x[:, None])
-    found = refitted(before, heights, scene)
-    off = lands(scene, found) - lands(before, heights)
-    assert np.abs(off).max() < 4e-3
-
-
 def test_light_of_a_mirror_goes_where_it_went(tmp_path):
     def mirror(z):
         data = scene_of().to_data()

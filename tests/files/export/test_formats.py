@@ -63,11 +63,6 @@ class TestNothingIsWritten:
             list(export(session, paths, chord_error))
         return str(caught.value)
 
-    def test_if_one_ending_is_unknown(self, session, tmp_path):
-        message = self.refused(session, [tmp_path / "lens.step", tmp_path / "lens.dwg"])
-        assert "lens.dwg: has no ending" in message
-        assert list(tmp_path.iterdir()) == []
-
     def test_over_a_file_that_is_there_if_the_format_cannot_hold_it(self, session, tmp_path):
         path = tmp_path / "lens.stl"
         path.write_bytes(b"old")

@@ -1,8 +1,7 @@
 """All figures of a check in a dock: told, explained, copied; and the choice of rays."""
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QAction
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
@@ -57,21 +56,6 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     tips = [table.item(row, 0).toolTip() for row in range(table.rowCount())]
     assert len(set(tips)) == table.rowCount() == 20
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
-
-
-def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
-    assert not figures._copy.isEnabled()
-    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0)
-    clipboard = QGuiApplication.clipboard()
-    figures._copy.click()
-    assert clipboard.text() == figures.text
-    assert len(clipboard.text().splitlines()) == 20
-    clipboard.setText("else")
-    with qtbot.waitActive(figures):
-        figures.activateWindow()
-    figures._table.setFocus()
-    qtbot.keyClick(figures._table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    assert clipboard.text() == figures.text
 
 
 def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):

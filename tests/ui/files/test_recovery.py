@@ -16,7 +16,6 @@ from ui.document.document import Document, OnDisk
 from ui.files import left_behind
 from ui.files.left_behind import RecoveryChoice
 from ui.files.recovery import Recovery
-from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -60,14 +59,6 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     document.save(tmp_path / "mine.freeform")
     recovery.keep_now()
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
-
-
-def test_closing_a_window_removes_its_recovery_file(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    recovery.close()
-    assert list(recovery.folder.iterdir()) == []
 
 
 def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
@@ -128,20 +119,6 @@ def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path
     document.recover(read_session(work.file), about.name, about.path, about.fingerprint)
     assert document.on_disk(path) is OnDisk.CHANGED
     work.remove()
-
-
-def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
-    def full(session, path):
-        raise Refused(str(path), "No space left on device")
-
-    monkeypatch.setattr("ui.files.recovery.write_session", full)
-    recovery, received = keeping(), []
-    recovery.failed.connect(received.append)
-    for z in (7, 8):
-        move_screen(document, z)
-        assert not recovery.keep_now()
-    qtbot.waitUntil(lambda: bool(received))
-    assert len(received) == 1 and "No space left" in received[0]
 
 
 def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, tmp_path, qtbot):
@@ -236,18 +213,6 @@ BEGIN = (
     "r.Recovery.start = started\n"
     "sys.exit(ui.app.main([]))"
 )
-AGAIN = (
-    "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
-    "l.ask = lambda work, window: l.RecoveryChoice.RECOVER\n"
-    "recover = m.FileActions.recover\n"
-    "def report(self, *a):\n"
-    "    done = recover(self, *a)\n"
-    "    document = self._document\n"
-    "    print(document.session.scene.receiver.z, document.name, document.dirty, flush=True)\n"
-    "    return done\n"
-    "m.FileActions.recover = report\n"
-    "sys.exit(ui.app.main([]))"
-)
 
 
 def first_line(script, number, folder):
@@ -277,11 +242,3 @@ def test_work_is_found_after_a_kill(tmp_path):
     session = read_session(work.file)
     assert session.scene.receiver.z == 7.5 and session.view["layout"]
     work.remove()
-
-
-@needs_display
-@pytest.mark.slow
-def test_work_is_found_at_every_start_after_a_kill(tmp_path):
-    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
-    assert first_line(AGAIN, signal.SIGTERM, tmp_path) == "7.5 tophat True\n"
-    assert first_line(AGAIN, signal.SIGKILL, tmp_path) == "7.5 tophat True\n"

@@ -42,18 +42,6 @@ def test_the_tour_is_stepped_through_by_keyboard(window, bubble, qtbot):
     assert window.findChild(Bubble) is None
 
 
-def test_the_tour_lies_in_the_window_beside_what_it_explains(window, bubble, qtbot):
-    for stop in STOPS:
-        place = window.help._place(stop.place)
-        qtbot.waitUntil(lambda s=stop: bubble._title.text() == s.title and bubble.on.hasFocus())
-        qtbot.wait(20)
-        assert window.rect().contains(bubble.geometry())
-        if stop.place != "scene":
-            corner = place.mapTo(window, place.rect().topLeft())
-            assert not bubble.geometry().intersects(place.rect().translated(corner))
-        bubble.on.click()
-
-
 def test_the_tour_is_offered_once(window, settings, qtbot):
     window.help.offer_tour(settings)
     assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None

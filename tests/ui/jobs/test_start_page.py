@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
@@ -95,27 +94,6 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
     assert not row.refusal and editor.text() == "500" and button.isEnabled()
 
 
-def test_a_word_can_be_the_picture(window, page, qtbot):
-    chooser = row_of(page, "target.builtin").chooser
-    chooser.setCurrentIndex(chooser.findData("text"))
-    chooser.activated.emit(chooser.currentIndex())
-    fill(qtbot, row_of(page, "target.text").editor, "sun")
-    assert row_of(page, "target.text").isVisible()
-    assert not row_of(page, "target.image").isVisible()
-    begin(page, qtbot)
-    assert window.document.session.scene.target.text == "sun"
-
-
-@pytest.mark.parametrize(
-    ("pixels", "size"), [((60, 40), (200.0, 133.0)), ((40, 60), (133.0, 200.0))]
-)
-def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path, pixels, size):
-    Image.new("L", pixels, 200).save(tmp_path / "picture.png")
-    page.form.choose_image(tmp_path / "picture.png")
-    assert page.form.job.image_size == size
-    assert Path(page.form.job.target.image) == tmp_path / "picture.png"
-
-
 def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
     before = window.document.session
     page.form.choose_image(Path("/nowhere/none-256.png"))
@@ -148,11 +126,6 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
     kept = answer is Answer.CANCEL
     assert (window.document.session is before) is kept
     assert (window.start_page.page is page) is kept
-
-
-def test_a_window_closes_with_its_page(window, page):
-    window.discard_and_close()
-    assert window.start_page.page is None
 
 
 def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(page, qtbot):

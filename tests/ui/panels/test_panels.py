@@ -34,20 +34,6 @@ def test_a_number_is_entered_with_return(forms, document, qtbot):
     assert document.undo_stack.undoText() == "screen at z 5 → 7.25 cm"
 
 
-def test_both_widths_are_one_step_that_says_what_they_were(forms, document, qtbot):
-    for axis, text in ((0, "40"), (1, "50"), (0, "50")):
-        enter(qtbot, forms, f"screen.half_width[{axis}]", text)
-    assert document.undo_stack.count() == 1
-    assert document.undo_stack.undoText() == "screen half width 1 → 50 cm"
-    enter(qtbot, forms, "screen.half_width[0]", "30")
-    assert document.undo_stack.undoText() == "screen half width 1 × 1 → 30 × 50 cm"
-    enter(qtbot, forms, "lens.height_range[1]", "0.4")
-    assert document.undo_stack.undoText() == "lens from the base -0.3 to 0.3 → -0.3 to 0.4 cm"
-    document.undo_stack.undo()
-    document.undo_stack.undo()
-    assert document.session.scene.receiver.half_width == (1.0, 1.0)
-
-
 @pytest.mark.parametrize(
     ("path", "text", "value"),
     [
@@ -113,25 +99,6 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     assert forms.refused
 
 
-def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
-    enter(qtbot, forms, "lens.degree[0]", "7")
-    assert "6 is too few for degree 7" in row(forms, "lens.control_points").refusal
-    assert "6 is too few for degree 7" in row(forms, "lens.degree").refusal
-    enter(qtbot, forms, "lens.control_points[0]", "9")
-    lens = document.session.scene.optic
-    assert (lens.degree, lens.control_points) == ((7, 3), (9, 6))
-    assert not forms.refused
-
-
-def test_undo_shows_the_earlier_values_and_drops_what_was_refused(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "7")
-    enter(qtbot, forms, "run.seed", "x")
-    document.undo_stack.undo()
-    assert editor(forms, "screen.z").text() == "5"
-    assert editor(forms, "run.seed").text() == "0"
-    assert not forms.refused
-
-
 def test_the_wheel_changes_no_choice(forms, document):
     chooser = row(forms, "unit").chooser
     where, down = QPointF(5, 5), QPoint(0, -120)
@@ -161,27 +128,6 @@ def test_another_unit_converts_all_lengths(forms, document, qtbot):
     assert document.undo_stack.undoText() == "change of unit"
     document.undo_stack.undo()
     assert document.session is before
-
-
-def test_a_material_brings_its_wavelength_and_an_own_index_takes_it_away(forms, document):
-    choose(forms, "lens.refractive_index", "N-BK7")
-    lens = document.session.scene.optic
-    assert (lens.refractive_index, lens.wavelength_um) == ("N-BK7", 0.5876)
-    assert row(forms, "lens.wavelength_um").isVisible()
-    choose(forms, "lens.refractive_index", "index")
-    lens = document.session.scene.optic
-    assert lens.refractive_index == pytest.approx(1.5168, abs=1e-4)
-    assert lens.wavelength_um is None
-    assert not row(forms, "lens.wavelength_um", visible=False).isVisible()
-
-
-def test_an_image_is_chosen_from_a_dialog(forms, document, tmp_path):
-    image = tmp_path / "target.png"
-    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    forms.image_asked.connect(lambda: forms.choose_image(image))
-    choose(forms, "target.builtin", "image")
-    assert document.session.scene.target.image == str(image)
-    assert row(forms, "target.image").editor.text() == str(image)
 
 
 def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
@@ -240,31 +186,6 @@ def test_another_source_stands_before_the_lens(forms, document):
     choose(forms, "source.kind", "collimated")
     assert document.session.scene.source.kind == "collimated"
     assert document.undo_stack.undoText() == "change of source kind"
-
-
-@pytest.mark.parametrize("kind", ["collimated", "point", "grid"])
-def test_each_source_has_its_fields_once(forms, document, kind):
-    choose(forms, "source.kind", kind)
-    choose(forms, "run.method", "paper")
-    source = document.session.scene.source
-    shown = [each for each in rows(forms) if each.isVisible()]
-    names = [each.path.split(".")[1] for each in shown if each.path.startswith("source.")]
-    assert sorted(names) == sorted(type(source).model_fields)
-
-
-@pytest.mark.parametrize(
-    ("half_width", "pixels", "aspect"),
-    [([1, 1], [12, 10], 1), ([2, 1], [8, 8], 2), ([1, 4], [8, 8], 0.25)],
-)
-def test_the_thumbnail_has_the_aspect_of_the_screen(forms, document, half_width, pixels, aspect):
-    screen = {"z": 5, "half_width": half_width, "pixels": pixels}
-    scene = Scene.from_data(document.session.scene.to_data() | {"screen": screen})
-    document.edit(scene, "screen", "screen")
-    thumbnail = forms._target._thumbnail
-    place = thumbnail.place
-    assert place.width() / place.height() == pytest.approx(aspect, rel=0.05)
-    assert thumbnail.rect().contains(place)
-    assert place.height() == thumbnail.height() or place.width() == thumbnail.width()
 
 
 def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):

@@ -69,15 +69,6 @@ def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     assert not np.array_equal(one.wanted, two.wanted)
 
 
-def test_an_image_may_be_in_the_far_field(begin, qtbot):
-    document, forms = begin()
-    click(qtbot, forms, "Add")
-    choose(forms, "further_images[0].screen", "far_field")
-    (image,) = images(document)
-    assert image.screen is None
-    assert image.receiver.called == "far field"
-
-
 def test_images_are_moved_and_removed(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add")

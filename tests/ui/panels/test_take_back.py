@@ -102,21 +102,3 @@ def test_escape_takes_a_refused_entry_back_from_any_field(begin, qtbot, entry, c
     qtbot.keyClick(elsewhere, Qt.Key.Key_Escape)
     assert window.document.session is session
     assert not window.forms.refused and shown(window.forms) == before
-
-
-def test_escape_takes_all_refused_entries_and_typed_text_back(begin, qtbot):
-    window = begin()
-    before = shown(window.forms)
-    enter(qtbot, window.forms, "screen.z", "far")
-    enter(qtbot, window.forms, "screen.half_width[0]", "wide")
-    field = enter(qtbot, window.forms, "run.seed", "1", key=None)
-    qtbot.keyClick(field, Qt.Key.Key_Escape)
-    assert shown(window.forms) == before and not window.forms.refused
-
-
-def test_an_entry_that_is_refused_during_a_run_is_taken_back(begin, qtbot):
-    window = begin()
-    window.forms.set_running(True)
-    field = enter(qtbot, window.forms, "screen.z", "far")
-    qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
-    assert field.text() == "7" and not window.forms.refused

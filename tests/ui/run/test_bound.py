@@ -1,13 +1,11 @@
 """The bound of the open design, in the status bar."""
 
 import re
-import time
 
 import pytest
 from PySide6.QtCore import QObject
 
 from ui.run.bound import BoundOfDesign
-from workbench.extended import deblur
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
 
@@ -38,25 +36,3 @@ def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qt
     assert short == f"at best {least:g} %"
     document.undo_stack.undo()
     assert said[-1] == ("", "")
-
-
-def test_search_that_goes_on_is_left_when_the_window_closes(
-    bound, document, make_scene, qtbot, monkeypatch
-):
-    taken, most = [], 20_000
-
-    def long_search(target, blur):
-        for _ in range(most):
-            taken.append(None)
-            time.sleep(1e-3)
-            yield
-        raise AssertionError("nobody left the search")
-
-    monkeypatch.setattr(deblur, "_closest", long_search)
-    document.edit(make_scene({"source": GRID | {"half_width": [0.31, 0.3]}}), "source", "")
-    qtbot.waitUntil(lambda: bool(taken), timeout=30_000)
-    bound.close()
-    steps = len(taken)
-    assert steps < most
-    qtbot.wait(20)
-    assert len(taken) == steps

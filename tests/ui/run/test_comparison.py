@@ -73,10 +73,3 @@ def test_pictures_and_figures_are_of_the_image_that_is_chosen(comparison, kept):
     choose(comparison, 0)
     assert comparison._figure.axes[0].images[0].get_array().shape == (32, 32)
     assert figures(comparison, "On screen") == ["92.0 %", "92.0 %"]
-
-
-def test_images_at_different_places_are_named_with_both(comparison, kept):
-    far = {"further_images": [{**SECOND, "screen": {**SECOND["screen"], "z": 8.0}}]}
-    comparison.show_pair((kept("near", 0.3), kept("far", 0.5, far)))
-    titles = [choice(comparison).itemText(k) for k in (0, 1)]
-    assert titles == ["Image 1, z = 5 cm", "Image 2, z = 6 cm → z = 8 cm"]

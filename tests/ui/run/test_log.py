@@ -26,25 +26,6 @@ def test_the_oldest_lines_are_dropped(qtbot):
     assert sentences(log) == [str(number) for number in range(500, 2500)]
 
 
-def test_log_shows_its_end_until_a_person_scrolls_up(qtbot, show):
-    log = LogView()
-    qtbot.addWidget(log)
-    for number in range(200):
-        log.add(f"{number}: a sentence that takes more than one line where there is little room")
-    show(log, 300, 120)
-    bar = log.verticalScrollBar()
-    qtbot.waitUntil(lambda: bar.value() == bar.maximum() > 0)
-    for width, height in ((200, 90), (900, 700), (120, 60), (1500, 300), (120, 60)):
-        log.resize(width, height)
-        log.add("one more, also with more words than fit into a short line")
-        qtbot.waitUntil(lambda: bar.value() == bar.maximum())
-    bar.setValue(3)
-    log.add("another")
-    log.resize(300, 120)
-    qtbot.wait(50)
-    assert bar.value() < bar.maximum() / 2
-
-
 @pytest.fixture
 def window(display, window):
     window.build()

@@ -38,14 +38,6 @@ def test_frame_holds_what_is_drawn(session, as_run, work):
     np.testing.assert_allclose(frame.result.losses, [1 / 2, 1 / 3, 1 / 4])
 
 
-def test_stopped_job_ends_with_its_first_snapshot(session, as_run, work):
-    job = RunJob(session)
-    job.gate.stop()
-    result, error = work(job, as_run(50))
-    assert result.iterations == 0 and error is None
-    assert job.mailbox.take().snapshot.iteration == 0
-
-
 @pytest.mark.parametrize(
     "error",
     [RunFailed("the loss is not finite"), Refused("run.device", "no GPU"), ZeroDivisionError()],
@@ -76,48 +68,6 @@ def test_continues_from_the_result(designed, snapshots, work):
     np.testing.assert_allclose(result.losses, [1 / 2, 1 / 3, 1 / 4, 1 / 2])
     result, _ = work(RunJob(designed), run)
     assert starts[1] is None and result.iterations == 1
-
-
-def test_preview_takes_the_first_snapshot_alone(session, as_run, work):
-    job = RunJob(session, preview=True)
-    assert work(job, as_run(50)) == (None, None)
-    assert job.mailbox.take().snapshot.iteration == 0
-
-
-# Stopped in the first stage; ended, and later a stage was put before it; gone on with.
-@pytest.mark.parametrize(
-    ("stages_left", "stage_starts", "shown"),
-    [(1, (), "point"), (0, (), "collimated"), (0, (2,), "collimated"), (3, (2, 4), "point")],
-)
-def test_rays_come_from_the_source_of_the_stage(
-    make_scene, designed, work, as_run, stages_left, stage_starts, shown
-):
-    point = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 100}
-    run = {"iterations": 9, "stages": [{"iterations": 4, "source": point}]}
-    result = dataclasses.replace(
-        designed.result, stage_starts=stage_starts, stages_left=stages_left
-    )
-    job = RunJob(dataclasses.replace(designed, scene=make_scene({"run": run}), result=result), True)
-    work(job, as_run(0))
-    frame = job.mailbox.take()
-    assert frame.source.kind == shown
-    starts = np.unique(frame.paths.points[:, 0], axis=0)
-    assert (len(starts) == 1) is (shown == "point")
-
-
-def test_a_start_lens_is_traced_for_its_preview_and_continued(session, as_run, work):
-    heights = FaceArrays({"exit": np.full(session.scene.optic.net_shape, 0.47)})
-    moved = dataclasses.replace(session, start=heights)
-    starts = []
-
-    def generate(scene, target, start=None, locked=None):
-        starts.append(start)
-        return as_run(2)(scene, target, start)
-
-    for job in (RunJob(moved, preview=True), RunJob(moved, continue_run=True), RunJob(moved)):
-        work(job, generate)
-    assert starts[0] is heights and starts[1] is heights
-    assert starts[2] is None
 
 
 def test_locked_control_points_are_those_of_the_lens_that_is_there(designed, snapshots, work):

@@ -1,10 +1,9 @@
 """Cores that threads beside the window take."""
 
-import os
 import subprocess
 import sys
 
-from ui.threads.cores import leave_core_for_window, other_cores
+from ui.threads.cores import other_cores
 
 _COUNT = """
 import threading
@@ -23,9 +22,3 @@ def test_every_thread_leaves_a_core_to_the_window(monkeypatch):
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
     found = subprocess.run([sys.executable, "-c", _COUNT], capture_output=True, check=True)
     assert found.stdout.split() == [str(other_cores()).encode()] * 2
-
-
-def test_a_number_of_threads_that_the_user_chose_stays(monkeypatch):
-    monkeypatch.setenv("OMP_NUM_THREADS", "3")
-    leave_core_for_window()
-    assert os.environ["OMP_NUM_THREADS"] == "3"

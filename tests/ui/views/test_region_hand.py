@@ -2,11 +2,10 @@
 
 import pytest
 
-from ui.views.region_hand import Grip, around, between, grip_at, reshaped
-from workbench.scene import PolygonRegion, RectangleRegion
+from ui.views.region_hand import Grip, grip_at, reshaped
+from workbench.scene import RectangleRegion
 
 MARGIN = (0.01, 0.02)
-TRIANGLE = PolygonRegion(corners=((-0.2, -0.2), (0.2, -0.2), (0.0, 0.3)))
 
 
 @pytest.mark.parametrize(
@@ -25,15 +24,6 @@ def test_a_rectangle_is_held_by_sides_and_corners(place, sides):
     assert grip == (Grip(0, sides=sides) if sides else None)
 
 
-@pytest.mark.parametrize(
-    ("place", "corners"),
-    [((0.005, 0.305), (2,)), ((0.0, -0.21), (0, 1)), ((-0.1, 0.05), (2, 0)), ((0.0, 0.0), ())],
-)
-def test_a_polygon_is_held_by_corners_and_sides(place, corners):
-    grip = grip_at([TRIANGLE], place, MARGIN)
-    assert grip == (Grip(0, corners=corners) if corners else None)
-
-
 def test_a_side_follows_the_hand_and_stays_on_the_receiver():
     region = RectangleRegion(name="Desk", center=(0.1, 0.0), size=(0.2, 0.4))
     wider = reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (0.3, 0.1))
@@ -44,13 +34,3 @@ def test_a_side_follows_the_hand_and_stays_on_the_receiver():
     across = reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (-0.2, 0.0))
     assert across.center == pytest.approx((-0.1, 0.0)) and across.size == pytest.approx((0.2, 0.4))
     assert reshaped(region, Grip(0, sides=(1,)), (0.2, 0.0), (0.0, 0.0)) is region
-
-
-def test_a_region_that_is_too_small_is_not_made():
-    assert between((0.1, 0.1), (0.1, 0.4), "a") is None
-    assert around([(0.0, 0.0), (0.1, 0.0), (0.1, 0.0)], "a") is None
-    drawn = between((0.4, 0.3), (-0.9, -0.1), "Desk")
-    assert (drawn.center, drawn.size) == ((-0.05, 0.1), (0.9, 0.4))
-    drawn.check_outline()
-    twice = around([(0.0, 0.0), (0.1, 0.0), (0.1, 0.2), (0.1, 0.2)], "Lane")
-    assert twice.corners == ((0.0, 0.0), (0.1, 0.0), (0.1, 0.2))

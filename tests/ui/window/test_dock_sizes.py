@@ -29,19 +29,3 @@ def test_irradiance_target_and_difference_have_a_third_of_the_window(
     docks = [window.workspace.docks[name] for name in _IMAGES]
     assert len({dock.y() for dock in docks}) == 1  # side by side
     assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
-
-
-@pytest.mark.parametrize(
-    ("screen", "whole"),
-    [((1280, 800), True), ((1366, 768), True), ((1024, 600), True), ((1600, 1000), False)],
-)
-def test_the_first_window_fits_into_the_screen_with_its_frame(
-    open_window, qtbot, monkeypatch, screen, whole
-):
-    room = QSize(*screen)
-    monkeypatch.setattr(QScreen, "availableSize", lambda self: room)
-    window = open_window()
-    assert window.isMaximized() is whole
-    usual = window.normalGeometry().size()
-    assert usual.boundedTo(room) == usual
-    assert whole or (usual + QSize(16, 64)).boundedTo(room) == usual + QSize(16, 64)

@@ -6,8 +6,6 @@ import pytest
 import torch
 
 from tests.optics.points import smooth
-from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.validation import validate
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
@@ -32,15 +30,6 @@ def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
     light = BeamPlan(scene, Corners(100, 100, 64), dtype=torch.float64).trace(plate)
     met = disc_to_disc(0.5, 1.0, 1.0)
     assert 1 - light.account.lost["missed_lens"] == pytest.approx(met, abs=1e-3)
-
-
-@pytest.mark.parametrize("pose", [Pose(), Pose((0.2, -0.1), (0.3, 0.1))])
-@ALL
-def test_rays_carry_the_flux_that_meets_the_face(make_scene, source, pose):
-    scene = make_scene({"source": source})
-    light = light_source(scene.source, scene.optic, pose, 100_000, 1)
-    flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))
-    assert flux / light.rays == pytest.approx(1 / (1 + light.beside), rel=3e-3)
 
 
 @ALL

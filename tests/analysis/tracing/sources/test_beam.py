@@ -1,10 +1,6 @@
 """Collimated light of the check: tilted, from a disc, or a Gaussian beam."""
 
-import math
-
-import numpy as np
 import pytest
-from scipy.special import erf
 
 from tests.optics.points import smooth
 from workbench.analysis.tracing.pose import Pose
@@ -44,20 +40,3 @@ def test_rays_carry_the_flux_of_the_quadrature_rule(make_scene, source, pose):
     light = light_source(scene.source, scene.optic, pose, 200_000, 1)
     flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))
     assert flux / light.rays == pytest.approx(1 / (1 + light.beside), abs=1e-3)
-
-
-def test_a_straight_beam_misses_what_is_beyond_the_rim(make_scene):
-    scene = make_scene({"source": BEAM})
-    light = light_source(scene.source, scene.optic, Pose(), 1000, 1)
-    assert 1 / (1 + light.beside) == pytest.approx(erf(math.sqrt(2) / 0.7) ** 2, abs=1e-9)
-    (rays, *_) = light.batch(0)
-    np.testing.assert_allclose(rays.flux, rays.flux[0])
-
-
-def test_finer_levels_have_more_directions(make_scene):
-    sun, beam = (
-        light_source(make_scene({"source": source}).source, make_scene().optic, Pose(), 1, 1)
-        for source in (SUN, BEAM)
-    )
-    assert sun.finer(2).origins == 4 * sun.finer(0).origins
-    assert beam.finer(2).origins == beam.origins == 1

@@ -5,15 +5,6 @@ import pytest
 
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.sources.near import near_places
-
-
-def test_light_from_afar_gets_even_places():
-    part = np.linspace(0, 1, 5)
-    x, y, area = near_places(part, part, np.array([[0.0, 0.0, -1e5]]), (2.0, 1.0))
-    assert x == pytest.approx(4 * part - 2, abs=1e-6)
-    assert y == pytest.approx(2 * part - 1, abs=1e-6)
-    assert area == pytest.approx(8.0, rel=1e-6)
 
 
 @pytest.mark.parametrize("emission", ["lambertian", "uniform"])
