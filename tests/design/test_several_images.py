@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import torch
 
-from tests.scene.test_further_image import SECOND
+from tests.scene.test_images import SECOND
 from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.validation import validate
 from workbench.design.levels import finest_image

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.files.export.test_step import is_spline, points_of
+from tests.files.export.test_solids import is_spline, points_of
 from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.iges import write_iges
 from workbench.files.export.point_cloud import write_points
