@@ -57,19 +57,6 @@ class TestSignals:
         last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
 
-    def test_a_second_ctrl_c_does_not_wait_for_the_iteration(
-        self, freeform, scene_file, out, fake_run
-    ):
-        def press_twice():
-            sent(signal.SIGINT, signal.SIGINT)()
-            raise AssertionError("the iteration went on")
-
-        fake_run({4: press_twice})
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 130
-        assert read_session(out).result.iterations == 3
-        assert stderr.splitlines()[-1] == "freeform: interrupted"
-
     def test_nothing_interrupts_the_last_write(
         self, freeform, scene_file, out, fake_run, monkeypatch
     ):

@@ -69,22 +69,6 @@ class TestTable:
         assert "interrupted; 1 of 3 points are finished" in stderr
 
 
-@pytest.mark.parametrize(
-    "arguments, reason",
-    [
-        (("--vary", "run.seed"), "usage: --vary 'run.seed'; field=values"),
-        (("--vary", "run.sed=1"), "run.sed: unknown field"),
-        (("--vary", "run.seed=2..1"), "run.seed: 2..1; 1 to 10000"),
-        (("--jobs", 0), "usage: argument --jobs: '0'"),
-    ],
-)
-def test_refusals(freeform, scene_file, folder, arguments, reason):
-    status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *arguments)
-    assert (status, stdout) == (2, "")
-    assert stderr.startswith(f"freeform: {reason}")
-    assert not folder.exists()
-
-
 def start(scene_file, folder):
     vary = ("--vary", "run.seed=0..1", "--vary", "run.iterations=1,2")
     few = (*map(str, FEW), "--jobs", "1", "--json")

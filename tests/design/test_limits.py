@@ -61,15 +61,6 @@ def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, bas
     assert surface.min() >= lens.entrance_z + thickness - 1e-12
 
 
-def test_heights_are_recovered_from_their_parameters(rng):
-    lens = lens_with(BASES[1])
-    net = ControlNet.of(lens)
-    free = HeightRange.of(lens, net)
-    heights = free.heights(torch.as_tensor(rng.normal(size=net.shape)))["exit"].numpy()
-    back = free.heights(free.parameters(heights))["exit"]
-    assert back.numpy() == pytest.approx(heights, abs=1e-13)
-
-
 @pytest.fixture
 def limits_of(make_scene):
     """Limits of the small scene with some fields changed."""
@@ -99,11 +90,6 @@ def test_without_a_range_the_stock_alone_limits_the_lens(limits_of):
     limits = limits_of({"lens.height_range": None, "lens.max_thickness": 2.0})
     assert (limits.lower == 0.05).all() and (limits.upper == 2.0).all()
     assert (limits.undesigned == 0.5).all()
-
-
-def test_without_any_limit_the_lens_stays_in_the_nearer_half_before_the_screen(limits_of):
-    limits = limits_of({"lens.height_range": None})
-    assert (limits.upper == (0.5 + 5.0) / 2).all()
 
 
 def test_a_surface_that_does_not_fit_is_cut_off_at_the_ends(limits_of, bowl):

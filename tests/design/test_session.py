@@ -135,9 +135,3 @@ def test_another_unit_keeps_the_lens_and_its_light(session):
     assert not after.state.heights["exit"].flags.writeable
     start = replace(session, result=None, start=before.state.heights).in_unit("inch").start
     np.testing.assert_allclose(start["exit"], before.state.heights["exit"] / 2.54, rtol=1e-15)
-
-
-def test_the_same_numbers_in_another_unit_are_the_same_task(session):
-    data = session.scene.to_data() | {"unit": "inch"}
-    found = session.with_scene(Scene.from_data(data), session.target)
-    assert found.result is session.result

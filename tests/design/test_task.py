@@ -11,13 +11,12 @@ from PIL import Image
 from tests.accounts import account_of
 from tests.lamps import PLATE, downlight
 from workbench.design.lens_state import LensState
-from workbench.design.needs import check_stages, grazed, reversed_on_lit_side
+from workbench.design.needs import check_stages, grazed
 from workbench.design.origin import origin
-from workbench.design.picture import changed_on_disk
 from workbench.design.run import run
 from workbench.design.session import KeptRun, Session
 from workbench.design.snapshot import Result
-from workbench.design.task import begin, with_file, with_task
+from workbench.design.task import begin, with_task
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.said import Said
@@ -41,21 +40,6 @@ def test_a_screen_that_light_grazes_is_said_with_what_helps(make_scene):
     assert grazed(make_scene(wall | {"screen.tilt": [20.0, 0.0]})) is None
     said = grazed(make_scene(wall | {"screen.tilt": [52.0, 0.0]}))
     assert "from across it" in said and "turn the screen towards the lens" in said
-
-
-def test_a_picture_that_is_mirror_inverted_on_a_wall_is_said_with_what_helps(make_scene):
-    uneven, even = np.ones((32, 32)), np.ones((32, 32))
-    uneven[:, :10] = 0.0
-    said = reversed_on_lit_side(make_scene(), uneven)
-    assert "mirror-inverted for viewers on the side of the light" in said
-    assert 'target.viewed_from "front"' in said
-    assert reversed_on_lit_side(make_scene(), even) is None
-    for side in ("front", "back"):
-        scene = make_scene({"target": {"builtin": "tophat", "viewed_from": side}})
-        assert reversed_on_lit_side(scene, uneven) is None
-    back = {"lens": None, "mirror": {"half_width": [1.0, 1.0], "control_points": [8, 8]}}
-    mirror = make_scene({**back, "screen.z": -5.0, "version": 2})
-    assert reversed_on_lit_side(mirror, uneven) is None
 
 
 POINT = {"kind": "point", "position": [0, 0, -3], "rays": 4096}
@@ -114,22 +98,8 @@ def designed(task):
     return replace(task, result=result, runs=(KeptRun("Run 1", task.scene, task.target, result),))
 
 
-def moved(session, part="screen", **values):
-    scene = session.scene
-    changed = getattr(scene, part).model_copy(update=values)
-    return session.with_scene(scene.model_copy(update={part: changed}), session.target)
-
-
 def test_a_lens_of_a_run_is_designed_for_the_task_of_the_run(designed):
     assert origin(designed) == "designed for this task"
-
-
-def test_the_other_task_is_named_with_what_differs(designed):
-    other = moved(designed, z=7.0)
-    assert other.result is None
-    assert origin(other) == "designed for another task (Run 1): screen.z 5.0, now 7.0"
-    traced = replace(other, result=replace(designed.result, losses=np.empty(0)))
-    assert origin(traced) == origin(other)
 
 
 LETTER = np.array([[255, 255, 0], [255, 0, 0], [255, 0, 0]], dtype=np.uint8)
@@ -159,14 +129,3 @@ def test_the_target_is_drawn_anew_without_the_file(session, image):
     found = edited(session, blur=1.5, padding=0.1, invert=True)
     np.testing.assert_array_equal(found.target, expected)
     assert found.picture is session.picture
-
-
-def test_the_kept_picture_counts_until_the_file_is_read_again(session, image):
-    Image.fromarray(255 - LETTER).save(image)
-    assert changed_on_disk(session.scene, session.picture)
-    kept = edited(session, padding=0.1)
-    assert kept.picture is session.picture
-    again = with_file(kept, image.parent)
-    assert again.picture == image.read_bytes() and again.scene == kept.scene
-    assert not changed_on_disk(again.scene, again.picture)
-    assert np.abs(again.target - kept.target).max() > 0.9

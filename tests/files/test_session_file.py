@@ -14,7 +14,6 @@ from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import (
     Session,
-    is_session,
     open_design,
     read_session,
     write_session,
@@ -110,12 +109,6 @@ class TestRoundTrip:
         assert again.result.seconds == session.result.seconds
         assert again.result.state.account == session.result.state.account
 
-    def test_the_same_session_gives_the_same_bytes(self, session, path):
-        write_session(session, path)
-        first = path.read_bytes()
-        write_session(read_session(path), path)
-        assert path.read_bytes() == first
-
 
 def test_the_format_is_the_one_that_others_rely_on(session, path):
     write_session(session, path)
@@ -148,18 +141,6 @@ class TestOpenDesign:
         write_session(session, path)
         found = open_design(path).result.state.heights["exit"]
         assert same(found, session.result.state.heights["exit"])
-
-    def test_sessions_and_scenes_are_distinguished_by_content(self, session, path, make_scene):
-        write_session(session, path)
-        assert is_session(path)
-        path.write_bytes(path.read_bytes()[:30])
-        assert is_session(path)
-        path.write_text(make_scene().to_json())
-        assert not is_session(path)
-        path.write_bytes(b"")
-        assert not is_session(path)
-        with pytest.raises(Refused, match="does not exist"):
-            is_session(path.with_name("missing"))
 
 
 class TestRefused:

@@ -31,20 +31,6 @@ def test_a_turned_square_is_exact_in_each_pixel(fused):
     np.testing.assert_allclose(image, np.full((2, 2), 0.25), atol=1e-15)
 
 
-def test_an_image_of_a_bent_map_converges_with_the_square_of_the_cells():
-    def image(count):
-        t = np.linspace(0, 1, count + 1)
-        u, v = np.meshgrid(t, t)
-        column = 32 * (u + 0.1 * np.sin(2 * np.pi * u) * np.cos(2 * np.pi * v) / 2)
-        row = 32 * (v + 0.1 * np.cos(2 * np.pi * u) * np.sin(2 * np.pi * v) / 2)
-        return image_of(nodes_of(column, row), (32, 32))[0]
-
-    true = image(1024)
-    coarse, fine = ((image(count) - true).norm() for count in (64, 128))
-    assert fine < 0.3 * coarse
-    assert fine < 2e-4 * true.norm()
-
-
 def tracers(scene, cells=(36, 28), **options):
     return [BeamPlan(scene, cells, fused=fused, **options) for fused in (True, False)]
 

@@ -96,17 +96,6 @@ def spreading(make_scene, outline):
     }
 
 
-@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
-def test_few_cells_give_the_light_of_many_at_the_rim(make_scene, outline):
-    scene, heights = spreading(make_scene, outline)
-    few, many = (BeamPlan(scene, (count, count)).trace(heights) for count in (64, 640))
-    total = many.account.on_screen
-    assert many.account.lost["left_side"] > 0.01
-    assert few.account.on_screen == pytest.approx(total, rel=1.5e-3)
-    assert few.account.lost == pytest.approx(many.account.lost, abs=1.5e-3)
-    assert (few.flux - many.flux).norm() < 0.01 * many.flux.norm()
-
-
 def test_all_light_is_accounted_for(make_scene):
     scene, heights = spreading(make_scene, "rectangle")
     account = BeamPlan(scene, (30, 30)).trace(heights).account

@@ -116,21 +116,6 @@ def test_shortcuts_are_unique():
     assert len(keys) == len(set(keys))
 
 
-def test_text_still_being_typed_is_saved(window, tmp_path, monkeypatch):
-    path = tmp_path / "mine.freeform"
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: path)
-    editor(window.forms, "screen.z").setText("8")
-    window.commands["save"].trigger()
-    assert read_session(path).scene.receiver.z == 8
-
-
-def test_a_save_that_fails_is_reported(window, tmp_path, monkeypatch):
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "no" / "a.freeform")
-    window.commands["save"].trigger()
-    assert str(tmp_path / "no") in window.messages.text
-    assert window.messages.isVisible()
-
-
 @pytest.mark.parametrize(
     ("answer", "closed", "saved"),
     [(SAVE, True, True), (DISCARD, True, False), (CANCEL, False, False)],
@@ -205,13 +190,6 @@ def test_a_picture_that_is_opened_is_offered_as_the_target(window, tmp_path, qtb
     assert window.messages.text == ""
 
 
-def test_a_dropped_design_is_opened(window, tmp_path):
-    path = tmp_path / "other.json"
-    path.write_text(small_session().scene.model_copy(update={"unit": "inch"}).to_json())
-    drop(window, path)
-    assert window.document.session.scene.unit == "inch"
-
-
 def test_a_run_leaves_its_result_as_one_step(built, qtbot):
     with qtbot.waitSignal(built.loaded.control.ended, timeout=60_000):
         built.commands["start"].trigger()
@@ -282,15 +260,3 @@ def test_closing_during_a_run_stops_it(built, qtbot, answers, answer, saved, tmp
     assert path.exists() is saved
     if saved:
         assert read_session(path).result is not None
-
-
-def test_the_camera_turns_to_an_axis_and_back(built, qtbot):
-    view = built.loaded.views.scene
-    qtbot.waitUntil(lambda: view._contents.picture is not None, timeout=20_000)
-    camera = view._plotter.camera
-    before = camera.direction
-    for name, direction in (("side", (1, 0, 0)), ("top", (0, -1, 0)), ("axis", (0, 0, -1))):
-        built.commands[f"{name}_view"].trigger()
-        np.testing.assert_allclose(camera.direction, direction, atol=1e-12)
-    built.commands["fit_view"].trigger()
-    np.testing.assert_allclose(camera.direction, before, atol=1e-12)

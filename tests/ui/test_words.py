@@ -18,7 +18,6 @@ from ui.words import error_text, speak, spoken_by_system, tr
 from workbench.errors import Refused
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
-from workbench.said import Said
 
 
 @pytest.fixture
@@ -34,16 +33,6 @@ def test_texts_are_english_without_a_dictionary():
         "There is no mirror yet: Start designs one"
     )
     assert tr("") == ""
-
-
-def test_sentences_of_the_engine_keep_their_values(speaking):
-    net = Said("{n_u} × {n_v} control points, {n_x} × {n_y} pixels", n_u=9, n_v=8, n_x=7, n_y=6)
-    thick = Said("{height:.3g} {unit} thick, {net}", height=2.5, unit="mm", net=net)
-    caught = Said("Light on the {optic}", optic="mirror")
-    assert tr(thick) == thick == "2.5 mm thick, 9 × 8 control points, 7 × 6 pixels"
-    speaking("de")
-    assert tr(thick) == "2.5 mm dick, 9 × 8 Kontrollpunkte, 7 × 6 Pixel"
-    assert tr(caught) == "Licht auf dem Spiegel"
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 import torch
 
-from tests.benchmarks import kernels, skips, timing
+from tests.benchmarks import timing
 from tests.benchmarks.comparison import Variant, compare, table
 from tests.benchmarks.kernels import Descent
-from tests.benchmarks.precision import differences
 from tests.benchmarks.timing import in_turns
 from workbench.analysis.benchmark.examples import wavy
 from workbench.design.loss import paper_loss, share
@@ -39,30 +38,6 @@ def test_ratios_are_to_the_first_variant():
         assert row.nanoseconds_a_ray == pytest.approx(1e6 * row.milliseconds / 1000)
     data = table("Times", rows).to_data()
     assert [each["ratio"] for each in data] == [row.ratio for row in rows]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("question", skips.SKIPS)
-def test_a_skip_leaves_the_image_unchanged(question):
-    for variant in skips.SKIPS[question]():
-        # The rays of a point far away are others: their scatter stays.
-        limit = 0.2 if "intersection" in question else 1e-3
-        assert variant.error is None or variant.error < limit
-
-
-@pytest.mark.slow
-def test_every_comparison_gives_rows(monkeypatch, progress):
-    for module in (kernels, skips):
-        monkeypatch.setattr(module, "_SECONDS", 0.01)
-    for rows in (
-        list(kernels.measurements(None, progress)),
-        list(skips.measurements(None, progress)),
-    ):
-        questions = {row.question for row in rows}
-        assert questions <= {case for case, _ in progress.lines}
-        for row in rows:
-            assert row.milliseconds > 0 and row.rays > 0
-    assert len(list(differences(None, progress))) >= 5
 
 
 @pytest.fixture

@@ -14,7 +14,6 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 
 PLATE = (1 - 0.04) ** 2
-POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
 
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
@@ -47,19 +46,6 @@ class TestPlate:
             shares.append(np.diff(ends) / 2)
         assert image == pytest.approx(PLATE * np.outer(shares[1], shares[0]), abs=1e-14)
         assert image.sum() == pytest.approx(PLATE, rel=1e-12)
-
-    def test_a_prism_moves_it(self, make_scene):
-        scene = make_scene({"screen.half_width": [2.0, 2.0]})
-        heights = net_of(scene, lambda x, y: 0.5 + 0.2 * x + 0 * y)
-        image = flux_of(scene, heights, (64, 64))
-        tilt = math.atan(0.2)
-        deflection = math.tan(math.asin(1.5 * math.sin(tilt)) - tilt)
-        columns = np.linspace(-2, 2, 33)
-        # A ray from x lands at x + deflection (5 − 0.5 − 0.2 x).
-        back = ((columns - deflection * 4.5) / (1 - 0.2 * deflection)).clip(-1, 1)
-        refracted = math.asin(1.5 * math.sin(tilt))
-        exit_part = 1 - 0.04 - 0.96 * (1 - math.cos(refracted)) ** 5
-        assert image.sum(axis=0) == pytest.approx(0.96 * exit_part * np.diff(back) / 2, abs=1e-14)
 
 
 class TestParabolicCylinder:
@@ -123,10 +109,3 @@ def test_the_error_falls_with_the_square_of_the_cells_and_faster_when_lifted(mak
         for coarse, fine in pairwise(errors):
             assert least < coarse / fine < most
     assert lifted[2] < plain[2] / 5 < 1e-5
-
-
-def test_the_number_of_threads_changes_no_bit(make_scene, rng):
-    scene = make_scene({"source": POINT})
-    heights = 0.5 + 0.3 * rng.random((12, 10))
-    one, two = (flux_of(scene, heights, (200, 190), threads=n) for n in (1, 2))
-    assert np.array_equal(one, two)

@@ -73,14 +73,3 @@ def test_pixels_agree_with_points_strewn_over_the_triangles(rng):
             share = (p[one][1] + p[two][1] + p[three][1]) / 6 / len(s)
             np.add.at(expected, (at[:, 1].astype(int), at[:, 0].astype(int)), share)
     assert np.abs(image - expected).max() < 2e-3 * image.max()
-
-
-def test_cells_that_are_lit_in_part_are_told_and_left():
-    nodes = np.stack(np.meshgrid(np.arange(4.0), np.arange(3.0), indexing="ij"), axis=-1)
-    flux = np.ones((4, 3))
-    flux[0] = 0
-    flux[1, 0] = 0
-    image, added, mixed = filled(nodes, flux, (3, 2))
-    assert mixed.tolist() == [[True, True], [True, False], [False, False]]
-    assert added == 3
-    assert image == pytest.approx(np.array([[0, 0, 1], [0, 1, 1]]))

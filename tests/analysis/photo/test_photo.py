@@ -1,20 +1,16 @@
 """Predicted photos of lenses whose light is known."""
 
-import io
 import math
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
+from workbench.analysis.photo.colour import linear_rgb, tristimulus
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import photograph
-from workbench.analysis.photo.png import write_png
 from workbench.materials import CATALOGUE
-from workbench.scene import Scene
 from workbench.watch import finished
 
 DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
@@ -77,29 +73,3 @@ def test_a_source_of_some_size_is_seen_with_it(make_scene):
     across = photo.rgb[..., 1].sum(axis=0)
     blurred = (across > 0.01 * across.max()) & (across < 0.99 * across.max())
     assert blurred.sum() * 0.25 == pytest.approx(2 * 20 * math.radians(4.0), abs=0.8)
-
-
-def test_a_far_field_is_seen_by_its_density(make_scene):
-    far = {"half_angle": [20.0, 20.0], "pixels": [24, 12]}
-    data = make_scene(DISPERSIVE | {"version": 2}).to_data()
-    del data["screen"]
-    scene = Scene.from_data(data | {"far_field": far})
-    photo = photograph(scene, np.ones((12, 24)), prism(scene))
-    assert photo.aspect == pytest.approx(0.5)
-    assert scene.receiver.total(luminance(photo.rgb)) == pytest.approx(0.92, abs=0.01)
-    file = io.BytesIO()
-    write_png(photo, 0.0, file)
-    with Image.open(file) as picture:
-        assert picture.size == (24, 24)
-
-
-@pytest.mark.parametrize("viewer", ["front", "back", None])
-def test_the_camera_looks_from_the_side_of_the_viewer(make_scene, viewer):
-    target = {"builtin": "tophat"} | ({"viewed_from": viewer} if viewer else {})
-    scene = make_scene(WIDE | {"target": target})
-    photo = photograph(scene, white(scene), prism(scene))
-    # The prism sends light to +x, which is at the left of who looks along +z, y upwards.
-    columns = np.flatnonzero(photo.picture()[..., 0].any(axis=0))
-    assert (columns.mean() < 24) == (viewer == "front")
-    side = "the side of the light" if viewer == "front" else "behind the screen"
-    assert photo.summary.startswith(f"viewed from {side}; ")

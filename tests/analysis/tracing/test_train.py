@@ -125,12 +125,3 @@ def test_elements_of_new_kinds_are_followed_and_their_losses_counted():
     )
     assert tally.flux.sum() + sum(tally.lost.values()) == pytest.approx(tally.emitted)
     assert tally.flux[0] == pytest.approx(0.75**2 * Lamp.rays * disc / 2, rel=0.05)
-
-
-def test_rays_are_followed_some_at_a_time_and_all_of_them():
-    rays = next(Lamp().batch(3))
-    for direction in (UP, UP.repeat(Lamp.rays, axis=0)):
-        some = list(rays._replace(direction=direction).split(3000))
-        assert [len(each.flux) for each in some] == [3000] * 6 + [2000]
-        assert np.array_equal(np.vstack([each.position for each in some]), rays.position)
-        assert all(len(each.direction) in (1, len(each.flux)) for each in some)

@@ -39,16 +39,6 @@ def test_every_ending_is_written(make_session, tmp_path, ending):
     assert 0 <= size < 0.02
 
 
-def test_files_of_one_face_tell_which_of_two_they_hold(make_session, tmp_path):
-    paths = [tmp_path / name for name in ("lens.dat", "lens.entrance.dat", "lens.step")]
-    message = [written.format for written in export(make_session(TWO_FACES), paths)]
-    assert message == [
-        "OpticStudio grid sag, exit face (*.entrance.dat is for the entrance face)",
-        "OpticStudio grid sag, entrance face",
-        "STEP solid",
-    ]
-
-
 @pytest.mark.parametrize(
     "name", ["lens", "lens.png", "lens.csv", "lens.freeform", "step", ".height"]
 )

@@ -1,6 +1,5 @@
 import numpy as np
 import pytest
-from PIL import Image
 
 from tests.accounts import account_of
 from ui.document.document import Document
@@ -86,34 +85,6 @@ def test_an_edit_after_saving_does_not_merge_into_what_was_saved(document, tmp_p
     document.undo_stack.undo()
     assert document.session.scene.receiver.z == 6
     assert not document.dirty
-
-
-def test_another_screen_loads_the_target_for_its_pixels(document):
-    document.edit(changed(document.session.scene, "screen", pixels=(20, 8)), "pixels", "pixels")
-    assert document.session.target.shape == (8, 20)
-    document.undo_stack.undo()
-    assert document.session.target.shape == (10, 12)
-
-
-def test_a_missing_image_is_refused_only_where_it_is_read_again(document, tmp_path):
-    image = tmp_path / "target.png"
-    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(image)
-    scene = small_scene(target={"image": str(image)})
-    document.edit(scene, "target", "target")
-    image.unlink()
-    document.edit(changed(document.session.scene, "screen", pixels=(9, 9)), "pixels", "pixels")
-    session = document.session
-    assert session.target.shape == (9, 9)
-    with pytest.raises(Refused, match=r"target\.png"):
-        document.read_image_again()
-    assert document.session is session
-
-
-def test_a_relative_image_starts_beside_the_file(document, tmp_path):
-    Image.fromarray(np.full((4, 4), 200, np.uint8)).save(tmp_path / "target.png")
-    document.save(tmp_path / "design.freeform")
-    document.edit(small_scene(target={"image": "target.png"}), "target", "target")
-    assert document.session.scene.target.image == str(tmp_path / "target.png")
 
 
 def test_another_lens_removes_the_result_and_undo_restores_it(document):

@@ -8,13 +8,10 @@ import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
 from ui.files import left_behind
-from ui.files.left_behind import RecoveryChoice
 from ui.files.recovery import Recovery
 from workbench.files.session import read_session, write_session
 
@@ -59,17 +56,6 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     document.save(tmp_path / "mine.freeform")
     recovery.keep_now()
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
-
-
-def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.close(leave=True)
-    recovery.close()
-    (work,) = left_behind.find(recovery.folder)
-    assert read_session(work.file).scene.receiver.z == 7
-    assert work.about.ended
-    work.put_back()
 
 
 def test_work_of_an_open_window_is_not_offered(document, keeping):
@@ -144,61 +130,6 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
         ended.state.heights["exit"], window.document.session.result.state.heights["exit"]
     )
     recovery.close()
-
-
-@pytest.mark.parametrize(
-    ("button", "choice"),
-    [
-        ("Recover", RecoveryChoice.RECOVER),
-        ("Discard", RecoveryChoice.DISCARD),
-        ("Ask later", RecoveryChoice.LATER),
-    ],
-)
-def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    crash(recovery)
-    (work,) = left_behind.find(recovery.folder)
-    received = []
-
-    def answer():
-        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
-        received.append(box.text())
-        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
-        qtbot.mouseClick(buttons[button], Qt.MouseButton.LeftButton)
-
-    QTimer.singleShot(200, answer)
-    assert left_behind.ask(work, window) is choice
-    assert "small" in received[0] and "not closed" in received[0]
-    work.remove()
-
-
-def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
-    works = []
-    for z in (7, 8, 9, 10):
-        recovery = keeping()
-        move_screen(document, z)
-        recovery.keep_now()
-        os.utime(recovery._file, (z, z))
-        crash(recovery)
-    works = left_behind.find(recovery.folder)
-    assert [read_session(work.file).scene.receiver.z for work in works] == [10, 9, 8, 7]
-    choices = iter(
-        [
-            RecoveryChoice.DISCARD,
-            RecoveryChoice.RECOVER,
-            RecoveryChoice.LATER,
-            RecoveryChoice.RECOVER,
-        ]
-    )
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
-    opened = []
-    assert left_behind.offer(works, lambda work: not opened.append(work), None)
-    assert opened == [works[1], works[3]]
-    (rest,) = left_behind.find(recovery.folder)
-    assert read_session(rest.file).scene.receiver.z == 8
-    rest.remove()
 
 
 BEGIN = (

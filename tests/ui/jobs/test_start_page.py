@@ -11,7 +11,6 @@ from tests.ui.hands import fill, move_screen
 from ui.files.actions import Answer
 from ui.jobs.page import StartPage
 from ui.panels.edits import Edit
-from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
@@ -62,22 +61,6 @@ def test_arrow_keys_and_enter_begin_a_job(window, page, qtbot):
     assert window.document.undo_stack.count() == 1
     window.commands["undo"].trigger()
     assert window.document.session is before
-
-
-def test_the_scene_that_a_job_leaves_is_read_back_from_a_scene_file(window, page, qtbot, tmp_path):
-    begin(page, qtbot)
-    scene = window.document.session.scene
-    write_scene(scene, tmp_path / "job.json")
-    assert read_scene(tmp_path / "job.json") == scene.with_net(None)
-
-
-def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
-    row = row_of(page, "size")
-    for place, text in (("size[0]", "6 cm"), ("size[1]", "30")):
-        fill(qtbot, row.editors[place], text)
-    assert page.form.job.size == (60.0, 30.0)
-    begin(page, qtbot)
-    assert window.document.session.scene.optic.half_width == (30.0, 15.0)
 
 
 def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbot):

@@ -288,23 +288,6 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     assert document.session.result is None
 
 
-def test_keys_move_the_source(make_tools, qtbot):
-    tools = make_tools({"source": POINT})
-    view, document = tools.view, tools.document
-    tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
-    hold_key(view, Qt.Key.Key_Right, 5)
-    qtbot.keyRelease(view._plotter, Qt.Key.Key_Right)
-    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
-    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
-    assert document.undo_stack.count() == 2
-    hold_key(view, Qt.Key.Key_Down, 2)
-    assert document.session.scene.source.position == pytest.approx((0.1, -0.04, -3.002))
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
-    assert document.undo_stack.index() == 2
-
-
 def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):
     """Commands, all views and the run, from a drag to what goes on from it."""
     window = open_window(make_session({"run.iterations": 3}))

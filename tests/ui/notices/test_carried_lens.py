@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt
 
@@ -82,24 +81,6 @@ def test_a_lens_of_another_task_is_reported_once(desk, qtbot):
     assert len(desk.log) == 1 and "is a start for this one" in desk.log[0]
     assert desk.document.session.start is not None
     assert desk.messages.text == ""
-
-
-def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot):
-    enter(qtbot, desk.forms, "lens.half_width[0]", "1.5")
-    assert "does not fit the new outline" in desk.messages.text
-    assert desk.document.session.heights is None
-    desk.document.undo_stack.undo()
-    assert desk.document.session.result is not None
-    assert desk.messages.text == ""
-
-
-def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
-    before = desk.document.session.heights["exit"]
-    enter(qtbot, desk.forms, "lens.height_range[1]", "0.01")
-    after = desk.document.session
-    moved = np.abs(after.heights["exit"] - before).max()
-    assert after.result is None and after.heights["exit"].max() <= 0.51
-    assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 
 def test_a_second_freeform_face_is_said_and_taken_back(desk):

@@ -1,11 +1,7 @@
 from pathlib import Path
 
-import numpy as np
 import pytest
-from PIL import Image
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPoint
 
 from tests.ui.hands import choose, editor, enter, field_row, row, rows
 from workbench.files.session import Session
@@ -58,16 +54,6 @@ def test_a_number_may_be_worked_out_and_have_a_unit(forms, document, qtbot, path
         assert not forms.refused and document.session is not before
 
 
-def test_a_unit_that_was_typed_keeps_its_meaning_when_the_unit_changes(forms, document, qtbot):
-    enter(qtbot, forms, "screen.z", "1 mm")  # within the lens
-    choose(forms, "unit", "mm")
-    enter(qtbot, forms, "lens.height_range[1]", "-4.1")
-    enter(qtbot, forms, "lens.min_thickness", "0")
-    assert forms.refused and document.session.scene.receiver.z == 50
-    choose(forms, "unit", "m")
-    assert editor(forms, "screen.z").text() == "1 mm"
-
-
 @pytest.mark.parametrize(
     ("path", "text", "reason"),
     [
@@ -99,23 +85,6 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     assert forms.refused
 
 
-def test_the_wheel_changes_no_choice(forms, document):
-    chooser = row(forms, "unit").chooser
-    where, down = QPointF(5, 5), QPoint(0, -120)
-    wheel = QWheelEvent(
-        where,
-        chooser.mapToGlobal(where),
-        QPoint(),
-        down,
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(chooser, wheel)
-    assert chooser.currentData() == "cm"
-
-
 def test_another_unit_converts_all_lengths(forms, document, qtbot):
     before = document.session
     choose(forms, "unit", "mm")
@@ -128,22 +97,6 @@ def test_another_unit_converts_all_lengths(forms, document, qtbot):
     assert document.undo_stack.undoText() == "change of unit"
     document.undo_stack.undo()
     assert document.session is before
-
-
-def test_a_file_that_is_no_image_is_refused_and_marks_no_field(forms, document, tmp_path):
-    image, text = tmp_path / "target.png", tmp_path / "notes.txt"
-    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    text.write_text("no image")
-    received = []
-    forms.file_refused.connect(received.append)
-    for count, first in enumerate((None, image)):
-        if first is not None:
-            forms.choose_image(first)
-        forms.choose_image(text)
-        assert "notes.txt" in received[count]
-        assert not forms.refused and not any(each.refusal for each in rows(forms))
-        assert document.undo_stack.count() == count
-    assert row(forms, "target.image").editor.text() == str(image)
 
 
 def test_edits_during_a_run_wait_for_its_end(forms, document, qtbot):
@@ -172,20 +125,6 @@ def test_everything_fits_into_its_narrowest_width(forms, kind):
             if field.isVisible():
                 right = field.mapTo(forms, QPoint(field.width(), 0)).x()
                 assert right <= forms.viewport().width(), field.path
-
-
-def test_another_source_stands_before_the_lens(forms, document):
-    choose(forms, "source.kind", "point")
-    source = document.session.scene.source
-    assert (source.kind, source.position) == ("point", (0, 0, -5))
-    choose(forms, "source.emission", "lambertian")
-    choose(forms, "source.kind", "grid")
-    source = document.session.scene.source
-    assert (source.kind, source.center, source.half_width) == ("grid", (0, 0, -5), (0.5, 0.5))
-    assert source.emission == "lambertian"  # what both have is kept
-    choose(forms, "source.kind", "collimated")
-    assert document.session.scene.source.kind == "collimated"
-    assert document.undo_stack.undoText() == "change of source kind"
 
 
 def test_the_height_range_is_automatic_or_a_persons_own(forms, document, qtbot):

@@ -67,14 +67,3 @@ def test_place_weight_and_target_of_the_chosen_image_are_edited(begin, qtbot):
     assert (one.weight, one.receiver.z, one.target.builtin) == (2.5, 7.0, "ball")
     assert (two.weight, two.target.builtin) == (1.0, "tophat")
     assert not np.array_equal(one.wanted, two.wanted)
-
-
-def test_images_are_moved_and_removed(begin, qtbot):
-    document, forms = begin()
-    click(qtbot, forms, "Add")
-    click(qtbot, forms, "Add")
-    near, far = images(document)
-    click(qtbot, forms, "Up")
-    assert images(document) == (far, near)
-    click(qtbot, forms, "Remove")
-    assert images(document) == (near,)

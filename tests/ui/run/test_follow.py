@@ -11,7 +11,6 @@ from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.kept import restored
 from workbench.design.live import LiveDesign
-from workbench.scene import Scene
 
 _FREE = 10_000
 
@@ -234,40 +233,3 @@ def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     assert desk.document.session.heights == lens.state.heights
     assert check._asked is not None
     check.close()
-
-
-def paper(scene):
-    return Scene.from_data({**scene.to_data(), "run": {"method": "paper"}})
-
-
-def test_the_method_of_the_paper_is_not_followed(make_desk, designed):
-    desk = make_desk(replace(designed, scene=paper(designed.scene)))
-    desk.edit(7)
-    assert not desk.follow.follows(desk.document.session)
-    assert desk.follow.text == ""
-    assert desk.document.session.result is None
-
-
-def test_a_lens_that_is_opened_stays_until_somebody_edits(make_desk, designed, qtbot):
-    desk = make_desk(designed)
-    carried = replace(designed, result=None, start=designed.result.state.heights)
-    for session in (designed, carried):
-        desk.document.recover(session, "small", None, None)
-        qtbot.wait(300)
-        assert desk.document.session is session
-    assert desk.settled == []
-
-
-def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monkeypatch):
-    desk = make_desk()
-
-    def generate(*_):
-        raise ZeroDivisionError("nothing there")
-        yield
-
-    desk.follow._live = LiveDesign(generate, refit=lambda *_: None)
-    desk.edit(7)
-    qtbot.waitUntil(lambda: bool(desk.failed))
-    assert "nothing there" in desk.failed[0]
-    assert desk.document.session.scene.receiver.z == 7
-    assert desk.follow.text == ""

@@ -120,28 +120,6 @@ def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner,
     )
 
 
-def test_preview_is_no_run(session, as_run, start_runner, qtbot):
-    runner, heard = start_runner(as_run(5))
-    with qtbot.waitSignal(runner.frame_ready):
-        runner.preview(session)
-    qtbot.wait(20)
-    assert heard.frames[0].snapshot.iteration == 0
-    assert heard.states == [] and heard.results == []
-
-
-def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
-    runner, heard = start_runner(gated)
-    runner.preview(session)
-    runner.start(session, continue_run=False)
-    runner.preview(session)  # its frames come anyway
-    gated.allowed.release(10)
-    qtbot.waitUntil(lambda: gated.taken > 5)
-    with qtbot.waitSignal(runner.finished):
-        runner.stop()
-        gated.allowed.release(10)
-    assert len(heard.results) == 1
-
-
 def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
     runner, heard = start_runner(as_run(10_000, pause=0.005))
     runner.start(session, continue_run=False)

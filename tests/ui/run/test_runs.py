@@ -4,7 +4,6 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
@@ -106,22 +105,6 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert names(window) == [] and window.document.session.result is None
 
 
-def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
-    lines = table(two_runs)
-    lines.setCurrentCell(0, 0)
-    lines.setFocus()
-    qtbot.keyClick(lines, Qt.Key.Key_F2)
-    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
-    editor = lines.viewport().findChildren(QLineEdit)[0]
-    editor.selectAll()
-    qtbot.keyClicks(editor, "near screen")
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "near screen")
-    assert two_runs.document.undo_stack.undoText() == "rename run"
-    two_runs.commands["undo"].trigger()
-    assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
-
-
 def test_going_back_to_a_run(two_runs, qtbot):
     document = two_runs.document
     first = document.session.runs[0]
@@ -171,22 +154,6 @@ def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
     runs.note_check(CheckedLens(session, session.heights), found(0.03))
     errors = [shown.table.item(cells["Verified"], column).text() for column in (1, 2)]
     assert errors == ["1.25 %", "3.00 %"]
-
-
-def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
-    path = tmp_path / "two.freeform"
-    two_runs.document.save(path)
-    two_runs.document.open(path)
-    assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
-    assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
-    assert verified(two_runs) == ["1.25 %", "1.25 %"]
-    session = two_runs.document.session
-    two_runs.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
-    assert not two_runs.document.dirty  # a check is no edit
-    assert verified(two_runs) == ["1.25 %", "3.00 %"]
-    two_runs.document.save(path)
-    two_runs.document.open(path)
-    assert verified(two_runs) == ["1.25 %", "3.00 %"]
 
 
 def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):

@@ -7,7 +7,6 @@ from PySide6.QtCore import QThread
 
 from ui.threads.background import Background
 from workbench.errors import Refused
-from workbench.interruption import check_given_up
 
 
 @pytest.fixture
@@ -95,20 +94,3 @@ def test_cancelled_work_reports_nothing(asked, qtbot, request_):
     qtbot.waitUntil(lambda: not asked.background.running)
     assert asked.begun[0][1].stopped
     assert asked.received == [] and asked.progress == []
-
-
-def test_closing_leaves_work_between_two_of_its_steps(qapp):
-    begun, received = threading.Event(), []
-
-    def without_end(_):
-        while True:
-            check_given_up()
-            begun.set()
-
-    background = Background("turning round", None)
-    background.done.connect(lambda *outcome: received.append(outcome))
-    background.failed.connect(lambda *outcome: received.append(outcome))
-    background.begin(without_end)
-    assert begun.wait(timeout=20)
-    background.close()
-    assert not background.running and received == []

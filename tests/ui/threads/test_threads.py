@@ -1,8 +1,6 @@
 """Threads of the window."""
 
 import gc
-import subprocess
-import sys
 import threading
 import weakref
 
@@ -11,29 +9,10 @@ from PySide6.QtCore import QTimer
 
 from ui.startup.unexpected_errors import UnexpectedErrors
 from ui.threads.background import Background
-from ui.threads.cores import other_cores
 from ui.threads.failure import sentence_of
 from ui.threads.garbage import GarbageCollector
 from workbench.defects import file
 from workbench.errors import Refused, RunFailed
-
-_COUNT = """
-import threading
-from ui.threads.cores import leave_core_for_window
-leave_core_for_window()
-import torch
-found = [torch.get_num_threads()]
-thread = threading.Thread(target=lambda: found.append(torch.get_num_threads()))
-thread.start()
-thread.join()
-print(*found)
-"""
-
-
-def test_every_thread_leaves_a_core_to_the_window(monkeypatch):
-    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
-    found = subprocess.run([sys.executable, "-c", _COUNT], capture_output=True, check=True)
-    assert found.stdout.split() == [str(other_cores()).encode()] * 2
 
 
 @pytest.fixture
@@ -115,9 +94,3 @@ def test_a_working_thread_deletes_no_timer_of_the_window(collector, qtbot):
         enough.set()
         worker.join()
     assert set(deleted_in) == {threading.main_thread()}
-
-
-def test_closing_restores_the_collector_of_python(collector):
-    assert not gc.isenabled()
-    collector.close()
-    assert gc.isenabled()

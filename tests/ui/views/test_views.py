@@ -82,29 +82,6 @@ def scene_view(display, qtbot):
     yield view  # the window lives as long
 
 
-@pytest.fixture
-def drawn_scene(scene_view, frame, draws, qtbot):
-    """The 3D scene of a frame, drawn once."""
-    scene_view.show_frame(frame(1))
-    scene_view.window().show()
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1)
-    return scene_view
-
-
-def test_scene_is_updated_in_place(drawn_scene, session, frame, draws, qtbot):
-    plotter = drawn_scene._plotter
-    plotter.camera.azimuth = 15
-    camera, actors = plotter.camera_position, list(plotter.actors)
-    before = grabbed(drawn_scene)
-    drawn_scene.show_frame(frame(9))
-    qtbot.waitUntil(lambda: draws[SceneView] == 2)
-    assert plotter.camera_position == camera
-    assert list(plotter.actors) == actors
-    assert (grabbed(drawn_scene) != before).any()
-    drawn_scene.fit()
-    assert plotter.camera_position != camera
-
-
 def test_the_light_account_adds_up(frame, show, qtbot):
     view = show(LightView(), 380, 260)
     account = account_of(2.0, 1.0, 0.5, 0.1, 0.06, 0.0, 0.3, 0.04)
@@ -147,24 +124,3 @@ def test_a_design_without_a_frame_is_not_shown_as_the_one_before(kind, session, 
     view._hint.setText("")
     blank = grabbed(view._canvas)
     assert (blank == blank[-1, -1]).mean() > 0.98  # all but a button in a corner
-
-
-def test_exploded_distances_bring_the_screen_nearer_and_back(
-    display, session, frame, draws, show, qtbot
-):
-    scene = session.scene
-    far = scene.with_receiver(
-        scene.receiver.model_copy(update={"z": 90.0, "half_width": (40.0, 40.0)})
-    )
-    view = show(SceneView(), 300, 200)
-    view.show_frame(frame(1, dataclasses.replace(session, scene=far)))
-    qtbot.waitUntil(lambda: draws.get(SceneView) == 1, timeout=20_000)
-    camera = view._plotter.camera
-    to_scale = camera.parallel_scale
-    view.explode(True)
-    qtbot.waitUntil(lambda: draws[SceneView] == 2, timeout=20_000)
-    assert camera.parallel_scale < to_scale / 5
-    view.explode(False)
-    qtbot.waitUntil(lambda: draws[SceneView] == 3, timeout=20_000)
-    assert camera.parallel_scale == pytest.approx(to_scale)
-    view.close_plotter()

@@ -66,21 +66,6 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
         assert scene.camera()[key] == pytest.approx(value)
 
 
-def test_size_and_docks_outlive_the_window_and_can_be_reset(open_window, settings):
-    first = open_window()
-    usual = shown(first)
-    first.resize(1111, 777)
-    first.workspace.docks["history"].show()
-    first.workspace.docks["error"].hide()
-    changed = shown(first)
-    first.discard_and_close()
-    second = open_window()
-    assert (second.width(), second.height()) == (1111, 777)
-    assert shown(second) == changed != usual
-    second.commands["reset_layout"].trigger()
-    assert shown(second) == usual
-
-
 def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     window = open_window()
     document, revert = window.document, window.commands["revert"]

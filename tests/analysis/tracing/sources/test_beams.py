@@ -48,15 +48,6 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
     assert found.by_cells.unscattered.distance < found.by_cells.bound + 5e-3
 
 
-@pytest.mark.parametrize("source", [BEAM, OBLIQUE])
-@pytest.mark.parametrize("pose", [Pose(), Pose((0.1, -0.05), (0.3, 0.2))])
-def test_rays_carry_the_flux_of_the_quadrature_rule(make_scene, source, pose):
-    scene = make_scene({"source": source})
-    light = light_source(scene.source, scene.optic, pose, 200_000, 1)
-    flux = sum(rays.flux.sum() for number in range(16) for rays in light.batch(number))
-    assert flux / light.rays == pytest.approx(1 / (1 + light.beside), abs=1e-3)
-
-
 @pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01), (1e-6, 2e-6)])
 @pytest.mark.parametrize("distance", [1e-3, 1.0, 1e2, 1e6, 1e12])
 def test_on_the_axis_the_rim_goes_through_the_corners(half_width, distance):
