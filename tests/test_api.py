@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 import workbench
-from resources import EXAMPLES
-from workbench import DesignRun, FaceArrays, Scene, api, begin, check, export, load, save
+from workbench import DesignRun, api, begin, check, export, load, save
 
 ROOT = Path(__file__).parents[1]
 
@@ -65,21 +64,6 @@ class TestDesignRun:
         assert run.session.result.iterations == 1
         assert run.session.result.ended == "stopped"
 
-    def test_locked_control_points_keep_their_heights(self, session):
-        locked = np.zeros((12, 10), dtype=bool)
-        locked[:3] = True
-        start = np.full((12, 10), 0.5)
-        begun = type(session)(
-            session.scene,
-            session.target,
-            start=FaceArrays({"exit": start}),
-            locked=FaceArrays({"exit": locked}),
-        )
-        run = DesignRun(begun, iterations=4)
-        *_, last = run
-        assert (last.state.heights["exit"][:3] == 0.5).all()
-        assert (last.state.heights["exit"][3:] != 0.5).any()
-
 
 def test_api_gives_the_figures_of_the_commands(session, tmp_path, capsys):
     """One implementation: the lens, the check and the files are those of the command line."""
@@ -103,8 +87,3 @@ def test_api_gives_the_figures_of_the_commands(session, tmp_path, capsys):
     capsys.readouterr()
     assert main(["validate", str(other), "--rays", "10000", "--json"]) == 0
     assert f'"relative_l2": {check(load(one), rays=10_000).relative_l2},' in capsys.readouterr().out
-
-
-def test_shipped_examples_open():
-    for example in EXAMPLES[:3]:
-        assert isinstance(load(str(example.file)).scene, Scene)

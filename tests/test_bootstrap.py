@@ -9,7 +9,6 @@ import pytest
 from workbench import bootstrap, system_libraries
 
 ROOT = Path(bootstrap.__file__).resolve().parent.parent
-SCREEN = "-screen 0 1600x1000x24"
 
 
 @pytest.fixture
@@ -84,17 +83,6 @@ def test_a_changed_project_file_asks_for_a_new_set_up(commands, checkout):
     assert commands == setting_up("[test]") + TESTS
 
 
-def test_an_installation_that_failed_is_tried_again(monkeypatch, commands, capsys):
-    run = bootstrap._run
-    monkeypatch.setattr(bootstrap, "_run", lambda command: run(command) or int("pip" in command))
-    assert bootstrap.main([]) == 1
-    assert "Installing the Python packages failed" in capsys.readouterr().err
-    monkeypatch.setattr(bootstrap, "_run", run)
-    commands.clear()
-    assert bootstrap.main([]) == 0
-    assert commands == setting_up() + WINDOW
-
-
 def test_arguments_after_test_go_to_pytest_and_its_status_comes_back(monkeypatch, commands):
     bootstrap.main(["test"])
     run = bootstrap._run
@@ -102,12 +90,6 @@ def test_arguments_after_test_go_to_pytest_and_its_status_comes_back(monkeypatch
     commands.clear()
     assert bootstrap.main(["test", "-k", "flame"]) == 5
     assert commands == [".venv/bin/python -m pytest -k flame"]
-
-
-def test_without_a_display_the_tests_get_a_virtual_screen(monkeypatch, commands):
-    monkeypatch.setattr(system_libraries, "has_display", lambda: False)
-    assert bootstrap.main(["test"]) == 0
-    assert commands[-1] == f"xvfb-run -a -s {SCREEN} .venv/bin/python -m pytest"
 
 
 def test_root_on_debian_gets_missing_packages_installed(monkeypatch, commands, apt_get, capsys):

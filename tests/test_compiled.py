@@ -118,14 +118,6 @@ def test_processes_that_compile_at_once_do_not_mix_their_code_up(start):
         assert printed(start(kind))[0].endswith("True")
 
 
-def test_kernels_run_where_no_folder_can_be_written_to(places):
-    for place in places:
-        place.parent.write_text("a file where a folder should be")
-    assert compile_and_call() == (False, 42)
-    assert compile_and_call() == (False, 42)
-    assert "Not a directory" in compiled.unkept()
-
-
 def test_a_temporary_folder_is_not_trusted_if_others_can_write_to_it(tmp_path, monkeypatch):
     monkeypatch.setattr(compiled.tempfile, "gettempdir", lambda: str(tmp_path))
     folder = compiled._private_folder()

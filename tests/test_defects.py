@@ -26,10 +26,3 @@ def test_the_sentence_names_the_file_and_the_file_has_the_traceback(folder):
     assert "Freeform Lens Workbench" in text and "Python 3" in text
     assert "Traceback" in text and "test_defects.py" in text
     assert "ValueError: at first" in text and text.rstrip().endswith("KeyError: 'odd'")
-
-
-def test_the_sentence_says_if_nothing_can_be_written(folder):
-    folder.write_text("a file where a folder should be")
-    said = defects.unexpected(raised())
-    assert said.startswith("unexpected KeyError: 'odd' (details could not be written to ")
-    assert said.endswith("File exists)")

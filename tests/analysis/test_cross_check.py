@@ -121,18 +121,6 @@ class TestWithMitsuba:
     def test_both_see_the_light_of_a_photometric_file(self, make_scene, tmp_path):
         self.test_both_see_the_same(make_scene, crooked_lamp(tmp_path), "rectangle")
 
-    @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
-    def test_points_of_a_near_grid_have_the_same_intensity(self, make_scene, emission):
-        """Mitsuba's do; with equal flux in unequal cones the images were 10 % apart."""
-        grid = {"kind": "grid", "center": [0.8, 0, -1], "half_width": [1, 0.5], "points": [5, 3]}
-        screen = {"z": 5.0, "half_width": [8.0, 8.0], "pixels": [16, 16]}
-        scene = make_scene({"source": grid | {"emission": emission}, "screen": screen})
-        found = cross_check(scene, np.ones((16, 16)), {"exit": np.full((12, 10), 0.5)}, 200_000)
-        assert found.difference_corrected < 0.05
-        figures = found.to_data()
-        assert figures["difference_without_noise"] == found.difference_corrected
-        assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
-
     def test_steep_light_of_exact_faces_is_as_bright_for_both(self, make_scene):
         """Schlick's approximation lets 4 % more of it through."""
         source = {"kind": "point", "position": [6.0, 0.0, -3.0]}
@@ -150,20 +138,6 @@ class TestWithMitsuba:
         assert exact == pytest.approx(theirs, rel=0.01)
         assert approximate > 1.03 * theirs
 
-    def test_parallel_light_is_narrow_in_a_far_field(self, make_scene):
-        """Light of both rims of the lens comes to the same place of a screen so far away."""
-        far_field = {"half_angle": [0.005, 0.005], "pixels": [17, 17]}
-        scene = make_scene({"screen": None, "far_field": far_field})
-        flux = other.MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)}).flux(20_000, 1)
-        assert flux[8, 8] == pytest.approx(0.96**2, rel=0.01)
-
-    def test_light_through_a_plate(self, make_scene):
-        """Head-on, Fresnel's equations are Schlick's approximation."""
-        flux = other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)}).flux(100_000, 1)
-        assert flux.shape == (32, 32)
-        assert flux.sum() == pytest.approx(0.96**2, rel=0.005)
-        assert flux.std() < 0.2 * flux.mean()
-
     def test_another_lens_differs_beyond_the_noise(self, make_scene, monkeypatch):
         scene, dense = make_scene(), make_scene({"lens.refractive_index": 1.6})
         lens, target = self.lopsided(scene), np.ones((32, 32))
@@ -172,11 +146,6 @@ class TestWithMitsuba:
         found = cross_check(scene, target, {"exit": lens}, 100_000)
         assert found.difference > 2 * found.noise
         assert found.difference_corrected_interval[0] > found.noise
-
-    def test_a_source_without_a_light_of_mitsuba_is_refused(self, make_scene, monkeypatch):
-        monkeypatch.setattr("workbench.analysis.mitsuba_lights._LIGHTS", {})
-        with pytest.raises(Refused, match=r"^source.kind: 'point' is no light that Mitsuba"):
-            other.MitsubaScene(make_scene({"source": POINT}), {"exit": np.full((12, 10), 0.5)})
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})

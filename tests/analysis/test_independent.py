@@ -11,7 +11,6 @@ from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
-from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
 from workbench.watch import finished
@@ -73,15 +72,6 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
     assert rays == (cells.bound > 0.5)
 
 
-def test_a_source_without_size_has_cells_alone(make_scene, target):
-    point = {"kind": "point", "position": [0, 0, -4.0]}
-    scene = make_scene({"source": point, "screen.pixels": [24, 24]})
-    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
-    found = validate(scene, target, plate, 10_000, accuracy=1e-3)
-    assert found.by_cells.independent is None
-    assert found.by_cells.way.endswith("cells, without random rays")
-
-
 def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp_path):
     """Two checks by all rays of one file follow the same rays: they would find no scatter."""
     found = []
@@ -102,13 +92,3 @@ def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp
     assert few.verified.independent.rays == 60_000
     assert few.by_cells.noise > 0
     assert few.by_cells.less_exact.endswith("that needs more rays")
-
-
-def test_images_that_are_evener_than_independent_ones_do_not_prove_that_there_is_no_error():
-    target = np.ones((8, 8))
-    scatter = np.random.default_rng(3).normal(0, 0.3, (BATCHES // 2, 8, 8))
-    # Each image has another one with the opposite scatter, as parts of rays laid out evenly have.
-    found = CorrectedDistance.of_pairs([*(1 + scatter), *(1 - scatter)], target)
-    low, high = found.interval
-    assert found.square < 0 and found.distance == low == 0
-    assert high**2 >= abs(found.square)

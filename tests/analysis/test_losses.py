@@ -66,14 +66,6 @@ def test_a_plate_absorbs_by_its_thickness_and_no_other_law(make_scene, reflectio
     assert lost["absorbed"] == pytest.approx(bare - passing, rel=1e-12)
 
 
-def test_a_coated_plate(make_scene):
-    scene = make_scene({"lens.coating": [0.01, 0.02], "lens.reflection": "fresnel"})
-    for account in (checked(scene, PLATE), planned(scene, PLATE)):
-        assert account.lost["fresnel_entrance"] == pytest.approx(0.01, rel=1e-12)
-        assert account.lost["fresnel_exit"] == pytest.approx(0.99 * 0.02, rel=1e-12)
-        assert account.on_screen == pytest.approx(0.99 * 0.98, rel=1e-12)
-
-
 @pytest.mark.parametrize("losses", LOSSES.values(), ids=LOSSES)
 @pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
 def test_design_and_check_lose_the_same_light_and_all_adds_up(make_scene, source, losses):

@@ -7,7 +7,6 @@ import pytest
 from scipy.interpolate import make_interp_spline
 
 from workbench.analysis.manufacture import manufacture, surface_maps
-from workbench.analysis.manufacture_limits import Limits, verdicts
 from workbench.geometry.surface import freeform_nets
 
 HALF_WIDTH = (1.0, 0.8)
@@ -92,17 +91,3 @@ def test_nothing_is_beyond_the_bounds(lens_of, rng, degree, outline):
             (each.tightest_convex, maps[face].convex),
         ):
             assert extreme.bound * np.nanmax(curvature) <= 1 + 1e-9
-
-
-def test_limits_are_judged_at_each_face(lens_of):
-    found = manufacture(*lens_of(ball(3.0, 0.0, 1), ball(5.0, 1.5, -1)))
-    judged = verdicts(found, Limits(max_slope=20.0, min_radius=4.0))
-    assert {verdict.name: verdict.state for verdict in judged} == {
-        "slope": "met",
-        "concave radius": "met",
-        "convex radius": "met",
-        "entrance slope": "broken",
-        "entrance concave radius": "met",
-        "entrance convex radius": "broken",
-    }
-    assert [v.wanted("mm") for v in judged if "slope" in v.name] == ["at most 20°"] * 2

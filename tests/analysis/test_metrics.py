@@ -1,10 +1,16 @@
+"""Metrics of an image, and the light of regions."""
+
 import math
 
 import numpy as np
 import pytest
 
+from tests.scenes import changed
 from workbench.analysis import metrics
-from workbench.analysis.metrics import Quality
+from workbench.analysis.regions import light_of_regions
+from workbench.analysis.validation import validate
+from workbench.report.figures import region_rows
+from workbench.scene import EllipseRegion, FarField, PolygonRegion, RectangleRegion, Scene, Screen
 
 
 @pytest.fixture
@@ -12,23 +18,6 @@ def target(rng):
     """A disc with a soft edge on black."""
     y, x = np.mgrid[-1:1:24j, -1:1:32j]
     return (1.2 - 2 * np.hypot(x, y)).clip(0, 0.6)
-
-
-class TestEqualImages:
-    def test_every_figure_is_the_best(self, target):
-        found = Quality.of(3 * target, target)  # the scale plays no part
-        assert metrics.relative_l2(3 * target, target) < 1e-15
-        assert found.psnr is None or found.psnr > 250
-        assert found.ssim == pytest.approx(1, abs=1e-12)
-        assert found.correlation == pytest.approx(1, abs=1e-12)
-        assert found.uniformity == pytest.approx(1, abs=1e-12)
-        assert found.contrast == 1
-
-
-def test_psnr_by_hand():
-    target, image = np.array([[1.0, 1.0], [2.0, 0.0]]), np.array([[1.0, 1.0], [1.0, 1.0]])
-    # Normalised they differ by 1/4 in two of four pixels; the peak is 1/2.
-    assert metrics.psnr(image, target) == pytest.approx(20 * math.log10(0.5 / math.sqrt(1 / 32)))
 
 
 def test_relative_l2_by_hand():
@@ -60,18 +49,6 @@ class TestSsim:
                 scores.append(luminance * (2 * cov + 9e-4) / (var_p + var_q + 9e-4))
         assert metrics.ssim(image, target) == pytest.approx(np.mean(scores), rel=1e-10)
 
-    def test_falls_with_noise(self, target, rng):
-        noise = rng.random(target.shape)
-        found = [metrics.ssim(target + part * noise, target) for part in (0.0, 0.1, 0.5)]
-        assert found[0] > found[1] > found[2]
-
-
-def test_correlation(target, rng):
-    image = rng.random(target.shape)
-    expected = np.corrcoef(image.ravel(), target.ravel())[0, 1]
-    assert metrics.correlation(image, target) == pytest.approx(expected, abs=1e-12)
-    assert metrics.correlation(np.full(target.shape, 0.3), target) is None
-
 
 class TestRegions:
     TARGET = np.array([[1.0, 1.0, 0.5, 0.3, 0.0, 0.0]])
@@ -79,3 +56,68 @@ class TestRegions:
     def test_uniformity_is_relative_to_the_target(self):
         image = np.array([[2.0, 1.0, 1.0, 9.0, 9.0, 9.0]])  # ratios 2, 1, 2 where it is lit
         assert metrics.uniformity(image, self.TARGET) == pytest.approx(1 / (5 / 3))
+
+
+SCREEN = Screen(position=(0.0, 0.0, 5.0), half_width=(2.0, 1.0), pixels=(40, 20))
+
+
+def ramp(receiver):
+    """An image that rises along x from 0 to 2 times its mean, of flux 1."""
+    n_x, n_y = receiver.pixels
+    image = np.tile((np.arange(n_x) + 0.5) / n_x, (n_y, 1))
+    return image / receiver.total(image)
+
+
+def test_the_share_of_an_even_image_is_the_area_of_a_region():
+    even = np.full((20, 40), 1 / 8)
+    regions = [
+        RectangleRegion(center=(0.1, -0.2), size=(0.33, 0.21)),
+        EllipseRegion(size=(0.5, 0.5)),
+        PolygonRegion(corners=((-0.5, -0.5), (0.5, -0.5), (0.0, 0.5))),
+    ]
+    shares = [light.share for light in light_of_regions(regions, SCREEN, even)]
+    assert shares == pytest.approx([0.33 * 0.21, np.pi / 16, 0.5], rel=1e-5)
+
+
+def test_mean_least_and_most_follow_a_ramp():
+    image = ramp(SCREEN)
+    right = RectangleRegion(name="Right", center=(0.25, 0.0), size=(0.5, 1.0))
+    (light,) = light_of_regions([right], SCREEN, image)
+    mean = 1 / 8
+    assert light.share == pytest.approx(0.75)
+    assert light.mean == pytest.approx(1.5 * mean)
+    assert light.least == pytest.approx((1 + 1 / 40) * mean)
+    assert light.most == pytest.approx((2 - 1 / 40) * mean)
+    assert light.uniformity == pytest.approx((1 + 1 / 40) / 1.5)
+
+
+def test_a_dark_region_and_one_smaller_than_a_pixel_have_no_uniformity():
+    dark = light_of_regions([RectangleRegion()], SCREEN, np.zeros((20, 40)))
+    assert dark[0].uniformity is None
+    # Its middle is a corner of four pixels.
+    (small,) = light_of_regions([RectangleRegion(size=(0.01, 0.01))], SCREEN, ramp(SCREEN))
+    assert small.least is None
+    assert small.to_data()["uniformity"] is None
+    assert small.mean == pytest.approx(1 / 8)
+
+
+def test_flux_per_solid_angle_counts_by_the_solid_angle_of_pixels():
+    far = FarField(half_angle=(60.0, 60.0), pixels=(30, 30))
+    even = np.full((30, 30), 1.0)
+    upper = RectangleRegion(center=(0.0, 0.25), size=(1.0, 0.5))
+    (light,) = light_of_regions([upper], far, even)
+    assert light.mean == pytest.approx(1)
+    assert light.share == pytest.approx(far.total(even) / 2)
+
+
+def test_a_check_tells_the_light_of_the_regions_of_its_scene():
+    scene = Scene.from_data(changed({"regions": [{"name": "All", "size": [1, 1]}]}))
+    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    found = validate(scene, np.ones((32, 32)), plate, rays=10_000)
+    (light,) = found.regions
+    assert light.name == "All"
+    assert light.share == pytest.approx(found.efficiency)
+    assert found.to_data()["regions"][0]["share"] == light.share
+    (row,) = region_rows(found)
+    assert row.name == "All"
+    assert row.value.startswith(f"{100 * light.share:.3f} % of the light")

@@ -26,12 +26,6 @@ def test_a_screen_that_is_too_far_has_a_smaller_z(scene):
     assert moved.receiver.z == pytest.approx(-5.25)
 
 
-def test_a_distance_up_to_the_mirror_is_tolerated(scene):
-    Tolerances(distance=4.0).check(scene)
-    with pytest.raises(Refused, match=r"less than 4.5, else the screen may touch the mirror"):
-        Tolerances(distance=4.6).check(scene)
-
-
 @pytest.mark.parametrize(
     "within, why",
     [

@@ -5,9 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from tests.lamps import led
 from workbench.analysis.mitsuba import MitsubaScene
-from workbench.analysis.mitsuba_rays import _from_area, _from_disc, _from_file
+from workbench.analysis.mitsuba_rays import _from_area, _from_disc
 
 COUNT = 100_000
 
@@ -27,14 +26,6 @@ def test_light_of_a_disc_is_even_in_solid_angle(make_scene):
     assert light.flux.sum() == pytest.approx(light.emitted)
 
 
-def test_a_tilted_beam_is_as_wide_across_its_way(make_scene):
-    profile = {"kind": "gaussian", "radius": 0.5}
-    source = {"kind": "collimated", "direction": [0.0, 60.0], "profile": profile}
-    light = found(_from_disc, make_scene({"source": source}))
-    assert light.x.std() == pytest.approx(0.25 / math.cos(math.radians(60)), rel=0.02)
-    assert light.y.std() == pytest.approx(0.25, rel=0.02)
-
-
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
 def test_rays_of_an_emitter_come_from_its_face(make_scene, outline):
     emitter = {"kind": "area", "center": [0.1, 0.2, -3.0], "half_width": [0.4, 0.2]}
@@ -52,13 +43,6 @@ def test_rays_of_an_emitter_come_from_its_face(make_scene, outline):
     h = scene.optic.entrance_z + 3.0
     solid = 4 * r_x * r_y * np.mean(h / ((x - 0.1) ** 2 + (y - 0.2) ** 2 + h**2) ** 1.5)
     assert light.flux.sum() / light.emitted == pytest.approx(solid / (2 * math.pi), rel=0.02)
-
-
-def test_rays_of_a_file_keep_their_flux(make_scene, tmp_path):
-    scene = make_scene({"source": led(tmp_path, 20_000)})
-    light = found(_from_file, scene)
-    assert len(light.flux) == 20_000
-    assert light.emitted == pytest.approx(1.0)
 
 
 @pytest.mark.full

@@ -32,14 +32,6 @@ def trough(scene, slope):
     return {"mirror": np.repeat(-slope * np.abs(x)[:, None], 4, axis=1)}
 
 
-def test_a_flat_mirror_does_not_shade_itself():
-    aside = {"z": -9.0, "half_width": [0.5, 0.5], "center": [5, 0], "pixels": [8, 8]}
-    scene = mirror(screen=aside)
-    found = shading_of(scene, trough(scene, 0.0), seed=1)
-    assert (found.meets_again, found.at, found.through_receiver) == (0.0, None, 0.0)
-    assert found.figures == {}
-
-
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
 def test_a_trough_of_a_right_angle_sends_all_light_to_its_other_side(outline):
     scene = mirror({"control_points": [41, 4], "outline": outline})

@@ -2,10 +2,8 @@ import math
 
 import numpy as np
 import pytest
-from scipy.interpolate import BSpline
 
 from tests.lamps import crooked_lamp, led
-from workbench.analysis.surface_noise import with_noise
 from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.tolerances import Distribution, Perturbation, Perturbed, draw, perturbed
 from workbench.analysis.tracing.pose import Pose
@@ -37,13 +35,6 @@ def middle(scene, heights, perturbation):
 
 
 class TestDecentre:
-    @pytest.mark.parametrize("shift", [(0.25, 0.0), (0.0, -0.125), (0.3, 0.2)])
-    def test_the_image_of_collimated_light_moves_along(self, wide, rng, shift):
-        heights = 0.5 + 0.02 * rng.random((12, 10))
-        found = middle(wide, heights, Perturbation(Pose(decentre=shift)))
-        expected = middle(wide, heights, Perturbation()) + shift
-        assert found == pytest.approx(expected, abs=2e-4)
-
     def test_decentring_the_lens_is_moving_the_point_back(self, make_scene, rng):
         heights = 0.5 + 0.05 * rng.random((12, 10))
         target, shift = np.ones((32, 32)), (2 / 16, -3 / 16)
@@ -114,36 +105,6 @@ def test_index_error_of_a_prism(wide, error):
     away = math.asin((INDEX + error) * math.sin(angle)) - angle
     # Towards the thick side, from a mean height of 1/2.
     assert found == pytest.approx([4.5 * math.tan(away), 0.0], abs=2e-3)
-
-
-@pytest.mark.parametrize("error", [-1.5, 2.0])
-def test_distance_behind_a_prism(wide, error):
-    found = middle(wide, prism(wide, 0.0, -0.2), Perturbation(distance=error))
-    angle = math.atan(0.2)
-    away = math.asin(INDEX * math.sin(angle)) - angle
-    assert found == pytest.approx([0.0, -(4.5 + error) * math.tan(away)], abs=2e-3)
-
-
-class TestSurfaceNoise:
-    def sampled(self, lens, heights, count=400):
-        knots = [
-            np.concatenate([np.full(p, -r), np.linspace(-r, r, n - p + 1), np.full(p, r)])
-            for r, n, p in zip(lens.half_width, heights.shape, lens.degree, strict=True)
-        ]
-        places = [((np.arange(count) + 0.5) / count * 2 - 1) * r for r in lens.half_width]
-        along_x = BSpline(knots[0], heights, lens.degree[0])(places[0])
-        return BSpline(knots[1], along_x.T, lens.degree[1])(places[1]).T
-
-    @pytest.mark.parametrize("scale", [0.05, 0.3, 1.5])
-    @pytest.mark.parametrize("degree", [(3, 3), (1, 5)])
-    def test_amplitude(self, make_scene, rng, degree, scale):
-        lens = make_scene({"lens.degree": degree, "lens.half_width": [1.0, 0.8]}).optic
-        heights = 0.5 + 0.1 * rng.random((12, 10))
-        rng = np.random.default_rng(3)
-        noisy = with_noise(ControlNet.of(lens), heights, 0.01, scale, rng)
-        error = self.sampled(lens, noisy) - self.sampled(lens, heights)
-        assert error.std() == pytest.approx(0.01, rel=0.01)
-        assert abs(error.mean()) < 1e-4
 
 
 class TestDraw:
@@ -257,16 +218,6 @@ class TestSource:
         # Two pixels to the right; those of a far field are not quite the same in each row.
         moved = np.roll(here, 2, axis=1)[14:18, 4:28]
         assert np.abs(there[14:18, 4:28] - moved).sum() < 0.05 * moved.sum()
-
-    def test_tilting_parallel_light_is_another_direction(self, wide):
-        heights, target = {"exit": np.full((12, 10), 0.5)}, np.ones((64, 64))
-        tilted = wide.model_copy(
-            update={"source": wide.source.model_copy(update={"direction": (2.0, -1.0)})}
-        )
-        turn = Pose(source_tilt=(math.radians(2.0), math.radians(-1.0)))
-        here = validate(wide, target, heights, RAYS, pose=turn).irradiance
-        there = validate(tilted, target, heights, RAYS).irradiance
-        assert np.abs(here - there).sum() < 1e-3 * there.sum()
 
     def test_tolerance_without_meaning_for_the_source_is_refused(self, make_scene):
         point = make_scene({"source": {"kind": "point", "position": [0, 0, -2.0]}})

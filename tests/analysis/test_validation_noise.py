@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.through_focus import through_focus
 from workbench.analysis.validation import validate
 
 
@@ -50,21 +49,3 @@ def test_a_perfect_lens_has_no_error_but_scatter(make_scene):
     assert min(each.relative_l2 for each in found) > 0.05
     assert np.mean([each.relative_l2_corrected for each in found]) < 0.02
     assert sum(each.relative_l2_corrected_interval[0] == 0 for each in found) >= 19
-
-
-class TestOtherDistances:
-    def test_as_if_the_screen_stood_there(self, lens):
-        scene, target, heights = lens
-        there = validate(scene, target, {"exit": heights}, 10_000, screen_z=7.5)
-        moved = scene.with_receiver(scene.receiver.moved_to(7.5))
-        assert np.array_equal(
-            there.irradiance, validate(moved, target, {"exit": heights}, 10_000).irradiance
-        )
-
-    def test_all_distances_from_one_trace(self, lens):
-        scene, target, heights = lens
-        stack = through_focus(scene, {"exit": heights}, [3.0, 5.0, 7.5], 10_000)
-        assert stack.shape == (3, 24, 24)
-        for image, z in zip(stack, (3.0, 5.0, 7.5), strict=True):
-            alone = validate(scene, target, {"exit": heights}, 10_000, screen_z=z).irradiance
-            assert np.allclose(image, alone, rtol=1e-12, atol=0)

@@ -70,30 +70,6 @@ def test_a_flat_plate_shifts_each_ray_by_its_own_angle(make_scene):
     assert 1 - found.account.lost["missed_lens"] == pytest.approx(hits, rel=1e-3)
 
 
-@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01)], ids=["square", "slim"])
-@pytest.mark.parametrize("distance", [1e2, 1e4, 1e7, 1e8, 1e12])
-def test_light_from_far_becomes_parallel(make_scene, half_width, distance):
-    changes = {
-        "lens.half_width": list(half_width),
-        "screen": {"z": 5.0, "half_width": [1.5, half_width[1]], "pixels": [8, 2]},
-    }
-    heights = 0.5 + 0.1 * np.linspace(-1, 1, 12)[:, None] ** 2 * np.ones(10)
-    source = {"kind": "point", "position": [0, 0, -distance]}
-    scene = make_scene(changes)
-    parallel = validate(scene, uniform(scene), {"exit": heights}, 1 << 18)
-    far = validate(
-        make_scene(changes | {"source": source}), uniform(scene), {"exit": heights}, 1 << 18
-    )
-    # The face in the round cone, and what of its light comes to the screen.
-    caught = 1 - far.account.lost["missed_lens"]
-    part = 4 * math.prod(half_width) / (math.pi * math.hypot(*half_width) ** 2)
-    assert caught == pytest.approx(part, rel=5e-3)
-    spread = 5 / distance  # light from nearer is spread over more of the screen plane
-    assert far.efficiency / caught == pytest.approx(parallel.efficiency, rel=5e-3 + 2 * spread)
-    error = abs(far.relative_l2 - parallel.relative_l2)
-    assert error < 5 * far.noise + 2 * spread
-
-
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
 def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emission):
     grid = {"kind": "grid", "center": [0.5, 0, -0.6], "half_width": [1.2, 0], "points": [2, 1]}

@@ -4,15 +4,10 @@ import argparse
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from tests.benchmarks import comparison, kernels, precision, skips
+from tests.benchmarks import comparison, kernels
 
 _SUITE: dict[str, tuple[Callable[..., Iterator[Any]], Callable[..., Any]]] = {
     "kernels": (kernels.measurements, lambda rows: comparison.table("Loss and gradient", rows)),
-    "precision": (precision.differences, precision.table),
-    "skips": (
-        skips.measurements,
-        lambda rows: comparison.table("What each skip saves, the skip first", rows),
-    ),
 }
 """What measures rows, and what makes a table of them."""
 

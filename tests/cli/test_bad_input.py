@@ -4,7 +4,6 @@ import json
 import os
 import shutil
 import tempfile
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -97,43 +96,6 @@ class TestScene:
         missing = tmp_path / "missing.json"
         assert refusal("design", missing, "-o", out).startswith(f"{missing}: does not exist")
         assert refusal("design", tmp_path, "-o", out).startswith(f"{tmp_path}: is a folder")
-
-
-class TestTarget:
-    @pytest.fixture
-    def with_image(self, refusal, scene_file, scene_data, out):
-        def run(name):
-            scene_data["target"] = {"image": name}
-            scene_file.write_text(json.dumps(scene_data))
-            stderr = refusal("design", scene_file, "-o", out)
-            assert stderr.startswith("target.image: ")
-            assert name in stderr
-            return stderr
-
-        return run
-
-    def test_missing(self, with_image):
-        with_image("missing.png")
-
-    def test_no_image(self, with_image, tmp_path):
-        (tmp_path / "letter.png").write_text("Dear reader,\nthis is no image.")
-        with_image("letter.png")
-
-
-@pytest.mark.parametrize("command", ["design", "validate", "pictures"])
-class TestSession:
-    @pytest.fixture
-    def stderr(self, refusal, session_file, out, tmp_path, command):
-        def run():
-            tail = {"design": ["-o", out], "validate": [], "pictures": [tmp_path / "folder"]}
-            return refusal(command, session_file, *tail[command])
-
-        return run
-
-    def test_foreign_zip(self, stderr, session_file):
-        with zipfile.ZipFile(session_file, "w") as archive:
-            archive.writestr("mimetype", "application/epub+zip")
-        assert stderr().startswith(f"{session_file}: session.json: is missing")
 
 
 @pytest.mark.parametrize("command", [["validate"], ["pictures", "folder"]])

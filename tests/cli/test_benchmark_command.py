@@ -1,5 +1,4 @@
 import json
-import os
 
 import pytest
 
@@ -54,17 +53,6 @@ def test_table_picture_and_json_agree(freeform, fake_suite, tmp_path):
     assert {path.suffix for path in folder.iterdir()} == {".md", ".json", ".png"}
 
 
-def test_json_is_one_object_and_last(freeform, fake_suite, tmp_path):
-    limits = fake_suite(*ROWS)
-    arguments = ("led", "--json", "--iterations", 7, "--output", tmp_path)
-    status, stdout, _ = freeform("benchmark", *arguments)
-    assert status == 0
-    assert limits == [7]
-    data = json.loads(stdout)
-    assert data["machine"]["cores"] == len(os.sched_getaffinity(0))
-    assert data["benchmarks"]["led"][leds.table(ROWS).title] == leds.table(ROWS).to_data()
-
-
 def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
     fake_suite(ROWS[0], KeyboardInterrupt(), ROWS[1])
     arguments = ("led", "bound", "--json", "--output", tmp_path)
@@ -75,14 +63,6 @@ def test_ctrl_c_keeps_what_is_finished(freeform, fake_suite, tmp_path):
     assert data["benchmarks"]["led"][leds.table(ROWS).title] == leds.table(ROWS[:1]).to_data()
     assert list(data["benchmarks"]) == ["led"]
     assert (tmp_path / "led.png").exists()
-
-
-def test_an_unknown_name_is_refused_with_those_there_are(freeform, tmp_path):
-    folder = tmp_path / "untouched"
-    status, stdout, stderr = freeform("benchmark", "led", "speed", "--output", folder)
-    assert (status, stdout) == (2, "")
-    assert stderr == f"freeform: speed: is no benchmark; there are {', '.join(BENCHMARKS)}\n"
-    assert not folder.exists()
 
 
 def test_help_lists_every_benchmark(capsys):
@@ -112,17 +92,6 @@ def before(tmp_path, monkeypatch):
     monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
     monkeypatch.setattr("workbench.pictures.benchmark.draw", lambda *given: drawn.append(given[1]))
     return file, drawn
-
-
-def test_curves_of_an_earlier_result_are_drawn_beside_the_new_ones(freeform, before, tmp_path):
-    file, drawn = before
-    status, *_ = freeform("benchmark", "frontier", "--against", file, "--output", tmp_path / "new")
-    assert status == 0
-    ((new, old),) = drawn
-    assert (new.method, old.method) == ("paper", "auto, before")
-    assert old.scene == "flame" and old.curve == [(1.0, 0.5), (2.0, 0.25)]
-    kept = json.loads((tmp_path / "new" / "frontier.json").read_text("utf-8"))
-    assert [row["method"] for row in kept[frontier.TITLE]] == ["paper"]
 
 
 def test_two_results_make_one_picture_and_nothing_is_measured(

@@ -86,18 +86,6 @@ class TestDone:
         assert second.state.loss <= first.state.loss * 1.01
         assert second.seconds > first.seconds
 
-    def test_a_lens_of_another_task_is_a_start(self, freeform, scene_file, out):
-        freeform("design", scene_file, "-o", out)
-        designed = read_session(out)
-        heights = designed.result.state.heights["exit"]
-        screen = designed.scene.receiver.moved_to(designed.scene.receiver.z + 0.5)
-        moved = designed.with_scene(designed.scene.with_receiver(screen), designed.target)
-        write_session(moved, out)
-        assert freeform("design", out, "-o", out, "--iterations", 0)[0] == 0
-        found = read_session(out)
-        assert found.result.iterations == 0 and found.start is None
-        np.testing.assert_allclose(found.result.state.heights["exit"], heights, atol=1e-3)
-
     def test_the_time_limit_ends_a_run_well(self, freeform, scene_file, out, fake_run, monkeypatch):
         seconds = []
         monkeypatch.setattr("time.perf_counter", lambda: float(len(seconds)))
@@ -131,24 +119,3 @@ class TestFailed:
         assert stderr.splitlines()[-2].startswith("5/10")
         assert stderr.splitlines()[-1].startswith("freeform: ")
         assert read_session(out).result.iterations == 5
-
-
-class TestProgress:
-    def test_lines_come_every_twentieth_of_the_run(self, freeform, scene_file, out, fake_run):
-        fake_run({})
-        status, _, progress = freeform("design", scene_file, "-o", out, "--iterations", 100)
-        assert status == 0
-        lines = progress.splitlines()
-        assert [int(line.split("/")[0]) for line in lines] == list(range(0, 101, 5))
-        assert lines[0] == "0/100  loss 1"
-        assert lines[10] == "50/100  loss 0.01961  at most 00:50 left"
-
-    def test_a_bar_on_a_terminal(self, freeform, scene_file, out, fake_run, monkeypatch):
-        monkeypatch.setattr("sys.stderr.isatty", lambda: True)
-        monkeypatch.setenv("COLUMNS", "80")
-        fake_run({})
-        status, _, progress = freeform("design", scene_file, "-o", out)
-        assert status == 0
-        last = progress.rstrip("\n").split("\r")[-1]
-        assert last.endswith(" 10/10, loss 0.09091  at most 00:00 left")
-        assert progress.endswith("\n")

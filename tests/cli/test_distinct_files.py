@@ -1,7 +1,6 @@
 """No command writes over what it reads, nor one file twice: status 2, and every byte stays."""
 
 import json
-import os
 import shutil
 from pathlib import Path
 
@@ -10,10 +9,8 @@ import pytest
 from PIL import Image
 
 from tests.accounts import account_of
-from workbench.cli.verbs.parser import Parser, add_verb
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
-from workbench.errors import Refused
 from workbench.files.session import Session, write_session
 from workbench.geometry.faces import FaceArrays
 
@@ -104,25 +101,3 @@ def test_a_design_does_not_replace_its_scene_or_image(refused, scene, picture):
     assert "is the scene itself" in refused("design", scene, "-o", scene)
     stderr = refused("design", scene, "-o", picture)
     assert stderr == f"{picture}: is the target image of {scene}; another file is needed"
-
-
-@pytest.mark.parametrize("verb, lower", [("export", "stl"), ("report", "pdf")])
-def test_a_file_is_written_once(refused, session, verb, lower):
-    os.symlink(f"a.{lower}", f"link.{lower}")
-    for other in (f"a.{lower}", f"./a.{lower}", f"link.{lower}"):
-        stderr = refused(verb, session, f"a.{lower}", other)
-        assert stderr == f"{Path(other)}: is named twice; each file is written once"
-
-
-def test_a_new_verb_is_guarded(folder):
-    def forbidden(options):
-        pytest.fail("the command began")
-
-    (folder / "a").write_text("{}")
-    commands = Parser(prog="freeform").add_subparsers()
-    parser = add_verb(commands, "new", "Does", [], forbidden)
-    parser.add_input("read", role="the file")
-    parser.add_output("--write", nargs="*")
-    options = parser.parse_args(["a", "--write", "b", "a"])
-    with pytest.raises(Refused, match="is the file itself"):
-        options.command(options)

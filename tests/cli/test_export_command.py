@@ -73,19 +73,6 @@ def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     assert list(tmp_path.iterdir()) == [lens]
 
 
-def test_files_that_are_refused_stop_no_other_and_are_named(freeform, lens, tmp_path):
-    names = "a.nc", "a.stl", "a.gcode", "a.obj"
-    files = [tmp_path / name for name in names]
-    given = "--chord-error", "0.01", "--tool-radius", "50"
-    status, stdout, stderr = freeform("export", lens, *files, *given)
-    assert status == 2
-    assert [line.split(":")[0] for line in stdout.splitlines()] == [str(files[1]), str(files[3])]
-    assert stderr.count("\n") == 1
-    for file in (files[0], files[2]):
-        assert f"{file}: " in stderr and not file.exists()
-    assert trimesh.load_mesh(files[1]).is_watertight and files[3].exists()
-
-
 def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_path):
     path = tmp_path / "a.nc"
     given = "--tool-radius", "0.05", "--scallop", "1e-3", "--rim", "0.1", "--feed", "250"

@@ -15,7 +15,6 @@ import pytest
 
 from workbench.cli import keeping
 from workbench.files.session import read_session
-from workbench.interruption import check_interruption
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
@@ -28,14 +27,6 @@ def sent(*numbers):
             os.kill(os.getpid(), number)
 
     return send
-
-
-def work_until_interrupted():
-    """Work of a run within one iteration, like the search for the first lens of two faces."""
-    for _ in range(3000):
-        check_interruption()
-        time.sleep(0.01)
-    raise AssertionError("the work went on")
 
 
 @pytest.fixture
@@ -53,15 +44,6 @@ def endless(scene_file, scene_data):
     return scene_file
 
 
-def test_the_time_limit_ends_long_work_within_an_iteration(freeform, scene_file, out, fake_run):
-    fake_run({1: work_until_interrupted})
-    status, _, stderr = freeform("design", scene_file, "-o", out, "--seconds", 0.05)
-    assert status == 0
-    assert "Not designed yet: give --seconds more time" in stderr
-    result = read_session(out).result
-    assert (result.iterations, result.ended) == (0, "stopped")
-
-
 class TestSignals:
     @pytest.mark.parametrize("number", SIGNALS)
     def test_the_best_lens_so_far_is_written(self, freeform, scene_file, out, fake_run, number):
@@ -74,19 +56,6 @@ class TestSignals:
         assert read_session(out).result.iterations == 4
         last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
-
-    def test_a_second_ctrl_c_does_not_wait_for_the_iteration(
-        self, freeform, scene_file, out, fake_run
-    ):
-        def press_twice():
-            sent(signal.SIGINT, signal.SIGINT)()
-            raise AssertionError("the iteration went on")
-
-        fake_run({4: press_twice})
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 130
-        assert read_session(out).result.iterations == 3
-        assert stderr.splitlines()[-1] == "freeform: interrupted"
 
     def test_nothing_interrupts_the_last_write(
         self, freeform, scene_file, out, fake_run, monkeypatch
@@ -135,18 +104,6 @@ class TestRescue:
         assert out.read_bytes() == b"old"
         assert sorted(os.listdir(out.parent)) == ["elsewhere", "lens.freeform", "scene.json"]
 
-    def test_a_lens_that_cannot_be_kept_anywhere_is_reported(
-        self, freeform, scene_file, out, fake_run, monkeypatch, often
-    ):
-        fake_run({9: lambda: monkeypatch.setattr("os.fsync", full)})
-        status, _, stderr = freeform("design", scene_file, "-o", out)
-        assert status == 2
-        left = out.with_name("lens.checkpoint.freeform")
-        last = stderr.splitlines()[-1]
-        assert last.endswith(f"No space left on device; an earlier lens of this run is in {left}")
-        assert stderr.count("no checkpoint is kept") == 1
-        assert read_session(left).result.iterations == 8
-
 
 def at_first(later):
     """A function that fails as on a full disk when it is called for the first time."""
@@ -156,14 +113,6 @@ def at_first(later):
 
 @pytest.mark.usefixtures("often")
 class TestCheckpoint:
-    def test_the_best_lens_so_far_lies_beside_the_output(self, freeform, scene_file, out, fake_run):
-        left, seen = out.with_name("lens.checkpoint.freeform"), []
-        fake_run({4: lambda: seen.append(read_session(left).result)})
-        assert freeform("design", scene_file, "-o", out)[0] == 0
-        assert [result.iterations for result in seen] == [3]
-        assert seen[0].state.loss == 1 / 4
-        assert sorted(os.listdir(out.parent)) == ["lens.freeform", "scene.json"]
-
     def test_a_checkpoint_can_be_continued(self, freeform, scene_file, out, fake_run):
         left = out.with_name("lens.checkpoint.freeform")
         fake_run({})

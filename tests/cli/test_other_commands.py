@@ -4,13 +4,13 @@ import os
 import signal
 
 import pytest
-from PIL import Image
 
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
 from workbench.analysis.tracing.trace import Trace
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.session import Session, write_session
+from workbench.scene import CustomIndex
 from workbench.targets import load_target
 
 
@@ -132,22 +132,3 @@ def test_pictures(freeform, lens, tmp_path):
     assert (status, stdout, stderr) == (0, "", "")
     for name in ("irradiance.png", "lens.png"):
         assert (folder / name).read_bytes().startswith(b"\x89PNG")
-
-
-def test_a_predicted_photo(freeform, lens, tmp_path, monkeypatch):
-    monkeypatch.setattr("workbench.cli.pictures.PICTURES", {})
-    status, stdout, stderr = freeform("pictures", lens, tmp_path, "--photo", "--exposure", "-1")
-    assert (status, stderr) == (0, "")
-    assert (
-        stdout
-        == "photo: viewed from behind the screen; daylight (D65), no dispersion known, with cells\n"
-    )
-    with Image.open(tmp_path / "photo.png") as photo:
-        assert (photo.size, photo.mode) == ((32, 32), "RGB")
-        # The plate spreads the light of a disc, 0.6 wide, over all of the screen: half of 28 %.
-        assert photo.getpixel((16, 16)) == (105, 105, 105)
-    status, _, stderr = freeform("pictures", lens, tmp_path, "--light", "led")
-    assert (status, stderr) == (
-        2,
-        "freeform: usage: --light is of the photo; give --photo as well\n",
-    )

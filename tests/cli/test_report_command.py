@@ -234,21 +234,3 @@ def test_a_report_that_fails_leaves_the_old_one(freeform, lens, tmp_path, monkey
     assert "No space left on device" in stderr
     assert old.read_text() == "old"
     assert [path.name for path in tmp_path.glob("*.tmp")] == []
-
-
-@pytest.mark.parametrize(
-    "arguments, reason",
-    [
-        (("a.txt",), "a.txt: has no ending that tells a format; one of .html, .htm, .pdf"),
-        (("a.html", "--tilt", 1), "usage: tolerances without a number of lenses"),
-        (("a.html", "--tolerances", 3), "usage: nothing is off; give --tilt"),
-        (("a.html", "--tolerances", 3, "--tilt", 50), "tilt: 50 degrees; at least 0"),
-        (("missing/a.html",), "missing/a.html: cannot be written: its folder does not exist"),
-    ],
-)
-def test_refusals(freeform, lens, tmp_path, monkeypatch, arguments, reason):
-    monkeypatch.chdir(tmp_path)
-    status, stdout, stderr = freeform("report", lens, *arguments)
-    assert (status, stdout) == (2, "")
-    assert stderr.startswith(f"freeform: {reason}")
-    assert not list(tmp_path.glob("a.*"))

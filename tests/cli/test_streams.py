@@ -73,15 +73,3 @@ def test_closed_streams_do_not_keep_files_from_being_written(lens, tmp_path):
             written = tmp_path / name  # nothing was printed into it
             assert written.read_bytes() == (tmp_path / other).read_bytes()
             written.unlink()
-
-
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-16"])
-def test_characters_missing_in_the_output_encoding_are_replaced(lens, encoding):
-    done = subprocess.run(
-        [FREEFORM, "manufacture", lens],
-        capture_output=True,
-        env={**os.environ, "PYTHONIOENCODING": encoding},
-    )
-    assert (done.returncode, done.stderr) == (0, b"")
-    degree = " deg" if encoding == "ascii" else "°"
-    assert f"90{degree}\n" in done.stdout.decode(encoding)

@@ -44,17 +44,6 @@ def here(monkeypatch):
 
 @pytest.mark.usefixtures("here")
 class TestTable:
-    def test_for_scripts(self, freeform, scene_file, folder):
-        status, stdout, stderr = freeform(
-            "sweep", scene_file, "--vary", "run.seed=0..1", "-o", folder, *FEW, "--json"
-        )
-        assert status == 0
-        points = json.loads(stdout)["points"]
-        assert [point["changes"] for point in points] == [{"run.seed": "0"}, {"run.seed": "1"}]
-        assert all((folder / point["session"]).is_file() for point in points)
-        assert json.loads((folder / "table.json").read_text())["points"] == points
-        assert stderr.splitlines()[0].startswith("1/2  hat run.seed=0: error ")
-
     def test_figures_are_those_of_the_check(self, freeform, scene_file, folder):
         stdout = freeform("sweep", scene_file, "-o", folder, *FEW, "--json")[1]
         (point,) = json.loads(stdout)["points"]
@@ -62,14 +51,6 @@ class TestTable:
         check = json.loads(freeform("validate", session, "--rays", FEW[1], "--json")[1])
         for name in ("loss", "relative_l2", "relative_l2_corrected", "efficiency"):
             assert point["figures"][name] == check[name]
-
-    def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
-        vary = ("--vary", "lens.control_points=3,12")
-        status, stdout, stderr = freeform("sweep", scene_file, *vary, "-o", folder, *FEW)
-        assert status == 1
-        assert stderr.endswith("freeform: 1 of 2 points have no lens; the table tells why\n")
-        assert "3                    lens.control_points[0]: 3 is too few" in stdout
-        assert "hat-lens.control_points=12-" in stdout
 
     def test_ctrl_c_keeps_what_is_finished(self, freeform, scene_file, folder, monkeypatch):
         from workbench.sweep import sweep
@@ -86,22 +67,6 @@ class TestTable:
         assert status == 130
         assert len(json.loads(stdout)["points"]) == 1
         assert "interrupted; 1 of 3 points are finished" in stderr
-
-
-@pytest.mark.parametrize(
-    "arguments, reason",
-    [
-        (("--vary", "run.seed"), "usage: --vary 'run.seed'; field=values"),
-        (("--vary", "run.sed=1"), "run.sed: unknown field"),
-        (("--vary", "run.seed=2..1"), "run.seed: 2..1; 1 to 10000"),
-        (("--jobs", 0), "usage: argument --jobs: '0'"),
-    ],
-)
-def test_refusals(freeform, scene_file, folder, arguments, reason):
-    status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *arguments)
-    assert (status, stdout) == (2, "")
-    assert stderr.startswith(f"freeform: {reason}")
-    assert not folder.exists()
 
 
 def start(scene_file, folder):

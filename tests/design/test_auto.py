@@ -1,9 +1,16 @@
-"""What the best method promises."""
+"""Automatic runs: mirrors, near sources, and lenses shaped by hand."""
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from workbench.design.brush import Stroke, bump
+from workbench.design.evaluation import Evaluator
+from workbench.design.near_sources import source_cells
 from workbench.design.run import run
+from workbench.geometry.surface import ControlNet
+from workbench.scene import Scene
 
 
 def best(scene, target):
@@ -47,3 +54,149 @@ def test_light_of_points_reaches_the_screen(make_scene, letter, kind):
     found = best(scene, letter)
     lost = found.state.account.lost["off_screen"] + found.state.account.lost["total_reflection"]
     assert lost < 0.03 * found.state.account.on_screen
+
+
+SOURCES = {
+    "collimated": {"kind": "collimated", "rays": [48, 48]},
+    "point": {"kind": "point", "position": [0.0, 0.0, -3.0], "rays": 3000},
+}
+
+
+@pytest.fixture
+def bar():
+    """A rectangle, brighter at one end."""
+    image = np.zeros((32, 32))
+    image[6:26, 10:22] = 1.0
+    image[6:12, 10:22] = 3.0
+    return image
+
+
+@pytest.mark.parametrize(
+    ("source", "parametrisation", "start"),
+    [
+        ("collimated", "none", "zeros"),
+        ("collimated", "sparse", "uniform"),
+        ("collimated", "dense", "random"),
+        ("point", "none", "random"),
+        ("point", "sparse", "random"),
+    ],
+)
+def test_the_paper_method_shapes_a_mirror(bar, source, parametrisation, start):
+    settings = {"method": "paper", "parametrisation": parametrisation, "start": start}
+    scene = Scene.from_data(
+        {
+            "mirror": {
+                "half_width": [1.0, 1.0],
+                "control_points": [12, 10],
+                "height_range": [-0.3, 0.3],
+            },
+            "source": SOURCES[source],
+            "screen": {"z": -5.0, "half_width": [1.0, 1.0], "pixels": [32, 32]},
+            "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
+            "target": {"builtin": "tophat"},
+            "run": settings | {"iterations": 25},
+        }
+    )
+    shots = list(run(scene, bar))
+    assert shots[-1].state.loss < 0.9 * shots[0].state.loss
+    assert np.abs(shots[-1].state.heights["mirror"]).max() < 0.3
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+@pytest.mark.parametrize("width", [0.001, 0.1, 0.3, 0.5, 0.9])
+@pytest.mark.parametrize("mirrored", [(False, False), (True, False), (False, True), (True, True)])
+def test_grids_of_a_source_have_rows_in_pairs_and_the_middle_where_half_is_traced(
+    make_scene, outline, width, mirrored
+):
+    led = {"kind": "area", "center": [0, 0, -1.0], "half_width": [width, width / 2]}
+    scene = make_scene({"version": 2, "source": led | {"outline": outline}})
+    across, up = source_cells(scene, mirrored).of_source
+    assert across >= 2
+    assert across % 2 == 0
+    if mirrored[1]:
+        assert up % 4 == 2
+    else:
+        assert up >= 3
+        assert up % 2 == 1
+
+
+PAPER = {"method": "paper", "iterations": 3}
+
+
+POINT = {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 4096}
+
+
+@pytest.fixture
+def target():
+    image = np.zeros((32, 32))
+    image[8:20, 10:26] = 1.0
+    return image
+
+
+@pytest.mark.parametrize(
+    "changes", [{}, {"run": PAPER}, {"source": POINT}, {"source": POINT, "run": PAPER}]
+)
+def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
+    scene = make_scene(changes)
+    *_, last = run(scene, target)
+    found = Evaluator(scene, target, last.state.heights).snapshot(last.state.heights)
+    continued = next(run(scene, target, last.state.heights))
+    assert found.state.loss == pytest.approx(continued.state.loss, rel=2e-2)
+    lit = continued.state.irradiance.max()
+    np.testing.assert_allclose(found.state.irradiance, continued.state.irradiance, atol=1e-2 * lit)
+    parts = found.state.account.to_data()
+    assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
+    assert found.state.heights is not last.state.heights
+    assert not found.state.heights["exit"].flags.writeable
+
+
+@pytest.fixture
+def lens(make_scene):
+    return make_scene().optic  # 12 × 10 points, base at 0.5, heights 0.2 to 0.8
+
+
+@pytest.fixture
+def flat():
+    return np.full((12, 10), 0.5)
+
+
+def test_the_bump_is_the_formula_and_nothing_beyond_the_radius(lens):
+    net, radius = ControlNet.of(lens), 0.55
+    block, weights = bump(net, (5, 0), radius)
+    whole = np.zeros((12, 10))
+    whole[block] = weights
+    x, y = net.positions
+    d = np.hypot(x[:, None] - x[5], y - y[0]) / radius
+    np.testing.assert_allclose(whole, np.where(d < 1, (1 - d**2) ** 2, 0), atol=1e-15)
+    assert whole[5, 0] == 1
+
+
+@given(
+    index=st.tuples(st.integers(0, 11), st.integers(0, 9)),
+    by=st.floats(-5, 5),
+    radius=st.floats(0, 3),
+)
+def test_heights_stay_in_their_range(index, by, radius):
+    from workbench.scene import FlatBase, Lens
+
+    lens = Lens(
+        half_width=(1.0, 1.0),
+        refractive_index=1.5,
+        control_points=(12, 10),
+        base=FlatBase(height=0.5),
+        height_range=(-0.3, 0.3),
+        min_thickness=0.3,
+    )
+    heights = Stroke(lens, "exit", np.full((12, 10), 0.5), None, index, radius).raised(by)
+    assert heights.min() >= 0.3  # the minimal thickness ends before the height range
+    assert heights.max() <= 0.8
+
+
+def test_locked_points_stay(lens, flat):
+    locked = np.zeros((12, 10), dtype=bool)
+    locked[4:6] = True
+    raised = Stroke(lens, "exit", flat, locked, (4, 4), 0.8).raised(0.2)
+    np.testing.assert_array_equal(raised[locked], 0.5)
+    assert raised[3, 4] > 0.55
+    assert not Stroke(lens, "exit", flat, locked, (4, 4), 0.0).moves
+    assert Stroke(lens, "exit", flat, locked, (3, 4), 0.0).moves

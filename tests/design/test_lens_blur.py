@@ -35,11 +35,6 @@ def lens_of(scene, power, noise=0.0, rng=None):
     return {"exit": torch.as_tensor(bowl if rng is None else bowl + noise * rng.random(bowl.shape))}
 
 
-def test_a_plate_blurs_alike_all_over(sun):
-    change = BlurChange.of(sun, lens_of(sun, 0.0))
-    assert change is None or np.abs(change.at((50, 40), (2, 3))).max() < 1e-3
-
-
 def test_widths_change_as_rays_of_the_source_say(sun):
     """Light that comes in at two angles to a place of a bowl, by Snell's law."""
     heights, net, n = lens_of(sun, 0.1), ControlNet.of(sun.optic), sun.optic.index

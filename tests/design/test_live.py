@@ -1,6 +1,5 @@
 """Lenses for a task that is edited: from the one that is there, or from transport."""
 
-import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -81,18 +80,6 @@ def test_a_large_edit_sends_the_light_anew_by_transport(designed):
     assert present.best and first.best
 
 
-def test_the_best_lens_is_chosen_by_all_that_the_scene_asks_for(designed):
-    settings = designed.scene.run.model_copy(update={"smoothness": 3.0})
-    task = designed.scene.model_copy(update={"run": settings})
-    snapshots = lenses(LiveDesign(), moved(replace(designed, scene=task), 9), 8)
-    lowest = math.inf
-    for snapshot in snapshots:
-        assert snapshot.merit > snapshot.state.loss
-        assert snapshot.best is (snapshot.merit < lowest)
-        lowest = min(lowest, snapshot.merit)
-    assert any(each.best for each in snapshots[1:])
-
-
 def test_light_goes_where_it_went_when_all_but_the_target_is_edited(designed):
     error = relative_error(designed.result.state, designed.target)
     edited = moved(designed, 5.5)
@@ -115,24 +102,6 @@ def test_locked_control_points_stay_however_large_the_edit_is(designed):
     before, after = edited.heights["exit"], last.state.heights["exit"]
     assert np.array_equal(before[locked], after[locked])
     assert not np.array_equal(before, after)
-
-
-def test_a_lens_whose_light_misses_the_screen_gives_way_to_transport(designed):
-    spy = Spy()
-    heights = designed.heights["exit"]
-    tilt = np.linspace(-0.6, 0.6, 16)[:, None]
-    away = replace(designed, result=None, start=FaceArrays({"exit": heights + 1 + tilt}))
-    *_, last = lenses(LiveDesign(spy), away, 2)
-    assert [start is None for _, start, _ in spy.asked] == [False, True]
-    assert relative_error(last.state, designed.target) < 0.2
-
-
-def test_a_design_ends_as_the_run_does(designed):
-    steps = LiveDesign().snapshots(moved(designed, 5.01))
-    with pytest.raises(StopIteration) as end:
-        while True:
-            next(steps)
-    assert end.value.value
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,40 @@
-"""The net that the program chooses: what it follows from, and that nothing else moves it."""
+"""The control net that a task needs, and whether a coarse one is the reason of an error."""
 
 import numpy as np
 import pytest
 
+from workbench.design.coarse_net import coarse_net
 from workbench.design.net import definite
+from workbench.design.run import run
 from workbench.design.session import Session
+from workbench.design.snapshot import History
 from workbench.geometry.faces import FaceArrays
+
+
+@pytest.fixture
+def stripes():
+    """Detail that a few control points do not show."""
+    across = np.arange(32) // 2 % 2
+    return 0.2 + np.outer(np.ones(32), across)
+
+
+def designed(scene, target):
+    history = History()
+    for _ in history.follow(run(scene, target)):
+        pass
+    return history.result()
+
+
+@pytest.fixture
+def scene(make_scene):
+    return make_scene({"lens.control_points": [6, 6], "run.iterations": 300})
+
+
+def test_a_coarse_net_is_named_with_what_can_show_the_target(scene, stripes):
+    result = designed(scene, stripes)
+    found = coarse_net(scene, stripes, result)
+    assert found.shape == (6, 6) and min(found.finer) > 12 and found.error > 0.05
+    assert "6 × 6 control points are too few" in found.sentence
 
 
 @pytest.fixture
@@ -32,21 +61,6 @@ def test_detail_in_dark_places_gets_more_control_points(chosen):
     part_dark = np.where(x < 150, 0.2, 3.0) + 0.2 * (x % 2)
     assert chosen(target=np.tile(part_dark, (120, 1)))[0] == 488
     assert chosen(target=np.tile(3 * stripes, (120, 1)))[0] == 375
-
-
-def test_a_wide_source_is_worth_no_more_than_its_blur(chosen):
-    def grid(half_width):
-        place = {"kind": "grid", "center": [0, 0, -5], "points": [3, 3]}
-        return chosen({"source": {**place, "half_width": half_width}})
-
-    assert grid([0.0, 0.0]) == (375, 225)
-    assert grid([1.0, 0.0]) == (141, 225)
-    assert grid([1.0, 1.0]) == (141, 113)
-
-
-def test_numbers_of_control_points_in_the_scene_are_kept(make_scene):
-    scene = make_scene()
-    assert definite(scene, np.ones((32, 32))) is scene
 
 
 def _session(make_scene, rng, **fields):

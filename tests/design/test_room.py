@@ -5,7 +5,6 @@ import pytest
 
 from workbench.design.room import Room
 from workbench.design.run import run
-from workbench.design.shortfall import Shortfall
 
 FREE = {"lens.height_range": None, "lens.control_points": [24, 24]}
 
@@ -50,47 +49,6 @@ def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene
     assert short.needed == pytest.approx((0.1, 0.1 + extent), rel=0.1)
 
 
-@pytest.mark.parametrize(
-    ("shortfall", "sentence"),
-    [
-        (
-            Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4),
-            "The lens needs ±2.2 mm; ±0.3 mm is allowed",
-        ),
-        (
-            Shortfall("height_range", (-1.0, 3.4), (-0.2, 0.3), 0.4),
-            "The lens needs -1 to 3.4 mm; -0.2 to 0.3 mm is allowed",
-        ),
-        (
-            Shortfall("height_range", None, (-0.3, 0.3), 0.4),
-            "40 % of the control heights are at an end of their range; ±0.3 mm is allowed",
-        ),
-        (
-            Shortfall("max_thickness", (2.0, 9.3), (2.0, 8.0), 0.4),
-            "The lens needs to be 9.3 mm thick; the stock allows 8 mm",
-        ),
-        (
-            Shortfall("screen", None, (2.0, 8.0), 0.4),
-            "40 % of the control heights are at the largest thickness; 8 mm is the automatic limit",
-        ),
-        (
-            Shortfall("screen", (2.0, 9.3), (2.0, 8.0), 0.4),
-            "The lens needs to be 9.3 mm thick; the screen leaves room for 8 mm",
-        ),
-        (
-            Shortfall("max_thickness", None, (2.0, 8.0), 0.4),
-            "40 % of the control heights are at the largest thickness; the stock allows 8 mm",
-        ),
-        (
-            Shortfall("min_thickness", None, (2.0, 8.0), 0.4),
-            "40 % of the control heights are at the minimal thickness of 2 mm",
-        ),
-    ],
-)
-def test_a_shortfall_is_one_plain_sentence(make_scene, shortfall, sentence):
-    assert shortfall.sentence(make_scene({"unit": "mm"})) == sentence
-
-
 ASIDE = {
     "lens.height_range": None,
     "lens.control_points": [24, 24],
@@ -112,15 +70,6 @@ def test_an_automatic_thickness_is_as_large_as_the_first_lens_needs(make_scene):
     assert room.shortfall({"exit": room.first["exit"]}) is None
     stock = Room(make_scene(ASIDE | {"lens.max_thickness": half_way}), target)
     assert stock.first is not None and stock.shortfall(stock.begin).cause == "max_thickness"
-
-
-def test_a_screen_that_is_too_near_is_the_limit_where_nothing_is_given(make_scene):
-    target = np.ones((32, 32))
-    scene = make_scene(ASIDE | {"screen.z": 1.5})
-    *_, last = run(scene.altered(run=scene.run.altered(iterations=2)), target)
-    short = last.state.shortfall
-    assert short.cause == "screen" and short.allowed[1] == pytest.approx(1.5 - 0.05 * (1.5 - 0.5))
-    assert "stock" not in short.in_full(scene) and "move the screen away" in short.in_full(scene)
 
 
 ENTRANCE = {"lens.entrance": {"shape": "freeform", "height_range": [-0.1, 0.1]}}

@@ -9,7 +9,6 @@ import torch
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.errors import Refused, RunFailed
-from workbench.optics import ready
 
 METHODS = [{"method": "auto"}, {"method": "paper", "learning_rate": 3e-3}]
 
@@ -31,14 +30,6 @@ def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     assert first.state.heights["exit"] == pytest.approx(0.5, abs=1e-14)
     assert first.state.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
-
-
-def test_a_run_repeats_whether_or_not_its_kernel_was_compiled_before(scene, disc, monkeypatch):
-    monkeypatch.setattr(ready, "_ready", set())
-    cold, warm = (list(run(scene, disc)) for _ in range(2))
-    assert [shot.state.loss for shot in cold] == [shot.state.loss for shot in warm]
-    assert [shot.notes for shot in cold] == [shot.notes for shot in warm]
-    np.testing.assert_array_equal(cold[-1].state.heights["exit"], warm[-1].state.heights["exit"])
 
 
 def test_a_run_brings_the_image_closer_to_the_target(scene, disc):
@@ -72,16 +63,6 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)
 
 
-def test_starts_of_the_paper_differ_as_they_should(make_scene, disc):
-    def spread(start):
-        settings = {"method": "paper", "start": start}
-        return np.ptp(next(run(make_scene({"run": settings}), disc)).state.heights["exit"])
-
-    assert spread("zeros") < 1e-12
-    assert 1e-5 < spread("uniform") < 1e-3
-    assert spread("random") > 1e-3
-
-
 def test_a_run_without_light_fails_with_its_light_account(make_scene, disc):
     # Four rays, none of them through the middle, where the tiny screen is.
     scene = make_scene(
@@ -111,11 +92,6 @@ def test_auto_refuses_a_range_in_which_no_lens_has_light_and_states_what_is_need
     scene = make_scene(ASIDE | aside | {"lens.height_range": [-1e-4, 1e-4]})
     with pytest.raises(RunFailed, match=r"no light .*\. The lens needs .* is allowed: widen"):
         list(run(scene, disc))
-
-
-def test_auto_designs_behind_a_box_filter_all_the_same(make_scene, disc):
-    losses = [s.state.loss for s in run(make_scene({"filter": {"kind": "box"}}), disc)]
-    assert losses[-1] < losses[0]
 
 
 @pytest.mark.skipif(torch.cuda.is_available(), reason="there is a GPU here")

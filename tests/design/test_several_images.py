@@ -3,21 +3,16 @@
 import numpy as np
 import pytest
 import torch
+from tests.scene.test_images import SECOND
 
-from tests.scene.test_further_image import SECOND
-from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.metrics import paper_loss, relative_l2
-from workbench.analysis.tolerance_fields import Tolerances
 from workbench.analysis.validation import validate
-from workbench.design.evaluation import Evaluator
 from workbench.design.levels import finest_image
 from workbench.design.loss import relative_error
 from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import Result
 from workbench.design.task import begin
-from workbench.errors import Refused
-from workbench.extended.bound import Bound
 from workbench.files.session import read_session, write_session
 
 BOTH = {
@@ -100,13 +95,6 @@ def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path
     )
 
 
-def test_the_first_lens_goes_along_lines_through_all_images(at_two_distances):
-    shots = list(run(at_two_distances.scene, at_two_distances.target))
-    notes = [note for note in shots[1].notes if note.startswith("first lens: ")]
-    assert notes[0].endswith("it begins with both faces along lines through all images")
-    assert shots[-1].state.loss < 0.8 * shots[1].state.loss
-
-
 def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
     np.save(tmp_path / "wanted.npy", np.eye(8) + 0.1)
     image = {**SECOND, "target": {"image": str(tmp_path / "wanted.npy")}}
@@ -142,22 +130,3 @@ def test_the_check_looks_at_each_image_by_itself(make_scene, tmp_path):
     data = found.to_data()
     assert data["further_images"] == [found.further[0].to_data()]
     assert "further_images" not in found.further[0].to_data()
-
-
-def test_single_image_tools_refuse_several_images(make_scene, tmp_path):
-    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    scene, target = session.scene, session.target
-    heights = {"exit": np.full(scene.optic.net_shape, 0.5)}
-    paper = make_scene({"further_images": [SECOND], "run": {"method": "paper", "iterations": 1}})
-    paper = begin(paper, tmp_path)
-    tasks = [
-        lambda: next(run(paper.scene, paper.target)),
-        lambda: Evaluator(paper.scene, paper.target, heights),
-        lambda: validate(scene, target, heights, rays=1000, screen_z=5.0),
-        lambda: irradiance_derivative(scene, heights, (4, 4)),
-        lambda: Tolerances(decentre=0.1).check(scene),
-    ]
-    for task in tasks:
-        with pytest.raises(Refused, match=r"^further_images: 1 given, which .* cannot take"):
-            task()
-    assert not Bound(scene, target).known

@@ -28,10 +28,6 @@ def tightest(scene, heights):
     return min(found.tightest_concave.value, found.tightest_convex.value)
 
 
-def cutter(scene, snapshot):
-    return manufacture(scene.optic, snapshot.state.heights).tool_radius.value
-
-
 def quadratic(scene, r, s, t):
     """Control heights of d = r x²/2 + s xy + t y²/2 over the base, which is flat here."""
     net = ControlNet.of(scene.optic)
@@ -145,23 +141,3 @@ class TestRuns:
         found = best(scene)
         assert tightest(scene, found.state.heights["exit"]) >= 0.99 * limit
         assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
-
-    @pytest.mark.parametrize(("method", "iterations"), [("auto", 24), ("paper", 100)])
-    def test_a_ball_cutter_fits_into_all_hollows(self, make_scene, method, iterations):
-        task = self.NET | {"run": {"method": method, "iterations": iterations}}
-        free = make_scene(task)
-        limit = 1.5 * cutter(free, best(free))
-        task["run"]["min_tool_radius"] = limit
-        scene = make_scene(task)
-        found = best(scene)
-        assert cutter(scene, found) >= 0.99 * limit
-        assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss
-
-    def test_smoothness_reduces_bending(self, make_scene):
-        task = self.NET | {"run.iterations": 12}
-        energies = []
-        for weight in (1e-9, 1e-1):
-            scene = make_scene(task | {"run.smoothness": weight})
-            heights = torch.as_tensor(best(scene).state.heights["exit"].copy())
-            energies.append(smoothness_of(scene).faces["exit"].bending(heights).item())
-        assert energies[1] < 0.8 * energies[0]

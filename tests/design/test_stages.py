@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from workbench.design.run import run
-from workbench.design.snapshot import History
 from workbench.errors import Refused
 
 POINT = {"kind": "point", "position": [0, 0, -5], "rays": 5000}
@@ -64,20 +63,3 @@ def test_each_stage_begins_with_the_best_lens_before(make_scene, disc):
         assert taken.best
         assert taken.state.heights["exit"] == pytest.approx(handed.state.heights["exit"], abs=1e-9)
     assert all(s.state.heights["exit"].shape == (9, 9) for s in snapshots)
-
-
-def test_history_records_where_stages_began(make_scene, disc):
-    stages = [{"iterations": 3, "filter": {"size": [7, 7]}}]
-    scene = make_scene({"run": {"iterations": 6, "stages": stages}})
-    history = History()
-    for snapshot in run(scene, disc):
-        history.add(snapshot)
-    result = history.result()
-    assert result.stage_starts == (3,)
-    assert result.stages_left == 0
-    continued = History(result)
-    assert continued.stage_starts() == (3,)
-    for snapshot in run(scene, disc, start=result.state.heights):
-        assert snapshot.stage == 1  # given heights stand behind all stages
-        continued.add(snapshot)
-    assert continued.result().stage_starts == (3, 6)

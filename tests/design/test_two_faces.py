@@ -1,8 +1,6 @@
 """Runs that shape both faces of a lens."""
 
 import json
-import re
-from itertools import islice
 
 import numpy as np
 import pytest
@@ -11,11 +9,9 @@ from resources import path
 from tests.scenes import changed
 from workbench.analysis.validation import validate
 from workbench.design.limits import HeightLimits, bounded, undesigned
-from workbench.design.net import definite
 from workbench.design.run import run
 from workbench.design.session import Session
-from workbench.design.snapshot import History
-from workbench.design.transport import behind_flat_entrance, first_of
+from workbench.design.transport import first_of
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
@@ -73,23 +69,6 @@ def test_a_run_sees_the_error_that_the_check_finds(make_scene, uneven):
     assert last.state.loss == pytest.approx(found.loss, rel=0.05)
 
 
-def test_the_log_compares_the_lens_with_that_of_one_face_at_the_end(make_scene, uneven):
-    history = History()
-    scene = make_scene({**FREEFORM, "run.iterations": 200})
-    losses = [each.state.loss for each in history.follow(run(scene, uneven))][1:]
-    ended = history.result().ended
-    found = re.fullmatch(
-        r"converged: .*; after (\d+) iterations the error of both faces was ([\d.]+) times that of "
-        r"the exit face behind a flat entrance",
-        ended,
-    )
-    assert found is not None
-    count = int(found[1])
-    flat = behind_flat_entrance(definite(scene, uneven))
-    alone = [each.state.loss for each in islice(run(flat, uneven), 1, count + 2)]
-    assert float(found[2]) == pytest.approx(min(losses[: count + 1]) / min(alone), rel=0.05)
-
-
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     scene = make_scene({**FREEFORM, "run.iterations": 2})
     start = {
@@ -116,31 +95,6 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
     assert again.start == start
     assert again.locked == session.locked
     assert again.scene == scene
-
-
-def test_the_entrance_face_keeps_light_of_a_near_point_from_the_side(make_scene):
-    near = {
-        "source": {"kind": "point", "position": [0, 0, -0.56], "rays": 1000},
-        "screen.z": 10.0,
-        "screen.half_width": [4, 4],
-        "lens.outline": "ellipse",
-        "lens.height_range": None,
-        "lens.base": {"shape": "flat", "height": 0.12},
-        "lens.max_thickness": 1.8,
-        "lens.min_thickness": 0.02,
-        "run.iterations": 3,
-        "version": 2,
-    }
-    disc = (np.hypot(*np.meshgrid(np.linspace(-1, 1, 32), np.linspace(-1, 1, 32))) < 0.8) * 1.0
-    wide = {"shape": "freeform", "height_range": [0, 0.48]}
-    one, two = (
-        list(run(make_scene({**near, "lens.entrance": each}), disc))[-1].state.account
-        for each in ({"shape": "flat"}, wide)
-    )
-    share_one, share_two = (
-        each.lost["left_side"] / (1 - each.lost["missed_lens"]) for each in (one, two)
-    )
-    assert share_two < 0.45 * share_one
 
 
 def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():

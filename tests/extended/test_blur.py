@@ -40,20 +40,6 @@ def test_kernel_of_an_ellipse_is_the_part_of_its_area_in_each_pixel():
             assert kernel[row, column] == pytest.approx(share, abs=2e-4)
 
 
-def test_few_places_stand_for_a_rectangle_anywhere_in_a_pixel():
-    # The light of a rectangle at any place is a mean of that at places about it.
-    blur = Blur((2.6, 3.0))
-    x, y = blur.offsets()
-    np.testing.assert_allclose(x, [-0.2, 0.2], atol=1e-9)
-    np.testing.assert_allclose(y, [0.0], atol=1e-9)
-    left, right = blur.kernels()
-    for place in (-0.15, 0.0, 0.1):
-        edges = np.arange(-blur.margin[0] - 0.5, blur.margin[0] + 1) - place
-        across = np.diff(edges.clip(-1.3, 1.3)) / 2.6
-        part = (place + 0.2) / 0.4
-        np.testing.assert_allclose(((1 - part) * left + part * right)[2], across / 3, atol=1e-12)
-
-
 def test_blur_of_a_scene_is_that_behind_a_pinhole(make_scene):
     source = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.2, 0.1], "points": [5, 3]}
     scene = make_scene({"source": source, "screen.z": 9})
@@ -79,11 +65,6 @@ def test_blur_is_narrower_from_an_exit_face_nearer_to_the_screen(make_scene):
     assert narrower == pytest.approx([ways[0] / ways[1]] * 2)
 
 
-def test_light_spread_over_a_pixel_is_blurred_to_the_mean_of_all_places_in_it():
-    spread = Blur((3.0, 0.0)).spread()[0]
-    np.testing.assert_allclose(spread[1], [1 / 24, 7 / 24, 1 / 3, 7 / 24, 1 / 24], atol=1e-9)
-
-
 def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     blur = Blur((3.4, 2.1), "ellipse")
     whole, parts = blur.spread(), blur.spread(4)
@@ -92,16 +73,3 @@ def test_light_in_parts_of_a_pixel_adds_up_to_that_of_the_pixel():
     left, right = parts[4], parts[7]  # in the second row
     x = np.arange(whole.shape[2]) - blur.margin[0]
     assert (right.sum(0) - left.sum(0)) @ x == pytest.approx(0.75, abs=0.01)
-
-
-@pytest.mark.parametrize(
-    ("blur", "seen"),
-    [
-        (Blur((9.0, 31.0)), Blur((9.0, 31.0))),
-        (Blur((1e5, 31.0), "ellipse"), Blur((24.0, 31.0), "ellipse")),
-        (Blur((240.0, 16.0), points=(25, 5)), Blur((20.0, 16.0), points=(3, 5))),
-        (Blur((1e5, 0.0), points=(25, 1)), Blur((0.0, 0.0), points=(1, 1))),
-    ],
-)
-def test_more_of_a_blur_than_an_image_can_show_is_left_out(blur, seen):
-    assert blur.seen_in((12, 16)) == seen

@@ -45,15 +45,6 @@ def test_a_new_file_gets_the_content_and_ordinary_permissions(tmp_path):
     assert os.listdir(tmp_path) == ["new"]
 
 
-def test_a_replaced_file_hands_on_its_permissions(tmp_path):
-    path = tmp_path / "old"
-    path.write_bytes(b"old")
-    path.chmod(0o604)
-    write(path, b"new")
-    assert path.read_bytes() == b"new"
-    assert stat.S_IMODE(path.stat().st_mode) == 0o604
-
-
 def test_a_link_stays_a_link(tmp_path):
     (tmp_path / "folder").mkdir()
     real, link = tmp_path / "folder" / "real", tmp_path / "link"
@@ -93,10 +84,6 @@ def test_a_disk_that_fails_at_any_step_leaves_the_old_file_alone(tmp_path, monke
 
 @pytest.mark.parametrize("attempt", [check_writable, lambda path: write(path, b"")])
 class TestRefused:
-    def test_missing_folder(self, tmp_path, attempt):
-        with pytest.raises(Refused, match="its folder does not exist"):
-            attempt(tmp_path / "missing" / "file")
-
     def test_read_only_folder(self, nobodys_folder, attempt):
         nobodys_folder.chmod(0o500)
         with pytest.raises(Refused, match="cannot be written: Permission denied"):

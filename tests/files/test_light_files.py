@@ -37,15 +37,6 @@ def test_a_session_needs_its_lamp_no_more(scene_file, tmp_path):
     assert intensity_of(again.scene.source).lumens == lumens
 
 
-def test_the_lamp_of_a_session_stays_when_its_file_changes(scene_file, tmp_path):
-    session = open_design(scene_file)
-    lumens = intensity_of(session.scene.source).lumens
-    write_session(session, tmp_path / "lamp.freeform")
-    (tmp_path / "crooked.ies").write_text((tmp_path / downlight(tmp_path)["file"]).read_text())
-
-    assert intensity_of(read_session(tmp_path / "lamp.freeform").scene.source).lumens == lumens
-
-
 def test_lamps_of_stages_are_kept_as_well(scene_file, tmp_path):
     other = downlight(tmp_path) | {"position": [0.0, 0.0, -3.0]}
     data = json.loads(scene_file.read_text())

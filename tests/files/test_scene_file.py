@@ -11,20 +11,6 @@ def with_image(scene_data, image):
     return json.dumps({**scene_data, "target": {"image": image}})
 
 
-def test_round_trip(tmp_path, make_scene):
-    scene = make_scene({"lens.refractive_index": 1.4910000000000001, "screen.z": 1 / 3 + 1})
-    write_scene(scene, tmp_path / "scene.json")
-    assert read_scene(tmp_path / "scene.json") == scene
-
-
-def test_a_field_that_is_given_twice_is_refused(tmp_path, make_scene):
-    path = tmp_path / "scene.json"
-    text = make_scene().to_json()
-    path.write_text(text.replace('"z": 5.0', '"z": 6.0, "z": 5.0'))
-    with pytest.raises(Refused, match=r"^screen\.z: is given twice"):
-        read_scene(path)
-
-
 def test_a_relative_image_starts_beside_the_scene(tmp_path, scene_data):
     path = tmp_path / "scene.json"
     path.write_text(with_image(scene_data, "images/../flame.png"))

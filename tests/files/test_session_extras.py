@@ -12,7 +12,6 @@ from workbench.design.lens_state import LensState
 from workbench.design.session import KeptRun, Session, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files import header
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
@@ -117,22 +116,6 @@ def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
     assert read_session(path).start is None
 
 
-class TestPicture:
-    @pytest.fixture
-    def drawn(self, session, tmp_path):
-        """The session with an image for its target, whose file is gone."""
-        target = {"image": str(tmp_path / "images" / "Logo.PNG")}
-        scene = session.scene.from_data(session.scene.to_data() | {"target": target})
-        return replace(session, scene=scene, picture=b"\x89PNG, as it was")
-
-    def test_the_picture_is_read_again_and_stored_under_its_own_name(self, drawn, path):
-        write_session(drawn, path)
-        assert read_session(path).picture == drawn.picture
-        with zipfile.ZipFile(path) as archive:
-            assert archive.read("target_image.png") == drawn.picture
-            assert archive.getinfo("target_image.png").compress_type == zipfile.ZIP_STORED
-
-
 class TestWithScene:
     def test_runs_and_view_outlive_every_edit(self, session, make_scene):
         other = make_scene({"lens.control_points": [8, 9], "screen.pixels": [7, 6]})
@@ -152,39 +135,9 @@ class TestWithScene:
         assert session.with_scene(scene, session.target).locked == NO_LOCKS
 
 
-class TestNotWritten:
-    @pytest.mark.parametrize(
-        "view, message",
-        [
-            ({"x": float("nan")}, "cannot be kept as JSON: "),
-            ({"x": object()}, "cannot be kept as JSON: "),
-            ({"x": "\ud800"}, "cannot be kept as JSON: "),
-            ({"x": "y" * header.LARGEST_VIEW}, "takes 65544 bytes; at most 65536"),
-            ({"x": json.loads("[" * 16 + "]" * 16)}, "is nested too deeply; at most 16 levels"),
-        ],
-    )
-    def test_a_view_that_could_not_be_read(self, session, path, view, message):
-        with pytest.raises(Refused) as caught:
-            write_session(replace(session, view=view), path)
-        assert caught.value.path == f"{path}: view"
-        assert caught.value.reason.startswith(message)
-        assert "\n" not in caught.value.reason
-        assert not path.exists()
-
-
 class TestRefused:
     def test_locks_of_another_net(self, forge, path):
         other = np.zeros((4, 5), bool)
         np.save(path.with_suffix(".npy"), other)
         message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
         assert message == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
-
-    def test_entries_that_share_their_bytes(self, forge):
-        path = forge()
-        content = path.read_bytes()
-        # The directory alone tells of a larger entry, which reaches over those behind it.
-        at = content.rindex(b"locked.npy") - 46
-        assert content[at : at + 4] == b"PK\1\2"
-        size = (1 << 11).to_bytes(4, "little")
-        path.write_bytes(content[: at + 20] + size + size + content[at + 28 :])
-        assert refused(path) == ": holds entries that overlap; each has bytes of its own"

@@ -14,7 +14,6 @@ from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.files.session import (
     Session,
-    is_session,
     open_design,
     read_session,
     write_session,
@@ -110,19 +109,6 @@ class TestRoundTrip:
         assert again.result.seconds == session.result.seconds
         assert again.result.state.account == session.result.state.account
 
-    def test_without_a_result(self, session, path):
-        write_session(Session(session.scene, session.target), path)
-        assert sorted(entries_of(path)) == ["session.json", "target.npy"]
-        again = read_session(path)
-        assert again.result is None
-        assert same(again.target, session.target)
-
-    def test_the_same_session_gives_the_same_bytes(self, session, path):
-        write_session(session, path)
-        first = path.read_bytes()
-        write_session(read_session(path), path)
-        assert path.read_bytes() == first
-
 
 def test_the_format_is_the_one_that_others_rely_on(session, path):
     write_session(session, path)
@@ -156,18 +142,6 @@ class TestOpenDesign:
         found = open_design(path).result.state.heights["exit"]
         assert same(found, session.result.state.heights["exit"])
 
-    def test_sessions_and_scenes_are_distinguished_by_content(self, session, path, make_scene):
-        write_session(session, path)
-        assert is_session(path)
-        path.write_bytes(path.read_bytes()[:30])
-        assert is_session(path)
-        path.write_text(make_scene().to_json())
-        assert not is_session(path)
-        path.write_bytes(b"")
-        assert not is_session(path)
-        with pytest.raises(Refused, match="does not exist"):
-            is_session(path.with_name("missing"))
-
 
 class TestRefused:
     @pytest.mark.parametrize("part", [0.02, 0.3, 0.7, 0.99])
@@ -183,26 +157,6 @@ class TestRefused:
         content[content.index(session.target.tobytes()) + 5] ^= 4
         path.write_bytes(content)
         assert "Bad CRC-32" in refused(path)
-
-    @pytest.mark.parametrize("name", ["session.json", *ARRAYS])
-    def test_a_missing_entry(self, forge, name):
-        assert refused(forge({name: None})).startswith(f": {name}: is missing")
-
-    @pytest.mark.filterwarnings("ignore:Duplicate name")
-    def test_an_entry_twice(self, session, path):
-        write_session(session, path)
-        with zipfile.ZipFile(path, "a") as archive:
-            archive.writestr("target.npy", npy(session.target))
-        assert "holds an entry twice" in refused(path)
-
-    @pytest.mark.parametrize("name", ["session.json", *ARRAYS])
-    def test_a_compressed_entry(self, session, path, forge, name):
-        write_session(session, path)
-        content = entries_of(path)[name]
-        forge({name: None})
-        with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(name, content)
-        assert refused(path).startswith(f": {name}: is compressed")
 
     def test_a_zip_bomb(self, forge):
         path = forge({"target.npy": bytes(100_000_000)}, zipfile.ZIP_DEFLATED)
@@ -263,10 +217,6 @@ class TestRefused:
     )
     def test_a_wrong_header(self, forge_header, changes, message):
         assert refused(forge_header(changes)).startswith(message)
-
-    def test_no_file(self, path, tmp_path):
-        assert "does not exist" in refused(path)
-        assert "is a folder" in refused(tmp_path)
 
 
 @settings(

@@ -1,18 +1,15 @@
 """Each job makes an ordinary scene; what is not possible is refused where it was asked."""
 
 import math
-from itertools import product
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from workbench.analysis.benchmark.experiments import DESIGNS
 from workbench.errors import Refused
 from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
 from workbench.jobs.beam_shaper import BeamShaper
-from workbench.jobs.experiment import Experiment
 from workbench.jobs.far_field import StreetLight
 from workbench.jobs.led import LedRectangle
 from workbench.jobs.mirror import MirrorJob
@@ -49,14 +46,6 @@ def test_an_impossible_answer_is_refused_at_its_question(kind, answers, field):
     with pytest.raises(Refused) as refused:
         kind().with_answers(answers)
     assert refused.value.path.startswith(field)
-
-
-@pytest.mark.parametrize("kind", [LedRectangle, Torch, WallWasher])
-def test_a_lamp_has_the_flux_of_its_data_sheet_or_none(kind):
-    assert kind().scene().source.lumens is None
-    assert kind().with_answers({"lamp_flux": 120.0}).scene().source.lumens == 120.0
-    with pytest.raises(Refused, match="lamp_flux"):
-        kind().with_answers({"lamp_flux": -1.0})
 
 
 def test_pixels_are_square_and_fewer_where_the_light_blurs_them():
@@ -108,12 +97,6 @@ def test_a_mirror_has_its_image_at_the_distance_and_angle_asked_for(aside):
     assert math.hypot(x, z) == pytest.approx(100.0)
     assert math.degrees(math.atan2(x, -z)) == pytest.approx(aside)
     assert np.cross(screen.sides[2], screen.position) == pytest.approx(0.0, abs=1e-9)
-
-
-@pytest.mark.parametrize(("name", "method"), [*product(DESIGNS, ("auto", "paper"))])
-def test_each_experiment_of_the_paper_runs_by_either_method(name, method):
-    scene = Experiment().with_answers({"name": name, "method": method}).scene()
-    assert scene.run.method == method
 
 
 @pytest.mark.parametrize(

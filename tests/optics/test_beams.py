@@ -12,7 +12,7 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
-from workbench.scene import BoxFilter, FarField
+from workbench.scene import BoxFilter
 
 
 def image_of(nodes, pixels, fused=True):
@@ -29,20 +29,6 @@ def test_a_turned_square_is_exact_in_each_pixel(fused):
     column, row = np.array([[1.0, 2.0], [0.0, 1.0]]), np.array([[0.0, 1.0], [1.0, 2.0]])
     image, _ = image_of(nodes_of(column, row), (2, 2), fused)
     np.testing.assert_allclose(image, np.full((2, 2), 0.25), atol=1e-15)
-
-
-def test_an_image_of_a_bent_map_converges_with_the_square_of_the_cells():
-    def image(count):
-        t = np.linspace(0, 1, count + 1)
-        u, v = np.meshgrid(t, t)
-        column = 32 * (u + 0.1 * np.sin(2 * np.pi * u) * np.cos(2 * np.pi * v) / 2)
-        row = 32 * (v + 0.1 * np.cos(2 * np.pi * u) * np.sin(2 * np.pi * v) / 2)
-        return image_of(nodes_of(column, row), (32, 32))[0]
-
-    true = image(1024)
-    coarse, fine = ((image(count) - true).norm() for count in (64, 128))
-    assert fine < 0.3 * coarse
-    assert fine < 2e-4 * true.norm()
 
 
 def tracers(scene, cells=(36, 28), **options):
@@ -160,21 +146,6 @@ def test_a_part_of_a_mirrored_lens_gives_the_whole_image(
     assert account == pytest.approx(accounts, abs=1e-12)
 
 
-@MIRRORED
-def test_a_part_of_a_grid_of_points_gives_the_whole_image(make_scene, rng, mirrored):
-    source = SOURCES["grid"] | {"center": [0, 0, -4.0], "points": [2, 1]}
-    scene = make_scene({"source": source, "screen.pixels": [20, 16], "lens.control_points": [9, 8]})
-    wavy = scene.optic.base.height + 0.01 * rng.standard_normal(ControlNet.of(scene.optic).shape)
-    heights = {"exit": symmetric(torch.tensor(wavy), mirrored)}
-    part, whole = (
-        BeamPlan(scene, (200, 200), dtype=torch.float64, mirrored=promise).trace(heights)
-        for promise in (mirrored, (False, False))
-    )
-    # The diagonals of cells of the second point are not mirror images of those of the first.
-    assert (part.flux - whole.flux).norm() < 1e-4 * whole.flux.norm()
-    assert part.account.to_data() == pytest.approx(whole.account.to_data(), abs=1e-6)
-
-
 def test_totally_reflected_light_is_in_the_account(make_scene):
     scene = make_scene({"lens.control_points": [8, 8], "lens.height_range": [-2.0, 2.0]})
     # A roof whose left half is far steeper than total reflection allows.
@@ -186,30 +157,3 @@ def test_totally_reflected_light_is_in_the_account(make_scene):
         _, account = plan.trace({"exit": heights})
         assert 0.2 < account.lost["total_reflection"] < 0.6
         assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)
-
-
-TILTED = {"kind": "collimated", "direction": [9, 4]}
-
-
-@pytest.mark.parametrize(
-    ("source", "far"),
-    # Points of a grid share their samples before a far field, where the reference has some of each.
-    [*((each, False) for each in SOURCES.values()), (SOURCES["point"], True), (TILTED, True)],
-)
-def test_neighbours_of_totally_reflected_light_land_alike(make_scene, rng, source, far):
-    """They have no second difference: what became of the ray beside them must not count in it."""
-    scene = make_scene({"source": source, "lens.control_points": [9, 8]})
-    if far:
-        field = FarField(half_angle=(40.0, 30.0), pixels=(20, 16))
-        scene = scene.with_receiver(field)
-    wild = torch.tensor(scene.optic.base.height + 0.2 * rng.standard_normal((9, 8)))
-    found = []
-    for plan in tracers(scene, dtype=torch.float64):
-        heights = wild.clone().requires_grad_()
-        image, account = plan.trace({"exit": heights})
-        assert account.lost["total_reflection"] > 0.02
-        (gradient,) = torch.autograd.grad((image * image.detach()).sum(), [heights])
-        found.append((image.detach(), gradient))
-    (image, gradient), (twin, twins) = found
-    torch.testing.assert_close(image, twin, rtol=0, atol=1e-11)
-    assert (gradient - twins).norm() < 1e-6 * twins.norm()

@@ -19,16 +19,6 @@ def image_of(nodes, pixels, fused=True):
 
 
 @BOTH
-def test_a_turned_square_is_a_box_as_wide_as_its_sides(fused):
-    # They are √2 pixels long, and its corners 2 pixels apart along the axes.
-    column, row = np.array([[1.0, 2.0], [0.0, 1.0]]), np.array([[0.0, 1.0], [1.0, 2.0]])
-    image, _ = image_of(nodes_of(column + 0.5, row), (3, 2), fused)
-    outer = (np.sqrt(2) - 1) / 2 / np.sqrt(2)
-    along = [outer, 1 - 2 * outer, outer]
-    np.testing.assert_allclose(image, np.outer([0.5, 0.5], along), atol=1e-15)
-
-
-@BOTH
 @pytest.mark.parametrize("pixels", [64, 256])
 def test_a_box_has_the_middle_and_the_spread_of_its_cell(fused, pixels):
     a, b, middle = np.array([0.21, 0.08]), np.array([-0.05, 0.13]), np.array([0.48, 0.53])

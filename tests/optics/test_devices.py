@@ -14,7 +14,6 @@ from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beam_reference import reference_beam_image
 from workbench.optics.box_reference import reference_box_image
 from workbench.optics.plan import Plan
-from workbench.optics.rim import rim_light
 from workbench.optics.samples import Corners
 
 
@@ -29,16 +28,6 @@ def test_images_are_made_of_tensors_where_the_rays_are(image):
     with torch.device("meta"):
         found, _ = image(nodes, (4, 3), splits((5, 6)))
     assert torch.equal(found, true)
-
-
-def test_light_at_the_rim_is_made_of_tensors_where_the_rays_are():
-    column, row = np.meshgrid(np.linspace(0.5, 3.5, 6), np.linspace(0.2, 2.8, 5))
-    nodes = nodes_of(column, row)
-    room = 1 - (nodes[0] - 2).square() / 3 - (nodes[1] - 1.5).square()
-    true = rim_light(nodes, room, (4, 3), splits((5, 6)), triangles=True, fused=False)
-    with torch.device("meta"):
-        found = rim_light(nodes, room, (4, 3), splits((5, 6)), triangles=True, fused=False)
-    assert torch.equal(found.flux, true.flux)
 
 
 @NEEDED

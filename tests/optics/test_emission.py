@@ -1,106 +1,105 @@
-"""Rays of points and grids, and what the entrance face makes of them."""
+"""Light that enters the lens, and the cap of a source."""
+
+import math
 
 import numpy as np
 import pytest
-import torch
+from scipy.optimize import minimize
 
-from tests.optics.rays import bundle, with_rays
 from workbench.geometry.surface import ControlNet
 from workbench.optics.cap import covering_caps
-from workbench.optics.emission import emit
-from workbench.optics.intersection import Bundle
+from workbench.optics.entering import entering
 from workbench.optics.path import Path
-from workbench.scene import AutoRun, GridSource, PointSource, Scene, Screen
+from workbench.optics.sources.evenly import spread
+from workbench.optics.transmittance import TransmittanceLaw
 
-POINT = PointSource(kind="point", position=(0.4, -0.2, -3.0), rays=1 << 16)
-GRID = GridSource(
-    kind="grid", center=(0.2, 0.0, -5.0), half_width=(1.0, 0.5), points=(25, 25), rays=64
-)
+POINT = {"kind": "point", "position": [0.3, -0.2, -5.0], "rays": 1 << 16}
 
 
-@pytest.fixture
-def lens(make_scene):
-    return make_scene({"lens.half_width": [1.0, 0.8]}).optic
+GRID = {"kind": "grid", "center": [0, 0.1, -1], "half_width": [1, 1], "points": [3, 4]}
 
 
-@pytest.mark.parametrize("sampling", ["sobol", "random"])
-def test_emission_is_uniform_in_solid_angle(lens, sampling):
-    source = POINT.model_copy(update={"sampling": sampling})
-    rays = emit(source, lens, seed=3)
-    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
-    (axis,), (cos_max,) = caps.axis, caps.cos_max
-    assert np.linalg.norm(rays.direction, axis=1) == pytest.approx(1, abs=1e-14)
-    way = rays.direction * (3 / rays.direction[:, 2:])
-    assert rays.crossing == pytest.approx(source.positions[:, :2] + way[:, :2], abs=1e-14)
-    cos = rays.direction @ axis
-    assert cos.min() >= cos_max - 1e-14
-    # Zones of equal height hold equal solid angles (Archimedes), and so do sectors.
-    zones = np.histogram(cos, bins=8, range=(cos_max, 1))[0]
-    assert zones == pytest.approx(source.rays / 8, rel=0.04)
-    across = np.linalg.svd(axis[None])[2][1:]
-    sectors = np.histogram(np.arctan2(*(across @ rays.direction.T)), 8, (-np.pi, np.pi))[0]
-    assert sectors == pytest.approx(source.rays / 8, rel=0.04)
-    assert rays.direction.mean(axis=0) == pytest.approx(
-        axis * (1 + cos_max) / 2, abs=1e-4 if sampling == "sobol" else 3e-3
-    )
+@pytest.mark.parametrize("distance", [1e-6, 1e-3, 0.5, 5.0, 1e3])
+def test_a_square_seen_from_its_axis(make_scene, distance):
+    scene = make_scene({"source": POINT | {"position": [0, 0, -distance]}})
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    square = 4 * np.arcsin(1 / (1 + distance**2))  # its solid angle
+    rim = np.sqrt(distance**2 / (distance**2 + 2))
+    cap = 2 * np.pi * (2 / (distance**2 + 2)) / (1 + rim)
+    assert light.missed == pytest.approx(1 - square / cap, abs=1e-9)
 
 
-@pytest.mark.parametrize("source", [POINT, GRID], ids=["point", "grid"])
 @pytest.mark.parametrize("emission", ["uniform", "lambertian"])
-def test_flux_sums_to_one_and_all_points_have_the_same_intensity(lens, source, emission):
-    rays = emit(source.model_copy(update={"emission": emission}), lens, seed=0)
-    assert rays.flux.sum() == pytest.approx(1, abs=1e-12)
-    caps = covering_caps(source.positions, lens.half_width, lens.entrance_z)
-    per_solid_angle = rays.flux.reshape(-1, source.rays) / caps.solid_angle[:, None]
-    if emission == "lambertian":
-        per_solid_angle /= rays.direction[:, 2].reshape(-1, source.rays)
-    assert per_solid_angle == pytest.approx(per_solid_angle[0, 0])
+@pytest.mark.parametrize(
+    "source",
+    [POINT, POINT | {"position": [3, 0, -1]}, POINT | {"position": [0.9, 1, -1e-3]}, GRID],
+    ids=["far", "beside", "near", "grid"],
+)
+def test_the_account_is_that_of_many_rays(make_scene, source, emission):
+    scene = make_scene({"source": source | {"rays": 1 << 15, "emission": emission}})
+    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
+    lost = Path.of(scene, ControlNet.of(scene.optic)).lost
+    assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=5e-4)
+    assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=5e-4)
 
 
-def path_of(source, lens):
-    screen = Screen(position=(0.0, 0.0, 5.0), half_width=(1.0, 1.0), pixels=(8, 8))
-    scene = Scene.model_construct(lens=lens, source=source, screen=screen, run=AutoRun())
-    return Path.of(scene, ControlNet.of(lens), torch.float64)
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+@pytest.mark.parametrize("aspect", [1e-6, 1.0, 1e6])
+def test_places_of_slim_sources_are_finite_and_have_all_light(outline, aspect):
+    found = spread(512, outline, aspect)
+    assert np.abs([found.x, found.y]).max() < 1
+    assert found.share.min() >= 0
+    assert found.share.sum() == pytest.approx(1)
 
 
-def entered(source, lens):
-    """Rays behind the entrance face as lines, and the light that was lost, by name."""
-    path = path_of(source, lens)
-    lost = {name: part.item() for name, part in path.lost.items()}
-    return Bundle(*(part.numpy() for part in Bundle.of(path.rays))), lost
+def corners(position, half_width, z):
+    r_x, r_y = half_width
+    directions = np.array([[x, y, z] for x in (-r_x, r_x) for y in (-r_y, r_y)]) - position
+    return directions / np.linalg.norm(directions, axis=1, keepdims=True)
 
 
-class TestEntrance:
-    def test_snells_law_by_angles(self, lens):
-        rays = emit(POINT, lens, seed=0)
-        inside, lost = entered(POINT, lens)
-        path = (lens.entrance_z + 3.0) / rays.direction[:, 2:]
-        x, y = (POINT.position + rays.direction * path).T[:2]
-        meets = (np.abs(x) <= 1.0) & (np.abs(y) <= 0.8)
-        assert inside.x == pytest.approx(x[meets], abs=1e-14)
-        assert inside.y == pytest.approx(y[meets], abs=1e-14)
-        outer = np.arccos(rays.direction[meets, 2])
-        inner = np.arctan(np.hypot(inside.slope_x, inside.slope_y))
-        assert 1.5 * np.sin(inner) == pytest.approx(np.sin(outer), abs=1e-12)
-        azimuth = np.arctan2(rays.direction[meets, 1], rays.direction[meets, 0])
-        assert np.arctan2(inside.slope_y, inside.slope_x) == pytest.approx(azimuth, abs=1e-9)
-        reflectance = 0.04 + 0.96 * (1 - np.cos(outer)) ** 5
-        assert inside.flux == pytest.approx(rays.flux[meets] * (1 - reflectance), rel=1e-12)
-        assert lost["missed_lens"] == pytest.approx((~meets).mean(), abs=1e-12)
-        assert inside.flux.sum() + sum(lost.values()) == pytest.approx(1, abs=1e-12)
+@pytest.mark.parametrize("half_width", [(1.0, 1.0), (0.5, 2.0), (100.0, 1.0)])
+@pytest.mark.parametrize("distance", [1e-3, 1.0, 5.0, 1e4, 1e7, 1e9, 1e12])
+def test_cap_of_a_source_on_the_axis_is_that_of_the_paper(half_width, distance):
+    cap = covering_caps(np.array([[0.0, 0.0, 2 - distance]]), half_width, 2.0)
+    distance = 2 - (2 - distance)  # as rounding leaves it
+    assert cap.axis[0] == pytest.approx([0, 0, 1], abs=1e-12)
+    assert cap.centre[0] == pytest.approx([0, 0], abs=1e-11)
+    angle = math.atan(math.hypot(*half_width) / distance)
+    assert cap.cos_max[0] == pytest.approx(math.cos(angle), abs=1e-11)
+    assert cap.solid_angle[0] == pytest.approx(4 * math.pi * math.sin(angle / 2) ** 2, rel=1e-11)
 
-    def test_rays_that_never_get_there_miss(self, lens):
-        directions = np.array([[0, 0, -1.0], [1, 0, 0], [0, 0, 1.0]])
-        crossing = np.array([[0, 0, 0], [np.inf, 0, 0], [0, 0, 0]])
-        path = with_rays(path_of(POINT, lens), bundle(crossing, directions, np.full(3, 1 / 3)))
-        assert len(path.rays.flux) == 1
-        assert path.lost["missed_lens"].item() == pytest.approx(2 / 3)
 
-    def test_rays_that_graze_the_face_stay_finite(self, lens):
-        near = POINT.model_copy(update={"position": (0.3, 0.2, -1e-9), "rays": 10_000})
-        inside, lost = entered(near, lens)
-        for part in inside:
-            assert np.isfinite(part).all()
-        # No ray in the lens is flatter than at the critical angle.
-        assert np.hypot(inside.slope_x, inside.slope_y).max() <= 1 / np.sqrt(1.5**2 - 1) + 1e-12
-        assert inside.flux.sum() + sum(lost.values()) == pytest.approx(1, abs=1e-12)
+@pytest.mark.parametrize("half_width", [(1.0, 1.0), (1.0, 0.01)])
+def test_far_away_it_is_the_circle_around_the_face_as_seen(half_width):
+    """Of a parallelogram the longer diagonal is the diameter of that circle."""
+    directions = np.array([[0.3, -0.2, 0.9], [0.6, 0.6, 0.5], [0.0, 0.999, 0.04], [0.0, 0.0, 1.0]])
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    caps = covering_caps(-1e12 * directions, half_width, 0.0)
+    diagonals = np.array([[2, 2, 0], [2, -2, 0]]) * [*half_width, 0.0]
+    across = np.linalg.norm(np.cross(diagonals[:, None], directions), axis=2).max(axis=0)
+    assert caps.versine == pytest.approx((across / 2 / 1e12) ** 2 / 2, rel=1e-10)
+    assert np.abs(caps.centre).max() < 1e-9
+
+
+def test_off_the_axis_it_holds_all_corners_and_none_is_smaller(rng):
+    for _ in range(60):
+        position = np.append(rng.uniform(-3, 3, 2), -(10 ** rng.uniform(-2, 1)))
+        half_width = tuple(10 ** rng.uniform(-1, 0.5, 2))
+        directions = corners(position, half_width, 0.0)
+        caps = covering_caps(position[None], half_width, 0.0)
+        (axis,), (cos_max,) = caps.axis, caps.cos_max
+        assert np.linalg.norm(axis) == pytest.approx(1)
+        assert (directions @ axis >= cos_max).all()
+        there = position - position[2] / axis[2] * axis
+        assert caps.centre[0] == pytest.approx(there[:2], abs=1e-9)
+
+        others = rng.normal(size=(2000, 3)) * 10 ** rng.uniform(-6, 0, (2000, 1)) + axis
+        others /= np.linalg.norm(others, axis=1, keepdims=True)
+        assert (others @ directions.T).min(axis=1).max() <= cos_max + 2e-12
+
+        def worst(other, directions=directions):
+            return -(directions @ (other / np.linalg.norm(other))).min()
+
+        found = minimize(worst, directions.mean(axis=0), method="Nelder-Mead")
+        assert -found.fun <= cos_max + 1e-9

@@ -42,23 +42,6 @@ def test_the_inverse_map_agrees_with_the_forward_map(dtype, distance, index, dep
         assert light.steepness.item() * found == pytest.approx(slope, rel=32 * eps, abs=1e-12)
 
 
-@pytest.mark.parametrize("distance", [1e-3, 0.3, 5.0])
-@pytest.mark.parametrize("lambertian", [False, True])
-def test_light_is_conserved_from_plane_to_plane(distance, lambertian):
-    enters = np.linspace(0.05, 2, 200)
-    radius, ahead, behind = (
-        forward(1.5, distance, enters + step, 0.7) for step in (0.0, 1e-5, -1e-5)
-    )
-    rise = (ahead - behind) / 2e-5
-    cos = distance / np.hypot(distance, enters)
-    at_face = cos ** (4 if lambertian else 3) * 0.96 * (1 - (1 - cos) ** 5)
-    light = FlatGlass(distance, LAW, lambertian).light(
-        torch.as_tensor(radius**2), torch.full((200,), 0.7, dtype=torch.float64)
-    )
-    expected = at_face * enters / (radius * rise)
-    assert light.density.numpy() == pytest.approx(expected, rel=1e-6)
-
-
 @pytest.mark.parametrize("distance", [1e-6, 0.3, 5.0])
 def test_derivatives_by_the_depth(distance):
     generator = torch.Generator().manual_seed(1)

@@ -135,60 +135,6 @@ def test_no_ray_is_lost_on_vertices_edges_and_diagonals(rng, dtype):
     assert aimed > 100_000
 
 
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_the_rim_belongs_to_the_mesh(dtype):
-    # Along the axis, on all four sides, with corners: u = 1 and v = 1 are in the last squares.
-    x, y, z = vertices(wavy(), (2, 2))
-    fine = np.linspace(-1, 1, 4001)
-    (r_x, r_y), one = NET.half_width, np.ones_like(fine)
-    for p_x, p_y, height in (
-        (fine * r_x, -r_y * one, np.interp(fine * r_x, x, z[:, 0])),
-        (fine * r_x, r_y * one, np.interp(fine * r_x, x, z[:, -1])),
-        (-r_x * one, fine * r_y, np.interp(fine * r_y, y, z[0])),
-        (r_x * one, fine * r_y, np.interp(fine * r_y, y, z[-1])),
-    ):
-        met = meet(bundle(p_x, p_y, 0.0, 0.0, dtype), wavy())
-        assert met.found.all()
-        assert np.abs(met.depth.numpy() - height).max() < 20 * torch.finfo(dtype).eps
-
-
-def test_rays_through_the_side_meet_nothing_but_have_a_depth():
-    # They leave at half the height of a plate 1/2 high, on each of its sides.
-    x, y = np.array([0.9375, -0.9375, 0, 0]), np.array([0, 0, 0.6875, -0.6875])
-    slope_x, slope_y = np.array([0.25, -0.25, 0, 0]), np.array([0, 0, 0.25, -0.25])
-    met = meet(bundle(x, y, slope_x, slope_y), torch.full(NET.shape, 0.5))
-    assert not met.found.any()
-    assert (met.depth - 0.25).abs().max() < 1e-15
-
-
-def test_a_tilted_plane_is_exact_with_any_subdivision(rng):
-    x, y = NET.positions
-    heights = torch.as_tensor(0.6 + 0.2 * x[:, None] - 0.1 * y[None])
-    rays = random_rays(rng, 20_000)
-    here = 0.6 + 0.2 * rays.x - 0.1 * rays.y
-    depth = here / (1 - 0.2 * rays.slope_x + 0.1 * rays.slope_y)
-    for subdivisions in ((1, 1), (3, 2)):
-        met = meet(rays, heights, subdivisions)
-        assert (met.depth - depth)[met.found].abs().max() < 1e-14
-
-
-def test_a_bilinear_face_is_met_exactly_on_its_edges_and_off_by_the_twist_between(rng):
-    # In a unit square z = f + ... + w st, and the triangles leave out w st or w (1 − s)(1 − t):
-    # nothing on the edges, and w/4 in the middle of the diagonal.
-    net = ControlNet((4, 3), (1, 1), (1.5, 1.0))
-    heights = torch.as_tensor(0.5 + 0.2 * rng.uniform(-1, 1, net.shape))
-    twist = heights[:-1, :-1] + heights[1:, 1:] - heights[1:, :-1] - heights[:-1, 1:]
-    assert twist.abs().max() > 0.1
-    centres = bundle(*np.meshgrid([-1.0, 0.0, 1.0], [-0.5, 0.5], indexing="ij"), 0.0, 0.0)
-    rays = Bundle(*(part.flatten() for part in centres))
-    off = meet(rays, heights, (1, 1), net).depth - exact(rays, heights, net).depth
-    assert torch.allclose(off, -twist.flatten() / 4, atol=1e-14)
-
-    on_edges = bundle(np.array([-0.5, 0.5]), np.array([0.3, -0.7]), 0.0, 0.0)
-    off = meet(on_edges, heights, (1, 1), net).depth - exact(on_edges, heights, net).depth
-    assert off.abs().max() < 1e-14
-
-
 def test_the_error_falls_with_the_square_of_the_subdivision(rng):
     rays = random_rays(rng, 40_000)
     truth = exact(rays, wavy())

@@ -8,10 +8,8 @@ import torch
 
 from tests.analysis.lenses import net_of
 from workbench.geometry.outlines import Ellipse
-from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.entering import entering
-from workbench.optics.path import Path
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
 from workbench.optics.transmittance import TransmittanceLaw
@@ -45,17 +43,6 @@ def test_the_image_of_a_plate_is_the_ellipse(make_scene):
     expected = torch.tensor(inside) / (4 * 0.8) * 0.96**2
     assert (image - expected).abs().max() < 0.01 * expected.max()
     assert (image - expected).abs().sum() < 1e-3 * expected.sum()
-
-
-@pytest.mark.parametrize("emission", ["uniform", "lambertian"])
-@pytest.mark.parametrize("place", [[0.3, -0.2, -5.0], [3, 0, -1.0], [0.6, 0.5, -1e-3]])
-def test_light_of_a_point_through_the_ellipse_is_that_of_many_rays(make_scene, place, emission):
-    source = POINT | {"position": place, "rays": 1 << 17, "emission": emission}
-    scene = make_scene(ROUND | {"source": source})
-    light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
-    lost = Path.of(scene, ControlNet.of(scene.optic)).lost
-    assert light.missed == pytest.approx(lost["missed_lens"].item(), abs=1e-3)
-    assert light.reflected == pytest.approx(lost["fresnel_entrance"].item(), abs=1e-3)
 
 
 def test_a_round_face_seen_from_its_axis(make_scene):

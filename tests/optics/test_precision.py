@@ -6,7 +6,7 @@ import torch
 
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
-from workbench.optics.precision import nearly_touches, precision_of, shift_of
+from workbench.optics.precision import nearly_touches, precision_of
 from workbench.optics.samples import Corners
 
 POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 20_000}
@@ -45,19 +45,6 @@ def test_a_far_screen_of_fine_pixels_is_traced_in_float64(make_scene):
     plan = Plan(scene)
     assert "float64" in plan.notes[0]
     assert any("too few digits" in note for note in plan.notes)
-
-
-def test_the_shift_is_that_of_rounding(make_scene):
-    """It grows with distance, pixels and net, and does not know units."""
-    scene = make_scene({"screen.z": 100.0})
-    known = shift_of(scene)
-    assert shift_of(make_scene({"screen.z": 200.0})) == pytest.approx(2 * known, rel=0.01)
-    assert shift_of(make_scene({"screen.z": 100.0, "screen.pixels": [64, 64]})) == pytest.approx(
-        2 * known
-    )
-    assert shift_of(
-        make_scene({"screen.z": 100.0, "lens.control_points": [24, 20]})
-    ) == pytest.approx(2 * known)
 
 
 def test_light_of_a_source_that_nearly_touches_the_lens_is_traced_in_float64(make_scene):

@@ -1,12 +1,18 @@
-"""Snell's law and the critical angle."""
+"""Refraction, transmittance and total reflection."""
 
 import math
 
+import numpy as np
 import pytest
 import torch
 
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.plan import Plan
 from workbench.optics.refraction import refract, root_where_positive
+from workbench.optics.total_reflection import total_reflection
 from workbench.optics.transmittance import TransmittanceLaw
+from workbench.scene import Scene
 
 DTYPES = [torch.float32, torch.float64]
 
@@ -55,3 +61,85 @@ def test_masked_roots_have_no_gradient(dtype):
     root.sum().backward()
     assert positive.tolist() == [False, False, True]
     assert square.grad.tolist() == [0, 0, 1]
+
+
+INDEX, RADIUS, NET = 1.5, 1.5, 60
+
+
+@pytest.fixture(scope="module")
+def dome():
+    """A scene with a dome that reflects all light beyond R / n from the axis, and its heights."""
+    scene = Scene.from_data(
+        {
+            "format": "freeform-scene",
+            "version": 2,
+            "unit": "mm",
+            "lens": {
+                "half_width": [1.0, 1.0],
+                "refractive_index": INDEX,
+                "control_points": [NET, NET],
+                "base": {"shape": "flat", "height": 3.0},
+                "reflection": "none",
+            },
+            "source": {"kind": "collimated"},
+            "far_field": {"half_angle": [90, 90], "pixels": [16, 16]},
+            "target": {"builtin": "tophat"},
+        }
+    )
+    x, y = ControlNet.of(scene.optic).positions
+    heights = 1.5 + np.sqrt(RADIUS**2 - x[:, None] ** 2 - y**2)
+    return scene, {"exit": torch.as_tensor(heights)}
+
+
+@pytest.mark.parametrize("mirrored", [(False, False), (True, False), (True, True)])
+@pytest.mark.parametrize("cells", [48, 64])
+def test_total_reflection_begins_at_its_angle(dome, cells, mirrored):
+    scene, heights = dome
+    plan = BeamPlan(scene, (cells, cells), dtype=torch.float64, fused=False, mirrored=mirrored)
+    light = plan.trace(heights)
+    refracted = math.pi * (RADIUS / INDEX) ** 2 / 4
+    # The circle within which rays are refracted holds that many of them, more or less.
+    assert light.account.on_screen == pytest.approx(refracted, abs=6e-3)
+    assert light.account.lost["total_reflection"] == pytest.approx(1 - refracted, abs=6e-3)
+    assert light.flux.sum().item() == pytest.approx(light.account.on_screen, abs=1e-9)
+    assert light.flux.min() >= 0
+
+
+ENTRANCE = {"shape": "freeform", "height_range": [-0.1, 0.1]}
+
+
+def steep(scene):
+    """An exit face that is flat but for a slope of 1.2 in the quarter where x and y are large."""
+    x, y = ControlNet.of(scene.optic).positions
+    rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * (y > 0.1)
+    heights = {face: np.zeros(net.shape) for face, net in freeform_nets(scene.optic).items()}
+    return heights | {"exit": 0.5 + rise}
+
+
+POINT = {"source": {"kind": "point", "position": [0, 0, -2.0], "rays": 60_000}}
+
+
+LED = {"source": {"kind": "area", "center": [0, 0, -2.0], "half_width": [0.1, 0.1], "rays": 60_000}}
+
+
+@pytest.mark.parametrize("source", [{}, POINT, LED], ids=["parallel", "near point", "LED"])
+@pytest.mark.parametrize("changes", [{}, {"lens.entrance": ENTRANCE}], ids=["one", "two faces"])
+def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_account(
+    make_scene, changes, source
+):
+    scene = make_scene({"lens.control_points": [24, 24]} | changes | source)
+    heights = steep(scene)
+    found = total_reflection(scene, heights)
+    tensors = {face: torch.tensor(each) for face, each in heights.items()}
+    account = Plan(scene, dtype=torch.float64).trace(tensors).account
+    assert found.share == pytest.approx(account.lost["total_reflection"], rel=0.05)
+    x, y, z = found.places.T
+    assert x.min() > 0.2 and y.min() > -0.1
+    exact, *_ = ControlNet.of(scene.optic).at(x, y, heights["exit"])
+    np.testing.assert_allclose(z, exact, atol=1e-9)
+    x, y = found.middle
+    assert x > 0.3 and y > (0.0 if source else 0.1)  # near light is brightest about the axis
+    assert found.sentence(scene) == (
+        f"{100 * found.share:.2g} % of the light is totally reflected at the exit face, "
+        f"most of it around x = {x:.3g} cm, y = {y:.3g} cm"
+    )

@@ -61,17 +61,6 @@ def test_light_ends_at_a_straight_rim(at, grids, draw):
     assert (image - wanted).abs().max() < 1e-12
 
 
-@EITHER
-def test_an_oblique_rim_cuts_cells_and_their_corners(draw):
-    nodes, splits = lit()
-    u, v = nodes[0] - 1, nodes[1] - 1
-    image, landed = whole(*cut(nodes, 4.7 - u - 0.3 * v), splits, draw)
-    # A quadrilateral with corners (0, 0), (4.7, 0), (3.2, 5), (0, 5).
-    assert landed == pytest.approx(5 * (4.7 + 3.2) / 2, abs=1e-9)
-    assert image[1, 1].item() == pytest.approx(1)
-    assert image[3, 5].item() == pytest.approx(0.1**2 / 0.3 / 2)  # of a cell with one corner within
-
-
 def test_gradients_are_those_of_central_differences(rng):
     nodes, splits = lit(shear=0.3)
     room = 4.4 - (nodes[0] - 1) - 0.4 * nodes[1]
@@ -105,17 +94,6 @@ def spreading(make_scene, outline):
         "entrance": torch.tensor(dome),
         "exit": torch.tensor(scene.optic.base.height + 0 * dome),
     }
-
-
-@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
-def test_few_cells_give_the_light_of_many_at_the_rim(make_scene, outline):
-    scene, heights = spreading(make_scene, outline)
-    few, many = (BeamPlan(scene, (count, count)).trace(heights) for count in (64, 640))
-    total = many.account.on_screen
-    assert many.account.lost["left_side"] > 0.01
-    assert few.account.on_screen == pytest.approx(total, rel=1.5e-3)
-    assert few.account.lost == pytest.approx(many.account.lost, abs=1.5e-3)
-    assert (few.flux - many.flux).norm() < 0.01 * many.flux.norm()
 
 
 def test_all_light_is_accounted_for(make_scene):

@@ -57,16 +57,6 @@ class TestFresnel:
         refracted = TransmittanceLaw.fresnel(ratio).at(cos_in, cos_out)
         assert refracted + (across**2 + within**2) / 2 == pytest.approx(1, abs=1e-14)
 
-    @pytest.mark.parametrize("ratio", [1 / 1.5, 1.5])
-    def test_near_grazing_light_it_falls_with_the_smaller_cosine(self, ratio):
-        law, small = TransmittanceLaw.fresnel(ratio), 1e-8
-        thick = math.sqrt(1 - min(ratio, 1 / ratio) ** 2)
-        given = (small, thick) if ratio < 1 else (thick, small)
-        # 1 − r² = 4 cos θ n₁/n₂ / cos θ' of one polarisation, with n₂/n₁ of the other.
-        thin = min(ratio, 1 / ratio)
-        wanted = 2 * small / thick * (thin + 1 / thin)
-        assert law.at(*given) == pytest.approx(wanted, rel=1e-6)
-
 
 @pytest.mark.parametrize("ratio", [1.5, 1 / 1.5])
 def test_schlick_at_its_two_ends(ratio):
@@ -96,11 +86,6 @@ def _along(law, cos_in, cos_out, values, slopes):
         slopes[0, k], slopes[1, k] = transmittance_slopes(law, cos_in[k], cos_out[k])
 
 
-@jit(error_model="numpy")
-def _types(law, cosine):
-    return transmittance(law, cosine, cosine), transmittance_slopes(law, cosine, cosine)
-
-
 @pytest.mark.parametrize("kind, close", [(np.float64, 1e-13), (np.float32, 2e-6)])
 @pytest.mark.parametrize("ratio", [1 / 1.5, 1.5])
 def test_the_kernels_twin_has_the_same_values_and_slopes(kind, close, ratio):
@@ -116,11 +101,3 @@ def test_the_kernels_twin_has_the_same_values_and_slopes(kind, close, ratio):
         for found, gradient in zip(slopes, gradients, strict=True):
             expected = np.zeros(1) if gradient is None else gradient.numpy()
             assert found == pytest.approx(np.broadcast_to(expected, found.shape), abs=10 * close)
-
-
-@pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_the_kernels_twin_stays_in_its_float_type(kind):
-    _types(TransmittanceLaw.fresnel(1.5).cast(kind), kind(0.5))
-    for (_, given), compiled in _types.overloads.items():
-        value, slopes = compiled.signature.return_type
-        assert {value, *slopes} == {given}

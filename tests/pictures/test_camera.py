@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.pictures.camera import FittedCamera, axes_of
+from workbench.pictures.camera import FittedCamera
 from workbench.pictures.projection import Projection
 
 
@@ -83,15 +83,6 @@ def test_a_look_at_the_lens_holds_it_large_and_free_of_the_screen(
     assert beyond or outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right
 
 
-@pytest.mark.parametrize("changes", SCENES)
-def test_the_first_look_shows_the_lens_free_of_the_screen(make_scene, plotter, changes):
-    scene = make_scene(changes)
-    FittedCamera(plotter, scene).fit("")
-    sight = Projection(plotter)
-    *_, right, _ = outline(sight, scene.optic.half_width, (0.0, 0.5))
-    assert outline(sight, scene.receiver.half_width, (scene.receiver.z,))[0] > right - 1
-
-
 def test_a_mirror_is_seen_from_its_reflecting_side(plotter, make_scene):
     mirror = {"half_width": [1, 1], "control_points": [8, 8]}
     aside = {"z": -5.0, "half_width": [1, 1], "pixels": [32, 32], "center": [3.0, 0.0]}
@@ -102,41 +93,3 @@ def test_a_mirror_is_seen_from_its_reflecting_side(plotter, make_scene):
         assert plotter.camera.direction[2] > 0.1  # it looks towards +z, as the light comes
         lens.fit(view)
         assert plotter.camera.direction[2] < -0.1
-
-
-@pytest.mark.parametrize("perspective", [False, True])
-@pytest.mark.parametrize("high", [0.0, 0.6])
-def test_a_mirror_is_seen_whole_beside_its_screen(plotter, make_scene, high, perspective):
-    mirror = {"half_width": [1, 1], "control_points": [8, 8]}
-    aside = {"z": -5.0, "half_width": [1, 1], "pixels": [32, 32], "center": [5.0, 0.0]}
-    scene = make_scene({"lens": None, "mirror": mirror, "screen": aside})
-    camera = FittedCamera(plotter, scene, perspective=perspective)
-    camera.top = high
-    camera.fit("")
-    back = scene.optic.flat_z(np.array(high))
-    left, low, right, top = outline(Projection(plotter), (1.0, 1.0), (0.0, high, back))
-    width, height = plotter.window_size
-    assert left > 0 and low > 0 and right < width and top < height
-
-
-@pytest.mark.parametrize("perspective", [False, True])
-@pytest.mark.parametrize(
-    "changes",
-    [
-        {},
-        {
-            "lens": None,
-            "mirror": {"half_width": [15, 15], "control_points": [8, 8]},
-            "screen.z": -70.0,
-            "screen.center": [70.0, 0.0],
-            "screen.tilt": [0.0, -45.0],
-            "screen.half_width": [20.0, 20.0],
-        },
-    ],
-    ids=["lens", "mirror"],
-)
-def test_the_first_look_holds_the_names_of_the_axes(plotter, make_scene, changes, perspective):
-    scene = make_scene(changes)
-    FittedCamera(plotter, scene, perspective=perspective).fit("")
-    places = Projection(plotter).pixels(axes_of(scene.optic))
-    assert (places > 0).all() and (places < plotter.window_size).all()

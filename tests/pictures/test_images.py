@@ -3,7 +3,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from workbench.pictures.axes import pixel_at, round_scale
+from workbench.pictures.axes import round_scale
 from workbench.pictures.images import (
     IrradianceImage,
     full_scale,
@@ -68,37 +68,6 @@ def test_row_0_is_at_the_top_and_column_0_at_the_left(scene, axes):
     column, row = axes.transData.transform((1.75, -0.75))
     dark = pixels[height - 1 - int(row), int(column)]
     assert bright.sum() > 600 and dark.sum() < 30
-
-
-@pytest.mark.parametrize(
-    ("place", "pixel"),
-    [
-        ((-2, 1), (0, 0)),
-        ((1.99, -0.99), (3, 7)),
-        ((0.1, 0.1), (1, 4)),
-        ((2, 0), None),
-        ((0, 1.01), None),
-        ((0, -1), None),
-    ],
-)
-def test_a_place_is_in_one_pixel(place, pixel):
-    assert pixel_at((-2.0, 2.0, -1.0, 1.0), (4, 8), *place) == pixel
-
-
-def test_a_logarithmic_scale_spans_three_decades_and_darkness(axes, scene):
-    target = np.ones((4, 8))
-    image = IrradianceImage(axes, scene, target)
-    image.set_logarithmic(True)
-    top = full_scale(scene, target)
-    levels = np.zeros((4, 8))
-    levels[0, :4] = top, top / 10, top / 1000, top / 1e6
-    image.artists[0].set_data(levels)
-    shown = image.artists[0]
-    colours = shown.to_rgba(shown.get_array())[0, :5]
-    wanted = shown.get_cmap()([1.0, 2 / 3, 0.0, 0.0, 0.0])
-    np.testing.assert_allclose(colours[:, :3], wanted[:, :3], atol=0.01)
-    image.set_logarithmic(False)
-    np.testing.assert_allclose(shown.norm(levels)[0, :2], [1.0, 0.1])
 
 
 @pytest.mark.parametrize("flux", [1.0, 0.9, 0.5, 0.117, 1e-4])

@@ -62,14 +62,6 @@ def test_screen_reads_as_its_image(make_scene, plotter, state, dark):
     assert left < right  # the default view reads it unmirrored
 
 
-def test_z_runs_to_the_right_and_y_up(make_scene, plotter):
-    scene = make_scene()
-    LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    (row_0, column_0), (_, column_z) = (screen_pixel(plotter, (0, 0, z)) for z in (0, 5))
-    assert column_z > column_0
-    assert screen_pixel(plotter, (0, 1, 0))[0] < row_0
-
-
 @pytest.mark.parametrize(
     ("z", "lens", "screen"),
     [(5, 1.0, 1.0), (32, 0.64, 0.64), (32, 0.64, 6.0), (1.2, 1.0, 1.0), (500, 1.0, 100.0)],
@@ -131,34 +123,6 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300
 
 
-POINT = {"kind": "point", "position": [0.5, 1.0, -5.0], "rays": 100}
-GRID = {
-    "kind": "grid",
-    "center": [0.0, 0.0, -5.0],
-    "half_width": [2.0, 1.0],
-    "points": [3, 2],
-    "rays": 10,
-}
-
-
-@pytest.mark.parametrize(
-    ("source", "corners"),
-    [
-        (POINT, [(0.5, 1.0, -5.0)]),
-        (GRID, [(x, y, -5.0) for x in (-2, 2) for y in (-1, 1)]),
-    ],
-)
-@pytest.mark.parametrize("z", [2, 5, 60])
-def test_default_view_holds_the_source(make_scene, plotter, source, corners, z):
-    scene = make_scene({"source": source, "screen.z": z})
-    LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    width, height = plotter.window_size
-    for row, column in (screen_pixel(plotter, corner) for corner in corners):
-        assert 0 <= row < height and 0 <= column < width
-    rows = [screen_pixel(plotter, (0, y, 0))[0] for y in (1, -1)]
-    assert rows[1] - rows[0] > height / 8  # the lens does not shrink to nothing beside it
-
-
 AREA = {"kind": "area", "center": [0.5, 0.0, -4.0], "half_width": [0.8, 0.4]}
 
 
@@ -178,37 +142,6 @@ def test_an_emitter_shows_its_face(make_scene, plotter, outline):
     assert not amber(1.0, 0.0) and not amber(0.0, 0.6)
 
 
-def test_the_projection_changes_and_the_middle_stays(make_scene, plotter, state):
-    scene = make_scene()
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    picture.fit()
-    middle = np.array(plotter.camera.focal_point)
-    up = np.array(plotter.camera.up)
-
-    def height():
-        here, there = (screen_pixel(plotter, place) for place in (middle, middle + 0.5 * up))
-        return np.hypot(*np.subtract(there, here))
-
-    parallel = height()
-    picture.project(True)
-    assert not plotter.camera.parallel_projection and picture.fitted
-    # The middle of an upright line is where the size is kept; its ends are nearer or farther.
-    assert height() == pytest.approx(parallel, rel=0.1)
-    picture.project(False)
-    assert plotter.camera.parallel_projection and picture.fitted
-    assert height() == pytest.approx(parallel, abs=1.5)
-
-
-def test_a_fitted_perspective_holds_all(make_scene, plotter):
-    scene = make_scene({"screen.z": 9.0, "screen.half_width": [3.0, 3.0]})
-    picture = LensPicture(plotter, scene, np.ones((32, 32)), perspective=True)
-    for view in ("", "side", "top", "axis"):
-        picture.fit(view)
-        for x, y in [(-3, -3), (3, -3), (3, 3), (-3, 3)]:
-            row, column = screen_pixel(plotter, (x, y, 9.0))
-            assert 0 <= row < 400 and 0 <= column < 640
-
-
 def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     scene = make_scene({"version": 2, "lens.entrance": {"shape": "freeform"}})
     entrance, exit_face = np.full((12, 10), 0.1), np.full((12, 10), 0.5)
@@ -226,26 +159,3 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
     (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
     assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])
-
-
-def test_faces_are_coloured_by_their_height_when_asked(make_scene, plotter, state):
-    scene = make_scene()
-    picture = LensPicture(plotter, scene, np.ones((32, 32)))
-    surfaces, paths, light = state(scene)
-    surfaces["exit"][..., 2] += 0.1 * surfaces["exit"][..., 0]
-    picture.update(surfaces, paths, light)
-    picture.fit("lens")
-    places = [screen_pixel(plotter, (x, 0.3, 0.5 + 0.1 * x)) for x in (-0.7, 0.7)]
-
-    def colours():
-        pixels = drawn(plotter).astype(int)
-        return [pixels[place] for place in places]
-
-    low, high = colours()
-    assert np.abs(low - high).max() < 25
-    picture.set_faces("height", False)
-    picture.update(surfaces, paths, light)
-    low, high = colours()
-    # Viridis: the lower half is blue, the upper one green.
-    assert low[2] > low[1] + 20
-    assert high[1] > high[2] + 20

@@ -95,16 +95,6 @@ def test_fixed_sentences_of_the_engine_are_collected_from_its_code():
         assert text in file.read_text(encoding="utf-8")
 
 
-def test_texts_are_collected_from_calls_and_tables(tmp_path):
-    file = tmp_path / "room.py"
-    file.write_text(
-        'A = later({"key": ("Title", "two "\n "words"), later("cells"): _Line("Last", ".png")})\n'
-        'said(tr("{file} is written.").format(file=path), tr(A["key"]), "not of the window")\n'
-    )
-    texts = ["Title", "two words", "Last", "cells", "{file} is written."]
-    assert list(dictionaries.marked(file)) == texts
-
-
 def test_sentences_of_the_optic_are_there_for_each_optic():
     texts = dictionaries.keys()
     assert {f"There is no {optic} yet: Start designs one" for optic in ("lens", "mirror")} <= {

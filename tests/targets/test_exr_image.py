@@ -25,19 +25,6 @@ def colours(rng):
     return {name: rng.random((5, 7)).astype(np.float32) for name in "RGB"}
 
 
-def luminance(colours):
-    red, green, blue = (colours[name].astype(float) for name in "RGB")
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-@pytest.mark.parametrize("kind", [np.float16, np.float32])
-def test_colours_are_luminance(save, colours, kind):
-    colours = {name: (4 * each).astype(kind) for name, each in colours.items()}
-    found = read_picture(save(colours | {"A": np.ones((5, 7), kind)}))
-    np.testing.assert_allclose(found.light, luminance(colours), rtol=1e-6)
-    assert not found.remarks
-
-
 def test_what_is_displayed_is_read(save, colours):
     windows = {
         "displayWindow": ((10, 20), (13, 28)),

@@ -2,9 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PIL import Image
 
-from workbench.errors import Refused
 from workbench.scene import Scene
 from workbench.targets import load_target
 
@@ -48,12 +46,6 @@ def test_orientation_row_0_stays_on_top_and_column_0_on_the_left(load):
     assert light[int(row), int(column)] == 1
     column, row = screen.to_pixels(3.5, -4.5)  # nothing at the letter's lower right
     assert light[int(row), int(column)] == 0
-
-
-def test_orientation_of_an_image_file(tmp_path):
-    Image.fromarray((F * 255).astype(np.uint8)).save(tmp_path / "f.png")
-    light = load_target(scene({"image": "f.png"}, (4, 5), (4.0, 5.0)), tmp_path)
-    np.testing.assert_allclose(light, F, atol=1e-13)
 
 
 @pytest.mark.parametrize(
@@ -102,13 +94,6 @@ def test_padding_leaves_a_black_border_on_every_side(load):
     np.testing.assert_allclose(light, expected, atol=1e-12)
 
 
-def test_inversion_stays_within_the_picture(load):
-    light = load(F, pixels=(20, 20), half_width=(5.0, 5.0), invert=True)
-    expected = np.zeros((20, 20))
-    expected[:, 2:18] = np.kron(1 - F, np.ones((4, 4)))
-    np.testing.assert_allclose(light, expected, atol=1e-12)
-
-
 def test_blur_spreads_light_and_loses_what_leaves_the_screen(load):
     point = np.zeros((41, 41))
     point[20, 20] = 1
@@ -123,13 +108,6 @@ def test_blur_spreads_light_and_loses_what_leaves_the_screen(load):
     sampled = np.exp(-(np.arange(-8, 9) ** 2) / 8)
     kept = sampled[8:].sum() / sampled.sum()
     assert load(corner, pixels=(41, 41), blur=2.0).sum() == pytest.approx(kept**2)
-
-
-def test_black_picture_is_refused(load):
-    with pytest.raises(Refused, match=r"target\.image: .*picture\.npy' is black all over"):
-        load(np.zeros((3, 3)))
-    with pytest.raises(Refused, match=r"target\.image: .*black"):
-        load(np.zeros((3, 3)), invert=True)
 
 
 def test_turns_and_cuts_come_in_this_order(load):

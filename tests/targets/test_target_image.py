@@ -34,20 +34,6 @@ def refusal(path):
     return caught.value.reason
 
 
-@pytest.mark.parametrize("name", ["a.png", "a.tif", "a.bmp", "a.gif", "a.pgm", "a.jp2", "a.PNG"])
-def test_grey_levels_are_linear_and_exact(tmp_path, name):
-    path = saved(tmp_path, Image.fromarray(LEVELS), name)
-    np.testing.assert_allclose(read_image(path), LEVELS / 255, atol=1e-15)
-
-
-@pytest.mark.parametrize("ending", ["png", "tif"])
-def test_sixteen_bits_keep_their_precision(tmp_path, ending):
-    levels = np.array([[0, 1, 256], [257, 40001, 65535]], dtype=np.uint16)
-    read = read_image(saved(tmp_path, Image.fromarray(levels), f"a.{ending}"))
-    ratio = read / read.max()  # only ratios count
-    np.testing.assert_allclose(ratio, levels / 65535, rtol=1e-15)
-
-
 @pytest.mark.parametrize(
     ("colour", "grey"),
     [((255, 0, 0), 0.2126), ((0, 255, 0), 0.7152), ((0, 0, 255), 0.0722), ((51, 51, 51), 0.2)],

@@ -8,7 +8,7 @@ from workbench.scene import (
     TextTarget,
 )
 from workbench.targets.raster import coverage
-from workbench.targets.shapes import draw, flame, top_hat
+from workbench.targets.shapes import draw, flame
 
 
 def screen(pixels=(64, 64), half_width=(1.0, 1.0)):
@@ -25,15 +25,6 @@ def test_coverage_of_a_polygon_adds_up_to_its_area(pixels, half_width):
     covered = coverage(np.stack([x, y], axis=1), raster)
     assert covered.shape == pixels[::-1]
     assert covered.sum() * raster.pixel_measure == pytest.approx(area, rel=1e-10)
-
-
-@pytest.mark.parametrize("pixels", [(5, 5), (64, 64), (63, 200), (256, 256)])
-@pytest.mark.parametrize("half_width", [(1.0, 1.0), (2.0, 0.7)])
-def test_disc_area(pixels, half_width):
-    raster = screen(pixels, half_width)
-    radius = 0.6 * min(half_width)
-    area = top_hat(raster, radius).sum() * raster.pixel_measure
-    assert area == pytest.approx(np.pi * radius**2, rel=1e-5)
 
 
 def test_flame_fills_its_height_upright_and_centred():
@@ -68,14 +59,3 @@ def test_text_stands_upright_and_fills_the_width():
     wide = draw(TextTarget(text="Light for all"), screen((90, 60)), 1.0)
     lit = np.flatnonzero(wide.sum(axis=0))
     assert (lit[0], lit[-1]) == (0, 89)
-
-
-def test_text_has_lines_and_letters_of_other_alphabets():
-    one = draw(TextTarget(text="AB"), screen(), 1.0)
-    for two in ("AB\nAB", r"AB\nAB"):
-        light = draw(TextTarget(text=two), screen(), 1.0)
-        lit = light.sum(axis=1) > 0
-        assert np.abs(np.diff(lit.astype(int))).sum() >= 2  # a gap between the lines
-        assert light.sum() != pytest.approx(one.sum(), rel=0.05)
-    shapes = {draw(TextTarget(text=each), screen(), 1.0).tobytes() for each in "ÄΩЖ№"}
-    assert len(shapes) == 4

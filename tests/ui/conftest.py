@@ -13,7 +13,6 @@ import pytest
 from PySide6.QtCore import QSettings
 
 from tests.accounts import account_of
-from tests.ui.latency import LatencyProbe
 from tests.ui.leftovers import left_behind, living
 from ui.document.document import Document
 from ui.main_window import MainWindow
@@ -284,11 +283,3 @@ def open_forms(qtbot):
 @pytest.fixture
 def forms(open_forms, document):
     return open_forms(document)
-
-
-@pytest.fixture
-def latency_probe(qapp):
-    """Measures how long the event loop is held up between ``start`` and ``stop``."""
-    probe = LatencyProbe()
-    yield probe
-    probe.stop()

@@ -2,8 +2,6 @@
 
 import threading
 
-import pytest
-
 from tests.ui.leftovers import left_behind, living
 
 pytest_plugins = ["pytester"]
@@ -16,18 +14,6 @@ def test_finds_a_python_thread():
     assert left_behind(before) == ["thread forgotten"]
     release.set()
     thread.join()
-    assert left_behind(before) == []
-
-
-def test_finds_what_a_plotter_holds():
-    pyvista = pytest.importorskip("pyvista")
-    before, plotter = living(), pyvista.Plotter(off_screen=True)
-    found = left_behind(before)
-    assert "VTK's Plotter" in found
-    assert any("RenderWindow" in name for name in found)
-    plotter.close()
-    del plotter
-    pyvista.close_all()
     assert left_behind(before) == []
 
 

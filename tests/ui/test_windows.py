@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from tests.ui.hands import move_screen
 from ui.files import left_behind
 from ui.windows import Windows
-from workbench.files.session import read_session, write_session
+from workbench.files.session import read_session
 
 SAVE, DISCARD, CANCEL = (
     QMessageBox.StandardButton.Save,
@@ -75,15 +75,6 @@ def test_a_key_opens_another_window_with_a_document_of_its_own(windows, qtbot):
     move_screen(second.document, 7)
     assert second.isWindowModified() and not first.isWindowModified()
     assert first.document.session.scene.receiver.z != 7
-
-
-def test_closing_one_leaves_the_others(windows, two, qtbot):
-    first, second = two
-    gone = []
-    second.destroyed.connect(lambda: gone.append(True))
-    qtbot.keyClick(second, Qt.Key.Key_W, Qt.KeyboardModifier.ControlModifier)
-    qtbot.waitUntil(lambda: bool(gone))
-    assert open_windows(windows) == [first] and first.isVisible()
 
 
 def test_quit_asks_for_each_window(windows, two, asked):
@@ -179,45 +170,3 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
     for each in two:
         each.deleteLater()
     again.deleteLater()
-
-
-@pytest.fixture
-def recovered(windows, folder, tmp_path, monkeypatch):
-    """Windows after a start that recovered changes of mine.freeform, and its first window."""
-    lost = windows.open()
-    lost.document.save(tmp_path / "mine.freeform")
-    windows._recoveries[lost].start()
-    move_screen(lost.document, 7)
-    windows.leave()
-    again = Windows(windows._settings, folder)
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.RecoveryChoice.RECOVER)
-    window = again.open()
-    assert again.recover(window)
-    yield again, window
-    for each in open_windows(again):
-        each.discard_and_close()
-    lost.deleteLater()
-    again.deleteLater()
-
-
-def test_a_given_file_is_opened_beside_recovered_work(recovered, session, tmp_path):
-    again, window = recovered
-    path = tmp_path / "other.freeform"
-    write_session(session, path)
-    beside = again.open_given(path, window, recovered=True)
-    assert beside.document.path == path and open_windows(again) == [window, beside]
-    assert window.document.session.scene.receiver.z == 7 and window.document.dirty
-
-
-def test_an_error_is_shown_in_the_active_window_and_can_be_copied(windows, two, qtbot):
-    first, second = two
-    windows.tell_unexpected_error("Something odd.", "all about it\n  line 3")
-    assert second.messages.text == "Something odd." and not first.messages.isVisible()
-    assert second.messages.buttons[0].text() == "Copy details"
-    qtbot.mouseClick(second.messages.buttons[0], Qt.MouseButton.LeftButton)
-    assert QApplication.clipboard().text() == "all about it\n  line 3"
-    assert "Something odd." in second.log.toPlainText()
-    assert second.log.toPlainText().endswith("all about it\n  line 3")
-    windows.log_details("elsewhere\n  line 4")
-    assert second.log.toPlainText().endswith("elsewhere\n  line 4")
-    assert "line" not in first.log.toPlainText()

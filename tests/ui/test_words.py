@@ -14,11 +14,10 @@ from ui.commands.language_choice import LANGUAGE
 from ui.commands.table import COMMANDS
 from ui.jobs.page import StartPage
 from ui.widgets.plot_words import translate, translate_axes
-from ui.words import error_text, speak, spoken, spoken_by_system, tr
+from ui.words import error_text, speak, spoken_by_system, tr
 from workbench.errors import Refused
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
-from workbench.said import Said
 
 
 @pytest.fixture
@@ -34,25 +33,6 @@ def test_texts_are_english_without_a_dictionary():
         "There is no mirror yet: Start designs one"
     )
     assert tr("") == ""
-
-
-def test_another_language_can_be_chosen_again(speaking):
-    speaking("de")
-    assert (tr("&Open…"), spoken()) == ("&Öffnen …", "de")
-    speaking("fr")
-    assert (tr("&Open…"), spoken()) == ("&Ouvrir…", "fr")
-    speaking("en")
-    assert (tr("&Open…"), spoken()) == ("&Open…", "en")
-
-
-def test_sentences_of_the_engine_keep_their_values(speaking):
-    net = Said("{n_u} × {n_v} control points, {n_x} × {n_y} pixels", n_u=9, n_v=8, n_x=7, n_y=6)
-    thick = Said("{height:.3g} {unit} thick, {net}", height=2.5, unit="mm", net=net)
-    caught = Said("Light on the {optic}", optic="mirror")
-    assert tr(thick) == thick == "2.5 mm thick, 9 × 8 control points, 7 × 6 pixels"
-    speaking("de")
-    assert tr(thick) == "2.5 mm dick, 9 × 8 Kontrollpunkte, 7 × 6 Pixel"
-    assert tr(caught) == "Licht auf dem Spiegel"
 
 
 @pytest.mark.parametrize(
@@ -101,11 +81,6 @@ def test_labels_of_pictures_are_translated_and_units_stay(speaking):
         "x (10⁻³ m) bei y = 0.5 m",
         "10⁻⁶ Fluss / mm²",
     )
-
-
-def test_an_unknown_language_is_refused(speaking):
-    with pytest.raises(ValueError, match="'xx' is none of en, de, fr"):
-        speaking("xx")
 
 
 @pytest.mark.parametrize(

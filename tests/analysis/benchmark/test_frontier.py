@@ -80,15 +80,6 @@ def test_errors_are_those_of_the_independent_check(scripted, progress):
     assert progress.lines[-1] == ("small, one", "verifying 4 of 4")
 
 
-def test_speed_up_counts_from_the_slowest_method(scripted, progress):
-    slow = [(1.0, 0.3), (8.0, 0.0)]
-    fast = [(0.5, 0.3), (1.0, 0.0), (2.0, 0.001)]
-    never = [(0.5, 0.3)]
-    effort, verified = scripted({"slow": slow, "fast": fast, "never": never})
-    assert verified(0.0, 5e-3).error < verified(0.3, 5e-3).error
-    assert [course.sooner for course in courses(effort, progress)] == [1.0, 8.0, None]
-
-
 def test_every_method_runs_and_gets_better(effort, progress, processes):
     found = list(courses(effort, progress))
     assert [course.method for course in found] == list(METHODS)

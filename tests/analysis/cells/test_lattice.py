@@ -12,11 +12,8 @@ from tests.analysis.lenses import net_of
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
-from workbench.analysis.validation import validate
-from workbench.geometry.outlines import Ellipse
 
 PLATE = (1 - 0.04) ** 2
-POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
 
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
@@ -49,32 +46,6 @@ class TestPlate:
             shares.append(np.diff(ends) / 2)
         assert image == pytest.approx(PLATE * np.outer(shares[1], shares[0]), abs=1e-14)
         assert image.sum() == pytest.approx(PLATE, rel=1e-12)
-
-    def test_an_ellipse_converges_to_the_parts_of_pixels_within_it(self, make_scene):
-        changes = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
-        scene = make_scene(changes | {"screen.pixels": [20, 24]})
-        x, y = np.linspace(-1, 1, 21), np.linspace(1, -1, 25)[:, None]
-        inside = Ellipse((1.0, 0.8)).area_inside((x[:-1], x[1:]), (y[1:], y[:-1]))
-        exact = PLATE * inside / (4 * 0.8)
-        plate = np.full((12, 10), 0.5)
-        coarse, fine = (distance(flux_of(scene, plate, (n, n)), exact) for n in (80, 160))
-        assert fine < 0.3 * coarse
-        assert fine < 5e-4
-        image = flux_of(scene, plate, (160, 160))
-        assert image.sum() == pytest.approx(PLATE * math.pi / 4, rel=1e-4)
-
-    def test_a_prism_moves_it(self, make_scene):
-        scene = make_scene({"screen.half_width": [2.0, 2.0]})
-        heights = net_of(scene, lambda x, y: 0.5 + 0.2 * x + 0 * y)
-        image = flux_of(scene, heights, (64, 64))
-        tilt = math.atan(0.2)
-        deflection = math.tan(math.asin(1.5 * math.sin(tilt)) - tilt)
-        columns = np.linspace(-2, 2, 33)
-        # A ray from x lands at x + deflection (5 − 0.5 − 0.2 x).
-        back = ((columns - deflection * 4.5) / (1 - 0.2 * deflection)).clip(-1, 1)
-        refracted = math.asin(1.5 * math.sin(tilt))
-        exit_part = 1 - 0.04 - 0.96 * (1 - math.cos(refracted)) ** 5
-        assert image.sum(axis=0) == pytest.approx(0.96 * exit_part * np.diff(back) / 2, abs=1e-14)
 
 
 class TestParabolicCylinder:
@@ -138,19 +109,3 @@ def test_the_error_falls_with_the_square_of_the_cells_and_faster_when_lifted(mak
         for coarse, fine in pairwise(errors):
             assert least < coarse / fine < most
     assert lifted[2] < plain[2] / 5 < 1e-5
-
-
-def test_a_lens_out_of_its_place(make_scene):
-    scene = make_scene({"screen.half_width": [1.4, 1.1]})
-    pose = Pose(tilt=(0.05, -0.1), decentre=(0.1, 0.05))
-    image = flux_of(scene, smooth(scene), (432, 448), pose=pose)
-    found = validate(scene, image, {"exit": smooth(scene)}, 1_000_000, pose=pose)
-    assert found.relative_l2_corrected_interval[0] == 0
-    assert found.relative_l2_corrected_interval[1] < 0.01
-
-
-def test_the_number_of_threads_changes_no_bit(make_scene, rng):
-    scene = make_scene({"source": POINT})
-    heights = 0.5 + 0.3 * rng.random((12, 10))
-    one, two = (flux_of(scene, heights, (200, 190), threads=n) for n in (1, 2))
-    assert np.array_equal(one, two)

@@ -31,14 +31,6 @@ def spots_of(scene, heights, cells):
             return end.value
 
 
-def test_light_far_inside_of_a_plate_is_even(make_scene):
-    scene = make_scene({"source": SUN, "screen.half_width": [0.5, 0.5]})
-    irradiance = spots_of(scene, np.full((12, 10), 0.5), (200, 200)) / scene.receiver.pixel_measure
-    exact = (1 - 0.04) ** 2 / 4
-    assert irradiance == pytest.approx(exact, rel=2e-3)
-    assert irradiance.mean() == pytest.approx(exact, rel=1e-4)
-
-
 def test_the_rim_of_the_light_behind_a_plate_is_the_blur_of_the_sun(make_scene):
     scene = make_scene({"source": SUN, "screen.half_width": [1.37, 1.21], "screen.pixels": [40, 4]})
     thin = 1e-3  # light hardly leaves through its side
@@ -81,14 +73,3 @@ def test_light_is_lost_where_it_is_in_truth(make_scene):
     by_rays = validate(scene, np.ones((32, 32)), {"exit": steep}, 1_000_000)
     assert by_rays.account.lost["total_reflection"] > 0.01
     assert spots_of(scene, steep, (200, 200)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)
-
-
-def test_light_that_leaves_through_the_side_is_lost_whatever_the_width_of_cells(make_scene):
-    """In a strip at the rim that is narrower than the cells."""
-    scene = make_scene({"source": SUN} | WIDER)
-    plate = np.full((12, 10), 0.5)
-    coarse, fine = (spots_of(scene, plate, (n, n)).sum() for n in (30, 480))
-    by_rays = validate(scene, np.ones((32, 32)), {"exit": plate}, 1_000_000)
-    assert by_rays.account.lost["left_side"] > 3e-3
-    assert coarse == pytest.approx(fine, abs=2e-4)
-    assert fine == pytest.approx(by_rays.efficiency, abs=2e-4)

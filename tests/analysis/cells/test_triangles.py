@@ -32,23 +32,6 @@ def test_a_rectangle_covers_parts_of_pixels(odd):
     assert added == pytest.approx(3.25 * 2.25, rel=1e-14)
 
 
-@BOTH
-def test_a_square_on_its_corner(odd):
-    nodes = cell((0.5, 2), (2, 0.5), (3.5, 2), (2, 3.5))
-    image, _, _ = filled(nodes, 4.5, (4, 4), odd)
-    corner = np.array([[0, 0.125], [0.125, 0.875]])
-    expected = np.block([[corner, np.fliplr(corner)], [np.flipud(corner), np.rot90(corner, 2)]])
-    assert image == pytest.approx(expected, abs=1e-14)
-
-
-def test_the_orientation_of_a_cell_does_not_matter():
-    nodes = np.array(cell((0.2, 0.3), (3.1, 0.9), (3.6, 3.2), (0.7, 2.8)))
-    image, _, _ = filled(nodes, 1.0, (4, 4))
-    other_way, _, _ = filled(nodes.transpose(1, 0, 2), 1.0, (4, 4))
-    assert other_way == pytest.approx(image, abs=1e-15)
-    assert (image >= 0).all()
-
-
 def some_nodes(rng):
     """A wild map with folds, 20 pixels wide."""
     u = np.linspace(0, 1, 31)
@@ -90,14 +73,3 @@ def test_pixels_agree_with_points_strewn_over_the_triangles(rng):
             share = (p[one][1] + p[two][1] + p[three][1]) / 6 / len(s)
             np.add.at(expected, (at[:, 1].astype(int), at[:, 0].astype(int)), share)
     assert np.abs(image - expected).max() < 2e-3 * image.max()
-
-
-def test_cells_that_are_lit_in_part_are_told_and_left():
-    nodes = np.stack(np.meshgrid(np.arange(4.0), np.arange(3.0), indexing="ij"), axis=-1)
-    flux = np.ones((4, 3))
-    flux[0] = 0
-    flux[1, 0] = 0
-    image, added, mixed = filled(nodes, flux, (3, 2))
-    assert mixed.tolist() == [[True, True], [True, False], [False, False]]
-    assert added == 3
-    assert image == pytest.approx(np.array([[0, 0, 1], [0, 1, 1]]))

@@ -1,20 +1,16 @@
 """Predicted photos of lenses whose light is known."""
 
-import io
 import math
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.photo.colour import linear_rgb, luminance, tristimulus
+from workbench.analysis.photo.colour import linear_rgb, tristimulus
 from workbench.analysis.photo.light import LIGHTS
-from workbench.analysis.photo.photo import at_wavelength, photograph
-from workbench.analysis.photo.png import write_png
+from workbench.analysis.photo.photo import photograph
 from workbench.materials import CATALOGUE
-from workbench.scene import Scene
 from workbench.watch import finished
 
 DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
@@ -68,31 +64,6 @@ def test_a_prism_parts_colours_by_snells_law(make_scene):
     assert photo.step < 1
 
 
-def test_light_that_faces_let_through_is_conserved(make_scene):
-    scene = make_scene(WIDE | DISPERSIVE | {"version": 2, "lens.reflection": "fresnel"})
-    photo = photograph(scene, white(scene), plate(scene))
-    index = np.array([CATALOGUE["PMMA"].index(each) for each in photo.wavelengths_um])
-    passes = (1 - ((index - 1) / (index + 1)) ** 2) ** 2
-    found = photo.rgb.sum(axis=(0, 1)) * scene.receiver.pixel_measure
-    weights = LIGHTS["daylight"].weights(np.array(photo.wavelengths_um))
-    assert found == pytest.approx(passes @ weights, rel=1e-6)
-
-
-def test_exposure_counts_in_stops(make_scene):
-    scene = make_scene(WIDE)
-    photo = photograph(scene, white(scene), plate(scene))
-    assert luminance(photo.rgb).mean() == pytest.approx(photo.white)
-    darker, usual = photo.picture(-40.0), photo.picture()
-    assert darker.max() == 0
-    assert usual.dtype == np.uint8
-    assert usual.shape == (16, 48, 3)
-    # A quarter of the light that is brightest: two stops below the value where it is white.
-    bright = float(photo.rgb.max())
-    stops = math.log2(photo.white / bright)
-    assert photo.picture(stops).max() == 255
-    assert photo.picture(stops - 2).max() == 137
-
-
 def test_a_source_of_some_size_is_seen_with_it(make_scene):
     scene = make_scene(
         WIDE | {"source": {"kind": "collimated", "angular_diameter": 4.0}} | DISPERSIVE
@@ -102,41 +73,3 @@ def test_a_source_of_some_size_is_seen_with_it(make_scene):
     across = photo.rgb[..., 1].sum(axis=0)
     blurred = (across > 0.01 * across.max()) & (across < 0.99 * across.max())
     assert blurred.sum() * 0.25 == pytest.approx(2 * 20 * math.radians(4.0), abs=0.8)
-
-
-def test_a_mirror_has_no_dispersion():
-    scene = Scene.from_data(
-        {
-            "mirror": {"half_width": [1, 1], "control_points": [6, 6]},
-            "source": {"kind": "collimated"},
-            "screen": {"z": -6.0, "half_width": [2, 2], "pixels": [16, 16]},
-            "target": {"builtin": "ball"},
-        }
-    )
-    assert at_wavelength(scene, 0.4) is scene
-
-
-def test_a_far_field_is_seen_by_its_density(make_scene):
-    far = {"half_angle": [20.0, 20.0], "pixels": [24, 12]}
-    data = make_scene(DISPERSIVE | {"version": 2}).to_data()
-    del data["screen"]
-    scene = Scene.from_data(data | {"far_field": far})
-    photo = photograph(scene, np.ones((12, 24)), prism(scene))
-    assert photo.aspect == pytest.approx(0.5)
-    assert scene.receiver.total(luminance(photo.rgb)) == pytest.approx(0.92, abs=0.01)
-    file = io.BytesIO()
-    write_png(photo, 0.0, file)
-    with Image.open(file) as picture:
-        assert picture.size == (24, 24)
-
-
-@pytest.mark.parametrize("viewer", ["front", "back", None])
-def test_the_camera_looks_from_the_side_of_the_viewer(make_scene, viewer):
-    target = {"builtin": "tophat"} | ({"viewed_from": viewer} if viewer else {})
-    scene = make_scene(WIDE | {"target": target})
-    photo = photograph(scene, white(scene), prism(scene))
-    # The prism sends light to +x, which is at the left of who looks along +z, y upwards.
-    columns = np.flatnonzero(photo.picture()[..., 0].any(axis=0))
-    assert (columns.mean() < 24) == (viewer == "front")
-    side = "the side of the light" if viewer == "front" else "behind the screen"
-    assert photo.summary.startswith(f"viewed from {side}; ")

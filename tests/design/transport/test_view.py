@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 
-from workbench.design.transport import first_of
-from workbench.design.transport.start import first_error
 from workbench.design.transport.view import ReceiverView
 
 LEANING = {
@@ -41,10 +39,3 @@ def test_the_light_of_a_leaning_screen_lies_where_lines_of_sight_meet_it(leaning
     ]
     # Its middle is a little higher than that of the patch as it is seen.
     assert middle == pytest.approx(cells, abs=0.15)
-
-
-def test_a_first_lens_sends_light_to_its_place_on_a_screen_that_leans_and_is_near(leaning):
-    # It was 24 % off where transport knew neither the perspective nor the slopes by large angles.
-    image = np.linspace(0.5, 1.0, 32)[:, None] * np.linspace(1.0, 0.6, 32)
-    found = first_of(leaning, image)
-    assert first_error(leaning, image, found.heights) < 0.2

@@ -23,11 +23,3 @@ def test_another_reader_finds_the_same(make_design, write, pixels):
     n_x, n_y = pixels
     if min(pixels) > 1:
         assert header["pixelAspectRatio"] == pytest.approx(2 * n_y / n_x)
-
-
-def test_the_first_row_is_at_the_top(make_design, write):
-    design = make_design({"screen.pixels": [4, 2]})
-    design.result.state.irradiance[:] = [[1, 2, 3, 4], [5, 6, 7, 8]]
-    path, _ = write(write_exr, design, "lens.irradiance.exr")
-    with OpenEXR.File(str(path)) as file:
-        assert file.channels()["Y"].pixels[0].tolist() == [1, 2, 3, 4]

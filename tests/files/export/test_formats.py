@@ -39,16 +39,6 @@ def test_every_ending_is_written(make_session, tmp_path, ending):
     assert 0 <= size < 0.02
 
 
-def test_files_of_one_face_tell_which_of_two_they_hold(make_session, tmp_path):
-    paths = [tmp_path / name for name in ("lens.dat", "lens.entrance.dat", "lens.step")]
-    message = [written.format for written in export(make_session(TWO_FACES), paths)]
-    assert message == [
-        "OpticStudio grid sag, exit face (*.entrance.dat is for the entrance face)",
-        "OpticStudio grid sag, entrance face",
-        "STEP solid",
-    ]
-
-
 @pytest.mark.parametrize(
     "name", ["lens", "lens.png", "lens.csv", "lens.freeform", "step", ".height"]
 )
@@ -62,11 +52,6 @@ class TestNothingIsWritten:
         with pytest.raises(Refused) as caught:
             list(export(session, paths, chord_error))
         return str(caught.value)
-
-    def test_if_one_ending_is_unknown(self, session, tmp_path):
-        message = self.refused(session, [tmp_path / "lens.step", tmp_path / "lens.dwg"])
-        assert "lens.dwg: has no ending" in message
-        assert list(tmp_path.iterdir()) == []
 
     def test_over_a_file_that_is_there_if_the_format_cannot_hold_it(self, session, tmp_path):
         path = tmp_path / "lens.stl"

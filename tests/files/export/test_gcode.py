@@ -54,15 +54,6 @@ def test_nothing_is_cut_off_and_ridges_are_at_most_as_high_as_stated(height, sig
     assert 0.2 * SCALLOP < left < 1.1 * SCALLOP
 
 
-def test_the_tip_stands_on_the_offset_of_a_tilted_plane():
-    """Beside a plane of slope m, a ball's tip is R (√(1 + m²) − 1) above it."""
-    face = face_of(lambda x, y: 0.75 * x + 0 * y)
-    raster = finished(face.plan_raster(RADIUS, SCALLOP, 10**6))
-    inside_x, inside_y = np.abs(raster.x) < 1 - RADIUS, np.abs(raster.y) < 0.8
-    above = (raster.tip - 0.75 * raster.x[:, None])[inside_x][:, inside_y]
-    assert above == pytest.approx(0.25 * RADIUS, rel=1e-9)
-
-
 def moves(text):
     """Places of all cuts of a program."""
     found = re.findall(r"^G1 X(\S+) Y(\S+) Z(\S+)$", text, re.MULTILINE)
@@ -96,22 +87,6 @@ def test_a_program_is_in_millimetres_and_travels_at_a_safe_height(program):
     assert -0.1 < top < 0.1  # at the top of the face, where the ball's side touches it
     assert deviation.unit == design.unit
     assert 0 < deviation.size < 2 * 0.002
-
-
-def test_the_header_states_units_and_all_values(program):
-    values = {"feed": 480.0, "plunge_feed": 90.0, "spindle_speed": 12_000.0, "dwell": 2.5}
-    text = program(**values, safe_height=0.3)[0].getvalue().decode()
-    comments = re.findall(r"^\((.*)\)$", text, re.MULTILINE)
-    for stated in (
-        "units: mm, mm/min, rpm, s",
-        "ball cutter: radius 2.0000",
-        "ridges between cuts: 0.02000 high",
-        "spindle speed: 12000 clockwise",
-        "dwell until the spindle is at speed: 2.5",
-        "feed: 480, plunge feed: 90",
-    ):
-        assert stated in comments
-    assert any(re.fullmatch(r"safe height: Z\S+, 3.0000 over the highest cut", c) for c in comments)
 
 
 @pytest.mark.parametrize("unit", ["mm", "m"])

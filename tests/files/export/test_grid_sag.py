@@ -18,17 +18,6 @@ def load(path):
     return (n_x, n_y), (float(step_x), float(step_y)), int(unit), columns.reshape(5, n_y, n_x)
 
 
-@pytest.mark.parametrize("unit, flag", [("mm", 0), ("cm", 1), ("inch", 2), ("m", 3)])
-def test_head(make_design, write, unit, flag):
-    path, deviation = write(write_grid_sag, make_design({"unit": unit}), "lens.dat")
-    (n_x, n_y), (step_x, step_y), found, columns = load(path)
-    assert found == flag
-    assert deviation.unit == unit
-    assert step_x * (n_x - 1) == pytest.approx(2.0, rel=1e-14)
-    assert step_y * (n_y - 1) == pytest.approx(1.4, rel=1e-14)
-    assert (columns[4] == 0).all()
-
-
 def test_rows_run_along_x_from_minus_x_plus_y(make_design, write):
     x, y = make_design().net.positions
     design = make_design(heights=0.5 + 0.1 * x[:, None] + 0.02 * y)

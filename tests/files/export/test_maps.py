@@ -30,24 +30,6 @@ class TestHeight:
         assert shown.x[[0, -1]] == pytest.approx([-1.0, 1.0])
         assert shown.y[[0, -1]] == pytest.approx([0.7, -0.7])
 
-    def test_png(self, make_design, written):
-        design = make_design()
-        path, deviation = written(design, "lens.height.png")
-        exact = height(design).values
-        with Image.open(path) as image:
-            assert image.mode == "I;16"
-            grey = np.asarray(image, dtype=float)
-            text = image.text
-        assert grey.min() == 0
-        assert grey.max() == 65535
-        low, high = float(text["Black"]), float(text["White"])
-        error = np.abs(low + grey / 65535 * (high - low) - exact).max()
-        assert error == pytest.approx(deviation.size, rel=1e-3)
-        assert error <= (high - low) / 65535 / 2 * 1.001
-        assert text["Unit"] == text["Length unit"] == deviation.unit == "cm"
-        assert float(text["x of first column"]) == pytest.approx(-1.0)
-        assert float(text["y of first row"]) == pytest.approx(0.7)
-
     def test_csv(self, make_design, written):
         design = make_design({"unit": "mm"})
         path, deviation = written(design, "lens.height.csv")

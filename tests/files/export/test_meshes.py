@@ -93,12 +93,6 @@ def test_lengths_are_in_the_unit_that_file_and_message_state(
         assert f"freeform lens, unit {mesh_unit}".encode() in path.read_bytes()[:200]
 
 
-@pytest.mark.parametrize("unit, metres", [("mm", 1e-3), ("cm", 1e-2), ("m", 1), ("inch", 0.0254)])
-def test_gltf_is_in_metres(make_design, write, unit, metres):
-    path, _ = write(write_glb, make_design({"unit": unit}, chord_error=0.01), "lens.glb")
-    assert load(path).extents[0] == pytest.approx(2.0 * metres, rel=1e-6)
-
-
 def test_stl_normals_point_outward(make_design, write):
     design = make_design(heights=np.full((12, 10), 0.5))
     path, _ = write(write_stl, design, "lens.stl")

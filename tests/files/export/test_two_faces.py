@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.files.export.test_step import is_spline, points_of
-from workbench.files.export import maps
+from tests.files.export.test_solids import is_spline, points_of
 from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.iges import write_iges
 from workbench.files.export.point_cloud import write_points
@@ -109,14 +108,6 @@ class TestMesh:
 
 class TestFilesOfOneFace:
     pytestmark = pytest.mark.usefixtures("small_grids")
-
-    def test_the_height_map_of_the_entrance_face(self, two_faced):
-        _, entrance = two_faced().faces
-        shown = maps.height(entrance)
-        x, y = np.meshgrid(shown.x, shown.y)
-        expected = entrance.net.at(x, y, entrance.heights)[0]
-        np.testing.assert_allclose(shown.values, expected, atol=1e-12)
-        assert np.abs(shown.values).max() < 0.4  # nowhere near the exit face
 
     def test_normals_point_out_of_the_glass(self, two_faced, write):
         for face, sign in zip(two_faced().faces, (1, -1), strict=True):

@@ -89,14 +89,6 @@ def test_factors_of_lamp_and_ballast_count() -> None:
     assert np.allclose(table.candela, 1.5 * values)
 
 
-def test_tilt_factors_of_a_lamp_are_skipped() -> None:
-    tilt = "TILT=INCLUDE\n1\n3\n0 45 90\n1 0.9 0.8"
-
-    table = read(ies(FULL, GAMMA, candela(FULL, GAMMA), tilt=tilt))
-
-    assert np.allclose(table.candela, candela(FULL, GAMMA))
-
-
 def good() -> str:
     return ies([0], [0, 45, 90], np.array([[100.0, 50.0, 0.0]]))
 
@@ -148,22 +140,6 @@ def test_files_that_are_cut_or_damaged_anywhere_are_read_or_refused(name: str) -
             assert np.isfinite(read(bytes(damaged), name).lumens)
         except Refused as refused:
             assert str(refused).startswith(f"{name}: cannot be used: ")
-
-
-@pytest.mark.parametrize(
-    "encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-8-sig", "utf-32", "latin-1"]
-)
-@pytest.mark.parametrize("name", ["lamp.ies", "lamp.ldt"])
-def test_text_of_any_encoding_is_read(name: str, encoding: str) -> None:
-    values = candela(FULL, GAMMA)
-    text = (
-        ies(FULL, GAMMA, values, keywords="[OTHER] Straße 5°")
-        if name.endswith("ies")
-        else ldt(0, AROUND, GAMMA, values[:-1]).replace("nobody", "Straße 5°")
-    )
-    for mark in ("", "\ufeff") if encoding.endswith("e") else ("",):
-        table = read((mark + text).encode(encoding), name)
-        assert np.allclose(table.candela, values)
 
 
 def turned(kind: int, h: float, v: float) -> np.ndarray:

@@ -106,16 +106,3 @@ def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):
     assert _misplaced_flux(one_sided, crossing, rays.flux[come], (r_x, r_y)) == pytest.approx(
         0.5, abs=0.08
     )
-
-
-def test_intensity_of_points_is_that_of_an_even_emitter(scene):
-    model = ray_model(scene.source, scene.optic, 4)
-    steps = np.linspace(-0.2, 0.2, 9)
-    x, y = (part.ravel() for part in np.meshgrid(steps, steps))
-    length = np.sqrt(x**2 + y**2 + 1)
-    directions = x / length, y / length, 1 / length
-
-    found = sum(model.intensity(np.full(len(x), k), directions) for k in range(4))
-
-    assert found.mean() == pytest.approx((directions[2] / np.pi).mean(), rel=0.02)
-    assert np.allclose(found, directions[2] / np.pi, rtol=0.12)

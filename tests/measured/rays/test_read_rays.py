@@ -53,57 +53,6 @@ def test_opticstudio_files_hold_their_rays_and_unit(number: int, unit: str) -> N
     assert found.unit == unit
 
 
-@pytest.mark.parametrize(
-    ("head", "unit"),
-    [
-        ("x,y,z,l,m,n,flux\n", None),
-        ("x [mm],y [mm],z [mm],cos x,cos y,cos z,flux\n", "mm"),
-        ("# measured today\n# x (in), y (in)\n", "inch"),
-        ("\ufeffx,y,z,l,m,n,flux\r\n", None),
-        ("", None),
-    ],
-)
-def test_titles_above_the_rays_may_name_their_unit(head: str, unit: str | None) -> None:
-    found = read(text(TABLE, head=head), "led.csv")
-
-    assert holds(found, TABLE)
-    assert found.unit == unit
-
-
-@pytest.mark.parametrize("name", ["led.txt", "led.csv"])
-@pytest.mark.parametrize("mark", ["\t", " ", ",", ";", "\t\t"])
-@pytest.mark.parametrize("head", ["", "x\ty\t\n", "\n\n"])
-def test_marks_at_the_end_of_lines_are_no_columns(name: str, mark: str, head: str) -> None:
-    separator = mark[:1]
-    content = text(TABLE, separator, mark + "\n", head)
-
-    assert holds(read(content, name), TABLE)
-
-
-@pytest.mark.parametrize(
-    "first", ["1000 4", "1000.0 4.0 0 0 0 0 0", "  1000\t4\t0\t0\t0\t0\t0\t", "\n1000,4"]
-)
-@pytest.mark.parametrize("name", ["led.dat", "led.txt", "led.csv"])
-def test_first_lines_of_opticstudio_may_be_filled_up(first: str, name: str) -> None:
-    found = read(text(TABLE, " ", head=f"{first}\n"), name)
-
-    assert holds(found, TABLE)
-    assert found.unit == "mm"
-    with pytest.raises(Refused, match="says 1000 rays, and there are 999"):
-        read(text(TABLE[1:], " ", head=f"{first}\n"), name)
-
-
-@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be", "utf-8-sig", "utf-32"])
-@pytest.mark.parametrize(("name", "head"), [("led.csv", "x [cm],y,z\n"), ("led.dat", "1000 2\n")])
-def test_rays_in_text_of_any_encoding_are_read(name: str, head: str, encoding: str) -> None:
-    content = text(TABLE, " ", "\r\n", head).decode().encode(encoding)
-
-    found = read(content, name)
-
-    assert holds(found, TABLE)
-    assert found.unit == "cm"
-
-
 def with_value(row: int, column: int, value: float) -> np.ndarray:
     table = TABLE.copy()
     table[row, column] = value

@@ -55,13 +55,6 @@ def test_a_plate_casts_its_shadow_on_a_tilted_plane_at_an_angle(make_scene):
     assert (arrival.row - torch.as_tensor(row)[None, :]).abs().max() < 1e-10
 
 
-def test_a_screen_beside_the_axis_sees_the_same_light_elsewhere(make_scene):
-    aside = make_scene({"screen.center": [0.25, -0.5]})
-    here, there = (walked(scene, smooth(scene)) for scene in (make_scene(), aside))
-    assert (here.column - there.column - 0.25 * 16).abs().max() < 1e-10
-    assert (here.row - there.row - 0.5 * 16).abs().max() < 1e-10
-
-
 @pytest.mark.parametrize(("slope", "across"), [(0.2, 0.0), (0.1, -0.25)])
 def test_a_prism_sends_all_light_in_one_direction(make_scene, slope, across):
     far_field = {"half_angle": [20.0, 20.0], "pixels": [40, 40]}

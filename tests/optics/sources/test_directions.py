@@ -11,7 +11,6 @@ from tests.optics.points import smooth
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
-from workbench.optics.sources import emitter_of
 
 SUN = {"kind": "collimated", "angular_diameter": 6.0}
 TILTED = {"kind": "collimated", "direction": [8.0, -5.0], "angular_diameter": 2.0}
@@ -30,24 +29,6 @@ def places(scene):
     (r_x, r_y), (n_x, n_y) = scene.receiver.half_width, scene.receiver.pixels
     x, y = (2 * (np.arange(n) + 0.5) / n - 1 for n in (n_x, n_y))
     return x * r_x, -y * r_y
-
-
-def test_a_disc_of_directions_is_even_in_solid_angle(make_scene):
-    scene = make_scene({"source": SUN})
-    origins = emitter_of(scene.source, scene.optic, Corners(8, 8, 256)).origins
-    versine, share = 1 - origins.places[:, 2], origins.flux / origins.flux.sum()
-    rim = 1 - math.cos(math.radians(3))
-    assert 0.85 * rim < versine.max() < rim
-    assert share @ versine == pytest.approx(rim / 2, rel=1e-2)
-    np.testing.assert_allclose(share @ origins.places[:, :2], 0, atol=1e-12)
-
-
-def test_light_is_tilted_about_x_downwards_and_about_y_to_the_right(make_scene):
-    for direction, way in ([10.0, 0.0], (0, -1)), ([0.0, 10.0], (1, 0)):
-        scene = make_scene({"source": {"kind": "collimated", "direction": direction}})
-        (place,) = emitter_of(scene.source, scene.optic).origins.places
-        sine = math.sin(math.radians(10))
-        np.testing.assert_allclose(place, [*np.multiply(way, sine), math.sqrt(1 - sine**2)])
 
 
 @ALL

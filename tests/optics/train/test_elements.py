@@ -99,18 +99,6 @@ def landed(tracer, heights, cotangent):
     return torch.where(lands, hits.detach(), 0.0), account.to_data(), gradients
 
 
-@pytest.fixture
-def scene(make_scene):
-    return make_scene(
-        {
-            "lens.reflection": "fresnel",
-            "lens.absorption": 0.2,
-            "screen.half_width": [3, 3],
-            "version": 2,
-        }
-    )
-
-
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
 @pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
 @pytest.mark.parametrize("behind", BEHIND.values(), ids=BEHIND)

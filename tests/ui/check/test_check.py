@@ -92,22 +92,6 @@ def test_figures_go_when_the_lens_changes(window, few_rays, qtbot):
     assert stack.count() == 2
 
 
-def test_a_check_shows_nothing_if_the_lens_changed_meanwhile(window, gate, qtbot):
-    window.commands["check"].trigger()
-    qtbot.waitUntil(lambda: len(gate.begun) == 1)
-    move_screen(window.document, 7)
-    assert not figures(window)
-    window.commands["check"].trigger()
-    assert "still being traced" in window.messages.text and not figures(window)
-    qtbot.waitUntil(lambda: window.loaded.check._shown is not None, timeout=60_000)
-    window.commands["check"].trigger()
-    assert figures(window) == "checking…"
-    gate.release(2 * STEPS)
-    qtbot.waitUntil(lambda: figures(window).startswith("Checked"), timeout=60_000)
-    assert [scene.receiver.z for scene in gate.begun] == [5.0, 7.0]
-    assert window.log.toPlainText().count("Check with") == 1
-
-
 def test_the_command_again_cancels_the_check(window, gate, qtbot):
     check = window.commands["check"]
     check.trigger()
@@ -202,13 +186,3 @@ def gate(session, monkeypatch):
     monkeypatch.setattr("workbench.analysis.validation.validating", steps)
     yield SimpleNamespace(release=allowed.release, begun=begun, left=left)
     allowed.release(100)
-
-
-def test_a_check_that_contradicts_itself_has_failed(window, few_rays, monkeypatch, qtbot):
-    contradiction = "the check contradicts itself: 113 % of the light"
-    monkeypatch.setattr(Validation, "contradiction", contradiction)
-    window.commands["check"].trigger()
-    qtbot.waitUntil(lambda: figures(window) == "Check failed", timeout=60_000)
-    log = window.log.toPlainText()
-    assert contradiction in log
-    assert "Check with" not in log

@@ -1,8 +1,7 @@
 """All figures of a check in a dock: told, explained, copied; and the choice of rays."""
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QAction
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
@@ -59,34 +58,6 @@ def test_all_figures_are_listed_and_explained(figures, designed, found):
     assert all(table.item(row, 1).toolTip() == tip for row, tip in enumerate(tips))
 
 
-def test_figures_are_copied_separated_by_tabs(figures, designed, found, qtbot):
-    assert not figures._copy.isEnabled()
-    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0)
-    clipboard = QGuiApplication.clipboard()
-    figures._copy.click()
-    assert clipboard.text() == figures.text
-    assert len(clipboard.text().splitlines()) == 20
-    clipboard.setText("else")
-    with qtbot.waitActive(figures):
-        figures.activateWindow()
-    figures._table.setFocus()
-    qtbot.keyClick(figures._table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    assert clipboard.text() == figures.text
-
-
-def test_figures_of_an_earlier_lens_are_marked(figures, designed, found):
-    assert "F8" in figures._hint.text() and "before" not in figures._hint.text()
-    figures.follow("checking… 5 %")
-    assert figures._hint.text() == "Checking… 5 %"
-    figures.follow("Geprüfter Fehler 5 %")  # in any language, and before the figures themselves
-    figures.show_check(CheckedLens(designed, designed.result.state.heights), found, 0.0)
-    assert figures._hint.isHidden() and figures._table.isEnabled()
-    figures.follow("")
-    assert "of the design before" in figures._hint.text() and not figures._hint.isHidden()
-    assert not figures._table.isEnabled()
-    assert rows(figures)["Rays"] == f"{found.rays:,}"
-
-
 def test_the_choice_of_rays_is_kept(figures, settings, qtbot):
     assert figures.rays == 4_000_000
     with qtbot.waitSignal(figures.rays_chosen) as chosen:
@@ -130,13 +101,3 @@ def test_a_check_brings_the_dock_with_its_figures(window, found, qtbot):
     move_screen(window.document, 7)
     qtbot.waitUntil(lambda: not figures._table.isEnabled(), timeout=60_000)
     assert received.items() <= rows(figures).items()
-
-
-def test_another_number_of_rays_allows_another_check_of_the_same_lens(window, qtbot):
-    figures, check = window.loaded.figures, window.commands["check"]
-    for rays in (1_000_000, 64_000_000):
-        figures._rays.setCurrentIndex(figures._rays.findData(rays))
-        check.trigger()
-        qtbot.waitUntil(lambda: not window.loaded.check._background.busy, timeout=60_000)
-        check.trigger()  # nothing more to find out
-    assert window.asked == [1_000_000, 64_000_000]

@@ -58,25 +58,6 @@ def test_names_are_found_with_and_without_their_accents(palette, own, typed):
     assert listed(palette)[0] == (f"View → {own}", "")  # what begins as typed comes first
 
 
-def test_where_no_command_fits_that_is_said_in_place_of_the_list(palette, qtbot):
-    qtbot.keyClicks(palette._field, "<b>no such")
-    assert palette._nothing.isVisible() and not palette._found.isVisible()
-    assert palette._nothing.text() == "No command has all of this in its name: <b>no such"
-    qtbot.keyClick(palette._field, Qt.Key.Key_Down)
-    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
-    assert palette.isVisible()  # nothing to do
-    palette._field.clear()
-    assert palette._found.isVisible() and not palette._nothing.isVisible()
-
-
-def test_commands_that_begin_with_the_word_come_first(palette, qtbot):
-    qtbot.keyClicks(palette._field, "s")
-    names = [name for name, _ in listed(palette)]
-    begins = [name.split(" → ")[-1].lower().startswith("s") for name in names]
-    assert begins == sorted(begins, reverse=True) and {True, False} == set(begins)
-    assert names[:2] == ["File → Save", "File → Save as"]
-
-
 def test_enter_runs_the_command(window, palette, qtbot):
     qtbot.keyClicks(palette._field, "letter")
     qtbot.keyClick(palette._field, Qt.Key.Key_Return)
@@ -97,13 +78,3 @@ def test_arrows_choose_a_command_and_a_click_runs_it(window, palette, qtbot):
     place = tree.visualItemRect(item).center()
     qtbot.mouseClick(tree.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert not dock.isHidden()
-
-
-def test_disabled_commands_are_not_run(window, palette, qtbot):
-    qtbot.keyClicks(palette._field, "undo")
-    (item,) = palette._items()
-    assert item.isDisabled()
-    qtbot.keyClick(palette._field, Qt.Key.Key_Return)
-    assert palette.isVisible()
-    qtbot.keyClick(palette._field, Qt.Key.Key_Escape)
-    assert not palette.isVisible()

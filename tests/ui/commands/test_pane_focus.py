@@ -15,11 +15,6 @@ def holds_focus(pane):
     return focused is not None and (pane is focused or pane.isAncestorOf(focused))
 
 
-def test_the_table_lists_every_pane_by_its_title(window):
-    titles = {name: dock.windowTitle() for name, dock in window.workspace.docks.items()}
-    assert titles == {name: pane.title for name, pane in PANES.items() if name != "scene"}
-
-
 @pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
 def test_a_command_shows_a_dock_and_focuses_it(window, name, qtbot):
     window.workspace.docks[name].hide()
@@ -86,12 +81,6 @@ def test_every_command_is_in_a_menu_and_with_it_in_the_palette(window):
     offered = {action for _, action in window.commands.entries()}
     missing = [name for name in COMMANDS if window.commands[name] not in offered]
     assert missing == []
-
-
-def test_each_dock_begins_where_the_table_puts_it(window):
-    for name, dock in window.workspace.docks.items():
-        assert window.dockWidgetArea(dock) is PANES[name].area
-        assert dock.isHidden() is not PANES[name].shown
 
 
 def test_commands_look_at_lens_and_screen(display, window, qtbot):

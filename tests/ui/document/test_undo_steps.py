@@ -97,14 +97,6 @@ def test_the_oldest_steps_are_dropped_beyond_the_memory_limit(walk):
         assert walk.now is sessions[number]
 
 
-def test_a_step_larger_than_the_limit_can_be_undone(walk):
-    walk.go("large", result=lens(20))
-    walk.go("next", result=lens())
-    assert walk.texts == ["next"]
-    walk.steps.undo()
-    assert walk.now.result.state.irradiance.nbytes == 20 * MEGABYTE
-
-
 def test_the_saved_step_stays_clean_until_it_is_dropped(walk):
     for number in range(4):
         walk.go(f"run {number}", result=lens())
@@ -122,17 +114,6 @@ def test_the_saved_step_stays_clean_until_it_is_dropped(walk):
     for _ in range(4):
         walk.steps.undo()
     assert not walk.steps.canUndo() and not walk.steps.isClean()
-
-
-def test_the_origin_is_that_of_the_current_step(walk):
-    assert walk.steps.origin("key") is None
-    before = walk.now
-    walk.go("typed", "key", view={"a": 1})
-    walk.go("typed", "key", view={"a": 2})
-    assert walk.steps.origin("key") is before
-    assert walk.steps.origin("other") is None and walk.steps.origin("") is None
-    walk.steps.setClean()
-    assert walk.steps.origin("key") is None
 
 
 def test_merged_undo_steps_release_arrays(walk):

@@ -54,17 +54,6 @@ def test_save_asks_when_the_file_changed_on_disk(window, session, path, answers,
     assert window.document.dirty is not saved
 
 
-def test_save_as_leaves_the_changed_file_as_it_is(
-    window, session, path, answers, tmp_path, monkeypatch
-):
-    write_elsewhere(session, path, 9)
-    monkeypatch.setattr(window.files, "ask_for_name", lambda: tmp_path / "new.freeform")
-    answers.append(ChangedFileChoice.SAVE_AS)
-    assert window.files.save()
-    assert read_session(path).scene.receiver.z == 9
-    assert read_session(tmp_path / "new.freeform").scene.receiver.z == 7
-
-
 def test_reload_shows_the_file_and_undo_brings_the_design_back(window, session, path, answers):
     write_elsewhere(session, path, 9)
     answers.append(ChangedFileChoice.RELOAD)
@@ -145,10 +134,3 @@ def test_the_question_about_a_changed_file(window, path, word, choice):
     ((text, buttons),) = seen
     assert "mine.freeform" in text
     assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}
-
-
-def test_the_message_after_saving_names_the_file(window, path):
-    window.commands["save"].trigger()
-    said = window.status.text
-    assert said.startswith("Saved mine.freeform, ") and said.endswith("kB")
-    assert window.log.toPlainText().endswith(said)

@@ -6,7 +6,6 @@ import threading
 from types import SimpleNamespace
 
 import pytest
-import trimesh
 from PySide6.QtCore import QTimer
 
 from tests.ui.hands import accept_as
@@ -102,28 +101,9 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
     assert path.read_text().endswith("M5\nM30\n")
 
 
-def test_closing_waits_for_an_export(window, held, tmp_path):
-    window.exporter.export(tmp_path / "one.stl")
-    threading.Timer(0.1, held.set).start()
-    window.discard_and_close()
-    assert held.is_set() and not window.exporter._background.running
-
-
 def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qtbot):
     window.document.save(tmp_path / "mine.freeform")
     formats = accept_as("*.height.npy")
     assert window.exporter.ask_for_name() == tmp_path / "mine.height.npy"
     in_two_units = [each for each in formats_for(["exit"]) if each.takes_unit]
     assert len(formats) == len(formats_for(["exit"])) + len(in_two_units)
-
-
-@pytest.mark.parametrize("unit, size", [("mm", 20), ("cm", 2)])
-def test_the_dialog_offers_meshes_in_millimetres_and_in_the_unit_of_the_scene(
-    window, tmp_path, qtbot, unit, size
-):
-    window.document.save(tmp_path / "mine.freeform")
-    accept_as(f"in {unit} (*.obj)")
-    window.commands["export"].trigger()
-    qtbot.waitUntil(lambda: not window.exporter._background.busy, timeout=60_000)
-    assert trimesh.load_mesh(tmp_path / "mine.obj").extents[0] == pytest.approx(size)
-    assert f"lengths in {unit}" in window.messages.text

@@ -1,10 +1,8 @@
 """Pictures from the clipboard become the target, and the receiver takes their aspect."""
 
 import pytest
-from PySide6.QtCore import QMimeData, QStandardPaths, QUrl
+from PySide6.QtCore import QStandardPaths
 from PySide6.QtGui import QColor, QGuiApplication, QImage
-
-import resources
 
 
 @pytest.fixture(autouse=True)
@@ -33,23 +31,6 @@ def test_a_copied_picture_becomes_the_target_as_one_step(window):
     assert window.document.session is before
 
 
-def test_a_copied_file_becomes_the_target(window):
-    photo = resources.path("targets", "photo-256.png")
-    copied = QMimeData()
-    copied.setUrls([QUrl.fromLocalFile(str(photo))])
-    QGuiApplication.clipboard().setMimeData(copied)
-    window.commands["paste_picture"].trigger()
-    assert window.document.session.scene.target.image == str(photo)
-
-
-def test_a_clipboard_without_a_picture_says_so(window):
-    QGuiApplication.clipboard().setText("no picture")
-    before = window.document.session
-    window.commands["paste_picture"].trigger()
-    assert window.document.session is before
-    assert "no picture on the clipboard" in window.messages.text
-
-
 def test_the_screen_takes_the_aspect_of_the_picture(window):
     QGuiApplication.clipboard().setImage(wide_picture())
     window.commands["paste_picture"].trigger()
@@ -60,10 +41,3 @@ def test_the_screen_takes_the_aspect_of_the_picture(window):
     assert screen.pixels == (before.pixels[0], round(before.pixels[0] / 3))
     window.commands["undo"].trigger()
     assert window.document.session.scene.receiver == before
-
-
-def test_a_shape_has_no_aspect_to_take(window):
-    before = window.document.session
-    window.commands["picture_aspect"].trigger()
-    assert window.document.session is before
-    assert "no picture" in window.messages.text

@@ -84,16 +84,3 @@ def test_a_file_that_cannot_be_written_is_reported(plots, tmp_path):
     plots.save("loss", folder / "loss.bmp")
     assert plots._messages.text == "loss.bmp: a plot is saved as one of .png, .svg, .csv"
     assert list(folder.iterdir()) == []
-
-
-def test_the_axes_of_the_loss_are_chosen_in_its_menu(views, frame, qtbot):
-    loss = views["loss"]
-    axes = lambda: loss._canvas.figure.axes[0]  # noqa: E731
-    against_seconds = loss._against.actions()[1]
-    against_seconds.trigger()
-    qtbot.waitUntil(lambda: axes().get_xlabel() == "time (s)")
-    np.testing.assert_allclose(loss._picture.artists[0].get_xdata(), frame.result.times())
-    log_x, log_y = loss._logarithmic
-    log_x.trigger()
-    log_y.trigger()
-    qtbot.waitUntil(lambda: (axes().get_xscale(), axes().get_yscale()) == ("log", "linear"))

@@ -8,15 +8,11 @@ import time
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
 from ui.files import left_behind
-from ui.files.left_behind import RecoveryChoice
 from ui.files.recovery import Recovery
-from workbench.errors import Refused
 from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -60,25 +56,6 @@ def test_only_what_is_not_saved_is_kept(document, keeping, tmp_path):
     document.save(tmp_path / "mine.freeform")
     recovery.keep_now()
     assert [file.suffix for file in recovery.folder.iterdir()] == [".lock"]
-
-
-def test_closing_a_window_removes_its_recovery_file(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    recovery.close()
-    assert list(recovery.folder.iterdir()) == []
-
-
-def test_a_signal_keeps_the_work_for_the_next_start(document, keeping):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.close(leave=True)
-    recovery.close()
-    (work,) = left_behind.find(recovery.folder)
-    assert read_session(work.file).scene.receiver.z == 7
-    assert work.about.ended
-    work.put_back()
 
 
 def test_work_of_an_open_window_is_not_offered(document, keeping):
@@ -130,20 +107,6 @@ def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path
     work.remove()
 
 
-def test_a_full_disk_is_reported_once(document, keeping, monkeypatch, qtbot):
-    def full(session, path):
-        raise Refused(str(path), "No space left on device")
-
-    monkeypatch.setattr("ui.files.recovery.write_session", full)
-    recovery, received = keeping(), []
-    recovery.failed.connect(received.append)
-    for z in (7, 8):
-        move_screen(document, z)
-        assert not recovery.keep_now()
-    qtbot.waitUntil(lambda: bool(received))
-    assert len(received) == 1 and "No space left" in received[0]
-
-
 def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, tmp_path, qtbot):
     window.build()
     scene = make_scene({"run.method": "paper", "run.iterations": 100_000})
@@ -169,61 +132,6 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
     recovery.close()
 
 
-@pytest.mark.parametrize(
-    ("button", "choice"),
-    [
-        ("Recover", RecoveryChoice.RECOVER),
-        ("Discard", RecoveryChoice.DISCARD),
-        ("Ask later", RecoveryChoice.LATER),
-    ],
-)
-def test_the_question_has_three_answers(window, document, keeping, qtbot, button, choice):
-    recovery = keeping()
-    move_screen(document, 7)
-    recovery.keep_now()
-    crash(recovery)
-    (work,) = left_behind.find(recovery.folder)
-    received = []
-
-    def answer():
-        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
-        received.append(box.text())
-        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
-        qtbot.mouseClick(buttons[button], Qt.MouseButton.LeftButton)
-
-    QTimer.singleShot(200, answer)
-    assert left_behind.ask(work, window) is choice
-    assert "small" in received[0] and "not closed" in received[0]
-    work.remove()
-
-
-def test_each_recovered_work_is_offered(document, keeping, monkeypatch):
-    works = []
-    for z in (7, 8, 9, 10):
-        recovery = keeping()
-        move_screen(document, z)
-        recovery.keep_now()
-        os.utime(recovery._file, (z, z))
-        crash(recovery)
-    works = left_behind.find(recovery.folder)
-    assert [read_session(work.file).scene.receiver.z for work in works] == [10, 9, 8, 7]
-    choices = iter(
-        [
-            RecoveryChoice.DISCARD,
-            RecoveryChoice.RECOVER,
-            RecoveryChoice.LATER,
-            RecoveryChoice.RECOVER,
-        ]
-    )
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: next(choices))
-    opened = []
-    assert left_behind.offer(works, lambda work: not opened.append(work), None)
-    assert opened == [works[1], works[3]]
-    (rest,) = left_behind.find(recovery.folder)
-    assert read_session(rest.file).scene.receiver.z == 8
-    rest.remove()
-
-
 BEGIN = (
     "import sys; from PySide6.QtCore import QTimer; import ui.app, ui.files.recovery as r\n"
     "start = r.Recovery.start\n"
@@ -233,18 +141,6 @@ BEGIN = (
     "    self._document.edit(scene.with_receiver(scene.receiver.moved_to(7.5)), 'edit', '')\n"
     "    print(self.keep_now(), flush=True)\n"
     "r.Recovery.start = started\n"
-    "sys.exit(ui.app.main([]))"
-)
-AGAIN = (
-    "import sys; import ui.app, ui.files.left_behind as l, ui.main_window as m\n"
-    "l.ask = lambda work, window: l.RecoveryChoice.RECOVER\n"
-    "recover = m.FileActions.recover\n"
-    "def report(self, *a):\n"
-    "    done = recover(self, *a)\n"
-    "    document = self._document\n"
-    "    print(document.session.scene.receiver.z, document.name, document.dirty, flush=True)\n"
-    "    return done\n"
-    "m.FileActions.recover = report\n"
     "sys.exit(ui.app.main([]))"
 )
 
@@ -276,11 +172,3 @@ def test_work_is_found_after_a_kill(tmp_path):
     session = read_session(work.file)
     assert session.scene.receiver.z == 7.5 and session.view["layout"]
     work.remove()
-
-
-@needs_display
-@pytest.mark.slow
-def test_work_is_found_at_every_start_after_a_kill(tmp_path):
-    assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
-    assert first_line(AGAIN, signal.SIGTERM, tmp_path) == "7.5 tophat True\n"
-    assert first_line(AGAIN, signal.SIGKILL, tmp_path) == "7.5 tophat True\n"

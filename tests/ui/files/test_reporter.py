@@ -97,11 +97,3 @@ def test_a_report_is_cancelled_from_its_message(window, endless, tmp_path, qtbot
     qtbot.waitUntil(lambda: window.messages.text == "No report is written.", timeout=30_000)
     assert endless[0].returncode not in (None, 0)
     assert len(endless) == 1 and not path.exists()
-
-
-def test_closing_ends_the_process_of_the_report(window, endless, tmp_path, qtbot):
-    window.reporter.report(tmp_path / "a.pdf")
-    qtbot.waitUntil(lambda: len(endless) == 1, timeout=30_000)
-    window.discard_and_close()
-    assert endless[0].returncode not in (None, 0)
-    assert not list(tmp_path.glob("*.pdf"))

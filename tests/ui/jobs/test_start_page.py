@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
@@ -12,7 +11,6 @@ from tests.ui.hands import fill, move_screen
 from ui.files.actions import Answer
 from ui.jobs.page import StartPage
 from ui.panels.edits import Edit
-from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
@@ -65,22 +63,6 @@ def test_arrow_keys_and_enter_begin_a_job(window, page, qtbot):
     assert window.document.session is before
 
 
-def test_the_scene_that_a_job_leaves_is_read_back_from_a_scene_file(window, page, qtbot, tmp_path):
-    begin(page, qtbot)
-    scene = window.document.session.scene
-    write_scene(scene, tmp_path / "job.json")
-    assert read_scene(tmp_path / "job.json") == scene.with_net(None)
-
-
-def test_answers_take_units_and_go_into_the_scene(window, page, qtbot):
-    row = row_of(page, "size")
-    for place, text in (("size[0]", "6 cm"), ("size[1]", "30")):
-        fill(qtbot, row.editors[place], text)
-    assert page.form.job.size == (60.0, 30.0)
-    begin(page, qtbot)
-    assert window.document.session.scene.optic.half_width == (30.0, 15.0)
-
-
 def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbot):
     row = row_of(page, "distance")
     editor = row.editors["distance"]
@@ -93,27 +75,6 @@ def test_an_impossible_answer_is_refused_in_its_row_and_holds_the_job(page, qtbo
     assert page.isVisible()
     qtbot.keyClick(editor, Qt.Key.Key_Escape)
     assert not row.refusal and editor.text() == "500" and button.isEnabled()
-
-
-def test_a_word_can_be_the_picture(window, page, qtbot):
-    chooser = row_of(page, "target.builtin").chooser
-    chooser.setCurrentIndex(chooser.findData("text"))
-    chooser.activated.emit(chooser.currentIndex())
-    fill(qtbot, row_of(page, "target.text").editor, "sun")
-    assert row_of(page, "target.text").isVisible()
-    assert not row_of(page, "target.image").isVisible()
-    begin(page, qtbot)
-    assert window.document.session.scene.target.text == "sun"
-
-
-@pytest.mark.parametrize(
-    ("pixels", "size"), [((60, 40), (200.0, 133.0)), ((40, 60), (133.0, 200.0))]
-)
-def test_an_image_takes_the_aspect_of_the_picture_that_is_chosen(page, tmp_path, pixels, size):
-    Image.new("L", pixels, 200).save(tmp_path / "picture.png")
-    page.form.choose_image(tmp_path / "picture.png")
-    assert page.form.job.image_size == size
-    assert Path(page.form.job.target.image) == tmp_path / "picture.png"
 
 
 def test_a_picture_that_cannot_be_read_is_said_and_does_not_begin(window, page, qtbot):
@@ -148,11 +109,6 @@ def test_a_job_replaces_unsaved_work_only_after_a_question(
     kept = answer is Answer.CANCEL
     assert (window.document.session is before) is kept
     assert (window.start_page.page is page) is kept
-
-
-def test_a_window_closes_with_its_page(window, page):
-    window.discard_and_close()
-    assert window.start_page.page is None
 
 
 def test_the_page_shows_the_picture_as_its_viewer_sees_it_and_says_from_where(page, qtbot):

@@ -190,20 +190,6 @@ def test_painting_locks_and_unlocks(tools, drag, qtbot):
     assert not document.session.locked and view.nets.locked is None
 
 
-def test_tools_are_disabled_during_a_run(sculpting, drag, qtbot):
-    tools, view = sculpting, sculpting.view
-    tools.control.start()
-    tools.control.toggle_pause()
-    held = drag(view, control_point(tools, (6, 5)))
-    held.move(upwards(view, 0.1))
-    held.release()
-    assert "Stop the run first" in tools.said[-1]
-    tools.commands["lock_all"]()
-    assert not tools.document.session.locked
-    tools.control.runner.stop()
-    qtbot.waitUntil(lambda: not tools.control.busy, timeout=30_000)
-
-
 def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     tools = make_tools({"source": POINT})
     view, document = tools.view, tools.document
@@ -266,48 +252,6 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     assert "to scale" in tools.said[-1]
 
 
-def test_keys_without_a_tool_move_the_camera(tools, qtbot):
-    view, camera = tools.view, tools.view._plotter.camera
-    fitted, scale = camera.position, camera.parallel_scale
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    turned = camera.position
-    assert turned[2] > fitted[2]  # nearer to the screen's side
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
-    assert camera.position == pytest.approx(fitted)
-    middle = camera.focal_point
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Up, Qt.KeyboardModifier.ShiftModifier)
-    assert camera.focal_point[1] > middle[1]
-    tools.commands["sculpt"]()
-    middle = camera.focal_point
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
-    assert view.nets.brush and camera.focal_point == middle
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Plus)
-    assert camera.parallel_scale == pytest.approx(scale / 1.25)
-    assert not view._contents.picture.fitted
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Home)
-    assert camera.position == pytest.approx(fitted) and view._contents.picture.fitted
-
-
-def test_arrows_move_the_brush_from_where_it_was(sculpting, qtbot):
-    view = sculpting.view
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    assert view.nets.brush[0] == (7, 5)  # from the middle
-    for _ in range(6):
-        qtbot.keyClick(view._plotter, Qt.Key.Key_Up)
-    assert view.nets.brush[0] == (7, 9)
-    qtbot.waitUntil(lambda: view._tool_input._held is None)
-    qtbot.mouseMove(view._plotter, control_point(sculpting, (3, 4)))
-    qtbot.waitUntil(lambda: view.nets.brush[0] == (3, 4))
-    QApplication.sendEvent(view._plotter, QEvent(QEvent.Type.Leave))
-    assert view.nets.brush is None
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Down)
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Left)
-    assert view.nets.brush[0] == (2, 3)
-    qtbot.waitUntil(lambda: view.nets.picture._brush == view.nets.brush)  # it is seen
-    sculpting.commands["turn"]()
-    assert view.nets.brush is None
-
-
 def hold_key(view, key, times, as_repeats=True):
     """A key that is pressed and repeats itself, and is not released yet."""
     for time in range(times):
@@ -342,44 +286,6 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert document.session.result is None
-
-
-def test_space_locks_and_unlocks_what_is_in_the_brush(tools, qtbot):
-    view, document = tools.view, tools.document
-    tools.commands["lock"]()
-    qtbot.waitUntil(lambda: view.nets.picture._shown)
-    hold_key(view, Qt.Key.Key_Space, 3)
-    assert view.nets.locked.sum() == 9 and not document.session.locked
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert view.nets.locked is None and not tools.put_away
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: document.undo_stack.count() == 1)
-    locked = document.session.locked["exit"]
-    assert locked[5:8, 4:7].all() and locked.sum() == 9
-    assert document.undo_stack.undoText() == "lock points"
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Right)
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: document.undo_stack.count() == 2)
-    locked = document.session.locked["exit"]
-    assert locked[5, 4:7].all() and locked.sum() == 3
-    assert document.undo_stack.undoText() == "unlock points"
-
-
-def test_keys_move_the_source(make_tools, qtbot):
-    tools = make_tools({"source": POINT})
-    view, document = tools.view, tools.document
-    tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
-    hold_key(view, Qt.Key.Key_Right, 5)
-    qtbot.keyRelease(view._plotter, Qt.Key.Key_Right)
-    qtbot.keyClick(view._plotter, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ShiftModifier)
-    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
-    assert document.undo_stack.count() == 2
-    hold_key(view, Qt.Key.Key_Down, 2)
-    assert document.session.scene.source.position == pytest.approx((0.1, -0.04, -3.002))
-    qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    assert document.session.scene.source.position == pytest.approx((0.1, 0.0, -3.002))
-    assert document.undo_stack.index() == 2
 
 
 def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot, monkeypatch):

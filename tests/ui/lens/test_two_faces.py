@@ -62,16 +62,6 @@ def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     assert document.session.result is None
 
 
-def test_a_face_is_sculpted_within_its_own_range(sculpting, drag, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    tools.commands["other_face"]()
-    held = drag(view, control_point(tools, (6, 5)))
-    held.move(upwards(view, 0.5))
-    held.release()
-    qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-    assert document.session.heights["entrance"].max() == pytest.approx(0.1)
-
-
 def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
     tools, view, document = sculpting, sculpting.view, sculpting.document
     tools.commands["lock"]()

@@ -3,7 +3,7 @@
 import threading
 
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from tests.ui.hands import fill
@@ -114,17 +114,6 @@ def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
     assert not dialog.bar.isVisible()
 
 
-def test_a_change_of_a_field_asks_for_another_verdict(dialog, qtbot):
-    qtbot.waitUntil(lambda: fits(dialog))
-    fill(qtbot, dialog.fields.lines["scallop"], "0.004", key=None)
-    assert not dialog.write.isEnabled() and dialog.found.text() == ""
-    qtbot.waitUntil(lambda: fits(dialog))
-    assert "up to 0.0037 cm" in dialog.found.text()
-    fill(qtbot, dialog.fields.lines["dwell"], "-1", key=None)
-    qtbot.waitUntil(lambda: "Dwell: -1 s; from 0 to 600 s" in dialog.found.text())
-    assert not dialog.write.isEnabled() and not dialog.look.isEnabled()
-
-
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     open_dialog, qtbot, monkeypatch
 ):
@@ -148,18 +137,6 @@ def test_a_simulation_shows_its_progress_and_can_be_stopped(held, open_dialog, q
     dialog.stop.click()
     qtbot.waitUntil(lambda: "Stopped" in dialog.found.text())
     assert held.is_set() and not dialog.write.isEnabled()
-
-
-def test_both_errors_are_shown(dialog, qtbot, monkeypatch):
-    monkeypatch.setattr("ui.manufacture.cutter.RAYS", 20_000)
-    qtbot.waitUntil(dialog.look.isEnabled)
-    dialog.look.setFocus()
-    qtbot.keyClick(dialog.look, Qt.Key.Key_Space)
-    assert not dialog.look.isEnabled()
-    qtbot.waitUntil(dialog.look.isEnabled)
-    assert "Radius 0.2 cm" in dialog.found.text()
-    assert "Error as cut" in dialog.found.text() and "as designed" in dialog.found.text()
-    assert dialog.write.isEnabled()
 
 
 def test_the_last_answer_is_what_the_next_begins_with(designed, window, settings):

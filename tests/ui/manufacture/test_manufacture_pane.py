@@ -1,7 +1,5 @@
 """The dock that says whether a shop can make the lens on show."""
 
-import dataclasses
-
 import pytest
 
 from tests.ui.hands import fill
@@ -83,21 +81,6 @@ def test_limits_are_judged_in_words_and_hatched_on_the_map(pane, qtbot):
     assert states(pane)["tightest_convex"] == "✓ met"
     enter(pane, qtbot, "min_tool_radius", f"{1.01 * concave.value:.12g}")
     assert states(pane)["tool_radius"] == "✗ broken"
-
-
-def test_limits_are_kept_for_each_unit(pane, settings, session, make_scene, qtbot):
-    enter(pane, qtbot, "max_thickness", "0.65")
-    enter(pane, qtbot, "max_slope", "20")
-    other = ManufacturePane(settings)
-    qtbot.addWidget(other)
-    other.show_design(session)
-    assert (other._fields.limits.max_thickness, other._fields.limits.max_slope) == (0.65, 20)
-    inches = dataclasses.replace(session, scene=make_scene({"unit": "inch"}))
-    other.show_design(inches)
-    assert (other._fields.limits.max_thickness, other._fields.limits.max_slope) == (None, 20)
-    enter(pane, qtbot, "max_thickness", "")
-    other.show_design(session)
-    assert other._fields.limits.max_thickness is None
 
 
 def test_figures_follow_the_lens_when_it_stops_changing(pane, bowl, monkeypatch, qtbot):

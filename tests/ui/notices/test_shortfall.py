@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt
 
@@ -11,7 +10,6 @@ from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
 from ui.widgets.message_bar import MessageBar
 from workbench.design.shortfall import Shortfall
-from workbench.geometry.faces import FaceArrays
 
 NARROW = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)
 THIN = Shortfall("max_thickness", (0.1, 0.9), (0.1, 0.6), 0.4)
@@ -102,23 +100,6 @@ def test_too_thin_stock_is_reported_with_its_own_cure(desk, qtbot):
     assert offers(desk) == []
 
 
-def test_notice_of_a_run_is_withdrawn_if_its_best_lens_lacks_nothing(desk, qtbot, as_run):
-    def run(scene, target, start=None, locked=None):
-        first, *others = as_run(4)(scene, target, start, locked)
-        yield first
-        for shot in others:
-            yield replace(shot, state=replace(shot.state, shortfall=NARROW), best=False)
-        return "all iterations are done"
-
-    said = []
-    desk.messages.message.connect(said.append)
-    desk.control.runner._generate = run
-    design(desk, qtbot)
-    assert any("goes on within these limits" in text for text in said)
-    assert desk.document.session.result.state.shortfall is None
-    assert desk.messages.text == ""
-
-
 def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, qtbot):
     free = desk.document.session.scene.optic.shaped(height_range=None)
     desk.document.edit(desk.document.session.scene.with_optic(free), "range", "")
@@ -128,25 +109,3 @@ def test_an_automatic_range_is_replaced_by_one_as_wide_as_the_lens_needs(desk, q
     press(desk, qtbot)
     low, high = desk.document.session.scene.optic.height_range
     assert low < -2.2 and high > 2.2
-
-
-def test_a_narrow_entrance_range_can_be_widened_keeping_the_lens(desk, as_run, make_scene, qtbot):
-    narrow = {"shape": "freeform", "control_points": [4, 4], "height_range": [-0.01, 0.02]}
-    short = Shortfall("entrance_range", None, (-0.01, 0.02), 0.9)
-
-    def run(scene, target, start=None, locked=None):
-        for shot in as_run(4)(scene, target, start, locked):
-            heights = FaceArrays({"entrance": np.zeros((4, 4)), **shot.state.heights})
-            yield replace(shot, state=replace(shot.state, heights=heights, shortfall=short))
-        return "all iterations are done"
-
-    desk.document.edit(make_scene({"lens.entrance": narrow}), "freeform entrance", "")
-    desk.control.runner._generate = run
-    design(desk, qtbot)
-    assert offers(desk) == ["Widen"]
-    press(desk, qtbot)
-    session = desk.document.session
-    assert session.scene.optic.entrance.height_range == pytest.approx((-0.025, 0.035))
-    assert set(session.start) == {"entrance", "exit"}  # its light is to be traced anew
-    assert desk.messages.text.startswith("The entrance range is -0.025 to 0.035 cm now, and the")
-    assert offers(desk) == ["Start over", "Continue"]

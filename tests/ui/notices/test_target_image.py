@@ -1,4 +1,4 @@
-"""The picture that a design keeps of its target: without its file, and beside a changed one."""
+"""Notices of the window: refused fields, and the picture that a design keeps."""
 
 import numpy as np
 import pytest
@@ -8,6 +8,19 @@ from PySide6.QtCore import Qt
 from tests.ui.hands import enter, row
 from workbench.design.task import begin
 from workbench.files.session import write_session
+
+
+def test_the_field_is_named_until_it_is_corrected(window, qtbot):
+    begun = []
+    enter(qtbot, window.forms, "screen.z", "0.1")
+    window.early.begin(lambda: begun.append(1))
+    assert window.messages.text.startswith("Screen at z: 0.1 may touch the lens")
+    assert "Correct it, or press Esc" in window.messages.text and not begun
+    enter(qtbot, window.forms, "screen.z", "6")
+    assert window.messages.text == ""
+    window.early.begin(lambda: begun.append(1))
+    assert begun == [1]
+
 
 LETTER = np.array([[255, 255, 0], [255, 0, 0], [255, 0, 0]], dtype=np.uint8)
 

@@ -58,13 +58,3 @@ def test_corners_of_a_polygon_are_typed_as_one_line(document, forms, qtbot):
     (region,) = regions(document)
     assert isinstance(region, PolygonRegion)
     assert region.corners == ((-0.5, -0.5), (0.5, -0.5), (0.0, 0.25), (-0.2, 0.2))
-
-
-@pytest.mark.parametrize("typed", ["here and there", "0, 0; 0.1", "0, 0; 0.2, 0; 0.4, 0"])
-def test_corners_that_make_no_polygon_are_refused_where_they_are(document, forms, qtbot, typed):
-    add(qtbot, forms)
-    choose(forms, "regions[0].shape", "polygon")
-    before = regions(document)
-    fill(qtbot, row(forms, "regions[0].corners").editor, typed)
-    assert regions(document) == before
-    assert row(forms, "regions[0].corners").refusal

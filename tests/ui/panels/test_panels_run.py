@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.ui.hands import choose, editor, enter, row
+from tests.ui.hands import choose, editor, row
 
 PAPER_ONLY = ["run.parametrisation", "run.parameters", "run.start", "run.learning_rate"]
 
@@ -36,21 +36,3 @@ def test_a_choice_shows_its_parameters_and_their_memory(forms, document, kind, s
     choose(forms, "run.parametrisation", kind)
     assert document.session.scene.run.parametrisation == kind
     assert row(forms, "run.parameters").text == size
-
-
-@pytest.mark.parametrize("method", ["auto", "paper"])
-@pytest.mark.parametrize(
-    ("path", "unit"), [("run.smoothness", ""), ("run.min_radius", "cm")], ids=["weight", "radius"]
-)
-def test_limits_of_curvature_may_be_left_empty(forms, document, qtbot, path, unit, method):
-    choose(forms, "run.method", method)
-    typed, field = editor(forms, path), path.removeprefix("run.")
-    assert (typed.text(), typed.placeholderText()) == ("", "none")
-    assert row(forms, path)._unit.text() == unit
-    enter(qtbot, forms, path, "0.05")
-    assert getattr(document.session.scene.run, field) == 0.05
-    enter(qtbot, forms, path, "-1")
-    assert "must be greater than 0" in row(forms, path).refusal
-    enter(qtbot, forms, path, "")
-    assert getattr(document.session.scene.run, field) is None
-    assert (typed.text(), typed.placeholderText()) == ("", "none")

@@ -64,28 +64,6 @@ def test_stages_are_added_and_each_is_a_step_of_its_own(begin, qtbot):
     assert listed(forms) == ["1.  50 iterations"]
 
 
-def test_stages_are_moved_and_stay_chosen(begin, qtbot):
-    document, forms = begin(TWO)
-    click(qtbot, forms, "Down")
-    assert [stage.iterations for stage in stages(document)] == [20, 10]
-    assert the_list(forms).currentRow() == 1
-    assert row(forms, "run.stages[1].iterations").isVisible()
-    click(qtbot, forms, "Down")  # disabled
-    click(qtbot, forms, "Up")
-    assert [stage.iterations for stage in stages(document)] == [10, 20]
-    assert document.undo_stack.count() == 2
-
-
-def test_the_chosen_stage_is_removed(begin, qtbot):
-    document, forms = begin(TWO)
-    click(qtbot, forms, "Remove")
-    assert [stage.iterations for stage in stages(document)] == [20]
-    click(qtbot, forms, "Remove")
-    assert stages(document) == ()
-    click(qtbot, forms, "Remove")
-    assert document.undo_stack.count() == 2
-
-
 def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot):
     document, forms = begin(TWO)
     at = "run.stages[0]"
@@ -114,28 +92,3 @@ def test_every_setting_of_a_stage_can_be_edited_and_left_out_again(begin, qtbot)
     assert stages(document)[0] == Stage(iterations=12)
     for path in ("learning_rate", "source.rays", "filter.size"):
         assert not row(forms, f"{at}.{path}", visible=False).isVisible()
-
-
-@pytest.mark.parametrize(
-    ("path", "text", "beside", "reason"),
-    [
-        ("iterations", "0", "[0].iterations", "at least 1"),
-        (
-            "iterations",
-            "soon",
-            "[0].iterations",
-            "'soon' is not a number; a number is needed",
-        ),
-        ("iterations", "80", "", "they leave none of the 100 iterations"),
-        ("control_points[0]", "3", "[0].control_points", "3 is too few for degree 3; at least 4"),
-    ],
-)
-def test_a_refusal_stands_beside_its_field(begin, qtbot, path, text, beside, reason):
-    document, forms = begin(TWO)
-    session = document.session
-    editor = enter(qtbot, forms, f"run.stages[0].{path}", text)
-    assert document.session is session
-    assert editor.text() == text
-    assert reason in row(forms, f"run.stages{beside}").refusal
-    qtbot.keyClick(editor, Qt.Key.Key_Escape)
-    assert not any(each.refusal for each in rows(forms))

@@ -39,16 +39,3 @@ def test_a_file_of_light_is_chosen_from_a_dialog(forms, document, qtbot, tmp_pat
     assert document.session.scene.source.rotation == (30, 0, 0)
     assert document.session.scene.light_files[str(lamp)] is not None
     assert editor(forms, "source.position[2]").text() == "-4"
-
-
-def test_a_damaged_file_is_refused_and_marks_no_field(forms, document, tmp_path):
-    damaged = tmp_path / "damaged.ies"
-    damaged.write_text("TILT=NONE\n1 2 3")
-    received = []
-    forms.file_refused.connect(received.append)
-
-    forms.choose_light(damaged)
-
-    assert len(received) == 1 and "is cut off" in received[0]
-    assert document.session.scene.source.kind == "point"
-    assert not forms.refused

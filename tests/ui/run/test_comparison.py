@@ -1,15 +1,49 @@
-"""Two runs of several images beside each other: the image that is shown is chosen."""
+"""Compared runs, and the bound in the status bar."""
+
+import re
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QComboBox, QWidget
+from tests.scene.test_images import SECOND
 
 from tests.accounts import account_of
-from tests.scene.test_further_image import SECOND
+from ui.run.bound import BoundOfDesign
 from ui.run.comparison import RunComparison
 from workbench.design.lens_state import FurtherLight
 from workbench.design.session import KeptRun
 from workbench.design.task import begin
+
+GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
+
+
+@pytest.fixture
+def said():
+    return []
+
+
+@pytest.fixture
+def bound(document, said, qapp):
+    parent = QObject()
+    bound = BoundOfDesign(document, parent)
+    bound.figures_changed.connect(lambda *words: said.append(words))
+    bound.follow(document.session)
+    yield bound
+    bound.close()
+
+
+def test_bound_of_an_edited_source_is_said(bound, said, document, make_scene, qtbot):
+    assert said == [("", "")]
+    document.edit(make_scene({"source": GRID}), "source", "")
+    qtbot.waitUntil(lambda: said[-1] != ("", ""), timeout=30_000)
+    short, sentence = said[-1]
+    assert sentence.startswith("There can be no lens of this size below ")
+    least, allowed = (float(part) for part in re.findall(r"([\d.]+) %", sentence))
+    assert "with a source half as wide" in sentence and 0 < allowed < least
+    assert short == f"at best {least:g} %"
+    document.undo_stack.undo()
+    assert said[-1] == ("", "")
 
 
 @pytest.fixture
@@ -73,10 +107,3 @@ def test_pictures_and_figures_are_of_the_image_that_is_chosen(comparison, kept):
     choose(comparison, 0)
     assert comparison._figure.axes[0].images[0].get_array().shape == (32, 32)
     assert figures(comparison, "On screen") == ["92.0 %", "92.0 %"]
-
-
-def test_images_at_different_places_are_named_with_both(comparison, kept):
-    far = {"further_images": [{**SECOND, "screen": {**SECOND["screen"], "z": 8.0}}]}
-    comparison.show_pair((kept("near", 0.3), kept("far", 0.5, far)))
-    titles = [choice(comparison).itemText(k) for k in (0, 1)]
-    assert titles == ["Image 1, z = 5 cm", "Image 2, z = 6 cm → z = 8 cm"]

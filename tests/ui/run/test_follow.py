@@ -1,20 +1,16 @@
 """Lenses that follow edits, from an engine that takes a step when a test lets it."""
 
 import threading
-import time
 from dataclasses import replace
 
 import pytest
 
 from ui.check.check import Check
 from ui.document.document import Document
-from ui.run import follow as followed
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.kept import restored
 from workbench.design.live import LiveDesign
-from workbench.interruption import check_given_up
-from workbench.scene import Scene
 
 _FREE = 10_000
 
@@ -163,16 +159,6 @@ def test_edits_wait_for_the_first_lens_and_the_latest_is_designed_next(desk):
     assert desk.document.session.result is not None
 
 
-def test_a_lens_of_an_earlier_edit_is_shown_and_not_kept(desk, qtbot):
-    desk.engine.hold()
-    desk.edit(6)
-    desk.edit(8)
-    while not desk.seen():
-        desk.step()
-    assert desk.seen() == [6]
-    assert desk.document.session.result is None
-
-
 def test_each_edit_of_a_drag_continues_from_the_last_lens_that_followed(desk, designed):
     starts = []
     live = desk.follow._live
@@ -247,124 +233,3 @@ def test_a_check_is_of_the_best_lens_that_followed(desk, qtbot):
     assert desk.document.session.heights == lens.state.heights
     assert check._asked is not None
     check.close()
-
-
-def paper(scene):
-    return Scene.from_data({**scene.to_data(), "run": {"method": "paper"}})
-
-
-def test_the_method_of_the_paper_is_not_followed(make_desk, designed):
-    desk = make_desk(replace(designed, scene=paper(designed.scene)))
-    desk.edit(7)
-    assert not desk.follow.follows(desk.document.session)
-    assert desk.follow.text == ""
-    assert desk.document.session.result is None
-
-
-@pytest.mark.parametrize("change", ["unit", "iterations", "off"])
-def test_edit_that_needs_no_other_lens_is_not_followed(change, make_desk, designed):
-    desk = make_desk(on=change != "off")
-    scene = designed.scene
-    if change == "unit":
-        desk.document.edit(scene.in_unit("mm"), "change of unit", "")
-    elif change == "iterations":
-        run = scene.run.model_copy(update={"iterations": 77})
-        desk.document.edit(scene.model_copy(update={"run": run}), "change", "")
-    else:
-        desk.edit(7)
-    assert desk.follow.text == ""
-    assert not desk.follow._background.running
-
-
-def test_switching_off_stops_the_following_design_and_keeps_its_lens(desk, qtbot):
-    desk.engine.hold()
-    desk.edit(7)
-    desk.come_to_a_lens()
-    lens = desk.document.session.result
-    desk.follow.switch(False)
-    desk.engine.leave.release(_FREE)
-    qtbot.waitUntil(lambda: not desk.follow._background.running)
-    assert desk.document.session.result is lens
-    assert desk.follow.text == ""
-
-
-def test_a_slow_machine_makes_edits_wait_for_a_pause_and_switches_nothing_off(
-    desk, qtbot, monkeypatch
-):
-    monkeypatch.setattr(followed, "_SOON", 0.05)
-    monkeypatch.setattr(followed, "_SHARE", 2.0)
-    desk.follow._late.setInterval(50)
-    desk.engine.hold()
-    desk.edit(6)
-    qtbot.waitUntil(lambda: "takes long" in desk.follow.text)
-    desk.engine.leave.release(_FREE)
-    desk.wait()
-    assert desk.follow._pause > 0.1
-    for z in (7, 8, 9):  # within one pause
-        desk.edit(z)
-    assert [z for z, _ in desk.engine.asked] == [6]
-    assert desk.follow.follows(desk.document.session) and desk.follow.text
-    desk.wait(2)
-    assert [z for z, _ in desk.engine.asked] == [6, 9]
-    assert desk.document.session.result is not None
-
-
-def test_a_design_without_a_lens_gets_one_and_has_no_changes_by_it(make_desk, session):
-    desk = make_desk(session)
-    desk.wait()
-    assert desk.document.session.result is not None
-    assert desk.steps == 0
-    assert not desk.document.dirty
-
-
-def test_a_lens_that_is_opened_stays_until_somebody_edits(make_desk, designed, qtbot):
-    desk = make_desk(designed)
-    carried = replace(designed, result=None, start=designed.result.state.heights)
-    for session in (designed, carried):
-        desk.document.recover(session, "small", None, None)
-        qtbot.wait(300)
-        assert desk.document.session is session
-    assert desk.settled == []
-
-
-def test_a_design_that_fails_says_why_and_leaves_the_task(make_desk, qtbot, monkeypatch):
-    desk = make_desk()
-
-    def generate(*_):
-        raise ZeroDivisionError("nothing there")
-        yield
-
-    desk.follow._live = LiveDesign(generate, refit=lambda *_: None)
-    desk.edit(7)
-    qtbot.waitUntil(lambda: bool(desk.failed))
-    assert "nothing there" in desk.failed[0]
-    assert desk.document.session.scene.receiver.z == 7
-    assert desk.follow.text == ""
-
-
-@pytest.mark.parametrize("leave", ["undo", "begin", "edit"])
-def test_a_design_that_nobody_wants_ends_before_its_first_lens(desk, qtbot, designed, leave):
-    begun = []
-
-    def endless(scene, *_):
-        begun.append(scene.receiver.z)
-        while True:
-            check_given_up()
-            time.sleep(0.002)
-        yield
-
-    desk.follow._live = LiveDesign(endless, refit=lambda *_: None)
-    desk.edit(7)
-    qtbot.waitUntil(lambda: begun == [7])
-    if leave == "undo":
-        desk.document.undo_stack.undo()
-        qtbot.waitUntil(lambda: not desk.follow._background.running)
-    elif leave == "begin":
-        desk.document.begin(designed, "new")
-        qtbot.waitUntil(lambda: begun == [7, 5])
-    else:
-        desk.edit(8)  # the first lens may still come soon
-        assert begun == [7]
-        qtbot.waitUntil(lambda: begun == [7, 8])
-    desk.follow.rest()
-    qtbot.waitUntil(lambda: not desk.follow._background.running)

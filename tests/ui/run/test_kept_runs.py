@@ -5,9 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.run.kept import is_named, renamed, restored, with_followed, with_run
-from workbench.design.endings import STOPPED
-from workbench.files.header import MOST_RUNS
+from ui.run.kept import is_named, renamed, restored, with_run
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
 KILOBYTE = 1 << 10
@@ -57,13 +55,6 @@ def test_the_oldest_unnamed_run_is_dropped_first(session, large):
     assert names(kept) == ["Run 5: auto, 12 × 10"]
 
 
-def test_no_more_runs_are_kept_than_a_file_holds(session, result):
-    for _ in range(MOST_RUNS + 3):
-        session, _ = with_run(session, result)
-    assert len(session.runs) == MOST_RUNS
-    assert names(session)[0] == "Run 4: auto, 12 × 10"
-
-
 def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     session, _ = with_run(session, result)
     (run,) = session.runs
@@ -81,37 +72,3 @@ def test_restoring_brings_task_and_lens_back(session, result, make_scene):
         locked=FaceArrays({"exit": locked["exit"][:9, :9]}),
     )
     assert restored(other, run).locked == NO_LOCKS
-
-
-@pytest.fixture
-def unfinished(result):
-    return replace(result, ended=STOPPED)
-
-
-def test_a_lens_that_follows_replaces_an_unfinished_one(session, result, unfinished):
-    session, _ = with_run(session, result)
-    for _ in range(3):
-        session, _ = with_followed(session, unfinished)
-    assert names(session) == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
-    assert not is_named(session.runs[-1])
-    session, _ = with_followed(session, result)
-    assert names(session) == ["Run 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
-    assert session.runs[-1].result is result
-
-
-def test_a_finished_lens_that_followed_stays_beside_the_next(session, result, unfinished):
-    session, _ = with_followed(session, result)
-    session, _ = with_followed(session, unfinished)
-    assert names(session) == ["Followed 1: auto, 12 × 10", "Followed 2: auto, 12 × 10"]
-    session, _ = with_run(session, result)
-    assert names(session)[-1] == "Run 3: auto, 12 × 10"
-
-
-def test_lenses_that_followed_are_dropped_before_runs(session, large):
-    session, _ = with_run(session, large(100))
-    for _ in range(2):
-        session, _ = with_followed(session, large(100))
-    session, given_way = with_followed(session, large(100), budget=350 * KILOBYTE)
-    assert [run.name for run in given_way] == ["Followed 2: auto, 12 × 10"]
-    assert names(session)[0] == "Run 1: auto, 12 × 10"
-    assert len(session.runs) == 3

@@ -4,9 +4,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QMessageBox
 
 from tests.ui.hands import enter, move_screen
 from workbench.files.session import KeptRun, read_session
@@ -105,24 +102,3 @@ def test_an_edit_waits_for_the_run_or_stops_it(running, qtbot):
     running.document.undo_stack.undo()
     assert running.document.session.scene.receiver.z == 5
     assert running.document.session.result is not None  # of the run, for the task that it had
-
-
-def drop(window, path):
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
-    at, copy = QPointF(9, 9), Qt.DropAction.CopyAction
-    keys, button = Qt.KeyboardModifier.NoModifier, Qt.MouseButton.LeftButton
-    window.dropEvent(QDropEvent(at, copy, data, button, keys))
-
-
-def test_a_design_dropped_during_a_run_is_opened_after_it(
-    running, session, qtbot, monkeypatch, tmp_path
-):
-    path = tmp_path / "other.json"
-    path.write_text(session.scene.model_copy(update={"unit": "inch"}).to_json())
-    drop(running, path)
-    assert running.loaded.control.busy and running.document.session.scene.unit != "inch"
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
-    (stop_and_open,) = running.messages.buttons
-    stop_and_open.click()
-    qtbot.waitUntil(lambda: running.document.session.scene.unit == "inch", timeout=60_000)

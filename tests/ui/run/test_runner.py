@@ -8,7 +8,6 @@ from PySide6.QtCore import QThread
 
 from ui.run.runner import Runner
 from workbench.errors import RunFailed
-from workbench.optics import ready
 
 
 class Heard:
@@ -103,18 +102,6 @@ def test_pauses_shows_the_last_snapshot_and_resumes(session, gated, start_runner
     assert heard.states == ["running", "paused", "running"]
 
 
-def test_stop_wakes_a_paused_run(session, gated, start_runner, qtbot):
-    runner, heard = start_runner(gated)
-    runner.start(session, continue_run=False)
-    runner.pause()
-    gated.allowed.release(10)
-    qtbot.waitUntil(lambda: bool(heard.frames))
-    with qtbot.waitSignal(runner.finished):
-        runner.stop()
-    assert gated.taken == 0
-    assert heard.states == ["running", "paused", "stopping", "idle"]
-
-
 def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner, qtbot):
     def run(scene, target, start=None, locked=None):
         yield snapshots(0)
@@ -133,28 +120,6 @@ def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner,
     )
 
 
-def test_preview_is_no_run(session, as_run, start_runner, qtbot):
-    runner, heard = start_runner(as_run(5))
-    with qtbot.waitSignal(runner.frame_ready):
-        runner.preview(session)
-    qtbot.wait(20)
-    assert heard.frames[0].snapshot.iteration == 0
-    assert heard.states == [] and heard.results == []
-
-
-def test_start_replaces_a_preview(session, gated, start_runner, qtbot):
-    runner, heard = start_runner(gated)
-    runner.preview(session)
-    runner.start(session, continue_run=False)
-    runner.preview(session)  # its frames come anyway
-    gated.allowed.release(10)
-    qtbot.waitUntil(lambda: gated.taken > 5)
-    with qtbot.waitSignal(runner.finished):
-        runner.stop()
-        gated.allowed.release(10)
-    assert len(heard.results) == 1
-
-
 def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
     runner, heard = start_runner(as_run(10_000, pause=0.005))
     runner.start(session, continue_run=False)
@@ -165,29 +130,3 @@ def test_shutdown_in_the_middle_of_a_run(session, as_run, start_runner, qtbot):
     seen = len(heard.frames)
     qtbot.wait(100)
     assert heard.results == [] and len(heard.frames) == seen
-
-
-def test_a_run_that_waits_for_its_kernels_signals_it(
-    start_runner, session, kernels, monkeypatch, qtbot
-):
-    """Its first lens is traced by them already: as if they had been ready."""
-    runner, heard = start_runner(None)
-    waiting = []
-    runner.waiting.connect(waiting.append)
-    monkeypatch.setattr(ready, "_ready", set())
-    with ready._compiling:  # as by another thread
-        runner.start(session, continue_run=False)
-        qtbot.waitUntil(lambda: waiting == [True])
-        qtbot.wait(100)
-        assert not heard.frames
-    qtbot.waitUntil(lambda: bool(heard.results))
-    assert waiting == [True, False]
-    cold = heard.results[0]
-    ready.compile_all()
-    runner.start(session, continue_run=False)
-    qtbot.waitUntil(lambda: len(heard.results) == 2)
-    assert waiting == [True, False]
-    np.testing.assert_array_equal(
-        cold.state.heights["exit"], heard.results[1].state.heights["exit"]
-    )
-    np.testing.assert_array_equal(cold.losses, heard.results[1].losses)

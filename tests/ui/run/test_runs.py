@@ -4,7 +4,6 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit
 
 from tests.ui.hands import move_screen
 from ui.check.checking import CheckedLens
@@ -106,28 +105,6 @@ def test_each_run_is_kept_in_one_step_with_its_result(window, run):
     assert names(window) == [] and window.document.session.result is None
 
 
-def test_runs_stay_while_the_design_changes(two_runs):
-    assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
-    bold = [table(two_runs).item(row, 0).font().bold() for row in (0, 1)]
-    assert bold == [False, True]
-
-
-def test_a_run_is_given_another_name_by_keyboard(two_runs, qtbot):
-    lines = table(two_runs)
-    lines.setCurrentCell(0, 0)
-    lines.setFocus()
-    qtbot.keyClick(lines, Qt.Key.Key_F2)
-    qtbot.waitUntil(lambda: bool(lines.viewport().findChildren(QLineEdit)))
-    editor = lines.viewport().findChildren(QLineEdit)[0]
-    editor.selectAll()
-    qtbot.keyClicks(editor, "near screen")
-    qtbot.keyClick(editor, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: two_runs.document.session.runs[0].name == "near screen")
-    assert two_runs.document.undo_stack.undoText() == "rename run"
-    two_runs.commands["undo"].trigger()
-    assert names(two_runs)[0] == "Run 1: auto, 12 × 10"
-
-
 def test_going_back_to_a_run(two_runs, qtbot):
     document = two_runs.document
     first = document.session.runs[0]
@@ -179,22 +156,6 @@ def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
     assert errors == ["1.25 %", "3.00 %"]
 
 
-def test_kept_runs_are_saved_with_the_file(two_runs, tmp_path):
-    path = tmp_path / "two.freeform"
-    two_runs.document.save(path)
-    two_runs.document.open(path)
-    assert names(two_runs) == ["Run 1: auto, 12 × 10", "Run 2: auto, 12 × 10"]
-    assert [table(two_runs).item(row, 0).font().bold() for row in (0, 1)] == [False, True]
-    assert verified(two_runs) == ["1.25 %", "1.25 %"]
-    session = two_runs.document.session
-    two_runs.loaded.runs.note_check(CheckedLens(session, session.heights), found(0.03))
-    assert not two_runs.document.dirty  # a check is no edit
-    assert verified(two_runs) == ["1.25 %", "3.00 %"]
-    two_runs.document.save(path)
-    two_runs.document.open(path)
-    assert verified(two_runs) == ["1.25 %", "3.00 %"]
-
-
 def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     run()
     result = window.document.session.result
@@ -207,20 +168,3 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     move_screen(window.document, 7)
     assert window.status._verified.text() == "" and window.loaded.views.loss._verified == ()
     assert verified(window)[0] == "1.25 %"
-
-
-def test_a_run_is_checked_while_it_goes_on(window, as_run, checks, monkeypatch, qtbot):
-    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
-    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
-    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 2)
-    window.loaded.control.runner._generate = as_run(100_000, pause=0.01)
-    window.commands["start"].trigger()
-    qtbot.waitUntil(lambda: len(window.loaded.views.loss._verified) >= 2, timeout=60_000)
-    assert {(rays, threads) for _, rays, threads in checks.asked} == {(1_000_000, 1)}
-    assert window.status._verified.text().startswith("Checked error 1.25 % at ")
-    window.commands["stop"].trigger()
-    qtbot.waitUntil(lambda: not window.loaded.control.busy, timeout=60_000)
-    qtbot.waitUntil(lambda: checks.asked[-1][1] == 4_000_000)
-    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
-    seen = [point.iteration for point in window.loaded.views.loss._verified]
-    assert seen == sorted(seen) and seen[0] > 0

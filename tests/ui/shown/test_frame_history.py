@@ -66,16 +66,6 @@ def test_moments_and_checks_follow_the_result(task, run):
     assert shown(history) == [0, 1, 2]
 
 
-def test_a_branch_keeps_what_came_before_it(run):
-    history = FrameHistory()
-    session = run(history, 3, checks=[EARLY, LATE])
-    middle = history.frames[2]
-    history.branch(middle)
-    session.result = SimpleNamespace(losses=middle.result.losses)
-    history.show(session)
-    assert shown(history) == [0, 1, 2] and history.checks == (EARLY,)
-
-
 def test_memory_of_all_courses_is_bounded(run):
     history = FrameHistory(budget=9_000)
     sessions = [run(history, 3, size=2000) for _ in range(3)]

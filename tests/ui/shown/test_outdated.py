@@ -30,17 +30,6 @@ def test_a_view_is_marked_after_an_edit_until_a_frame_of_it_comes(
     assert not view.outdated
 
 
-def test_undo_of_a_lens_alone_marks_what_is_shown(shown, view, document, frames, history, qtbot):
-    document.set_result(history(2).result(), "run")
-    shown.frame_changed.emit(frames(2, document.session))
-    document.set_result(history(5).result(), "run")
-    shown.frame_changed.emit(frames(5, document.session))
-    document.undo_stack.undo()
-    qtbot.waitUntil(lambda: view.outdated)
-    document.undo_stack.redo()
-    assert not view.outdated
-
-
 def test_every_view_and_the_figures_in_the_status_are_marked(window, qtbot, display, kernels):
     window.build()
     loaded = window.loaded

@@ -4,7 +4,6 @@ import time
 
 import pytest
 
-from workbench.files.session import read_session
 from workbench.interruption import check_interruption
 from workbench.sweep.processes import Failed, attempt
 
@@ -68,21 +67,6 @@ def test_fields_are_offered_with_what_they_are_now(dialog):
     assert not dialog.form.values[1].isEnabled()
 
 
-@pytest.mark.parametrize(
-    ("values", "said"),
-    [
-        ("", "a value is empty"),
-        ("1.5..2", "from a to b goes with whole numbers only"),
-        ("two", "run.seed"),
-    ],
-)
-def test_values_that_are_none_are_refused_in_the_dialog(dialog, values, said):
-    choose(dialog, 0, "run.seed", values)
-    dialog.begin.click()
-    assert said in dialog.told.text()
-    assert dialog.table.rowCount() == 0 and dialog.begin.text() == "Start"
-
-
 def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     choose(dialog, 0, "run.iterations", "1, 2")
     choose(dialog, 1, "run.seed", "3,7")
@@ -104,19 +88,6 @@ def test_each_pair_of_values_gets_a_lens_and_a_row(dialog, qtbot, tmp_path):
     assert axes.get_xlabel() == "Run · Iterations"
     table = (tmp_path / "lenses" / "table.csv").read_text().splitlines()
     assert len(table) == 5 and table[0].startswith("scene,run.iterations,run.seed,")
-
-
-def test_a_lens_of_the_table_is_opened_in_the_window(dialog, window, qtbot):
-    choose(dialog, 0, "run.seed", "3,7")
-    with qtbot.waitSignal(dialog._background.done, timeout=60_000):
-        dialog.begin.click()
-    dialog.table.selectRow(1)
-    assert not dialog.look.isEnabled()  # there is none
-    dialog.table.selectRow(0)
-    dialog.look.click()
-    session = read_session(window.document.path)
-    assert session.scene.run.seed == window.document.session.scene.run.seed == 3
-    assert window.document.session.result is not None
 
 
 def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(

@@ -5,9 +5,8 @@ import threading
 import pytest
 from PySide6.QtCore import QThread
 
-from ui.threads.background import Background, Task
+from ui.threads.background import Background
 from workbench.errors import Refused
-from workbench.interruption import check_given_up
 
 
 @pytest.fixture
@@ -95,65 +94,3 @@ def test_cancelled_work_reports_nothing(asked, qtbot, request_):
     qtbot.waitUntil(lambda: not asked.background.running)
     assert asked.begun[0][1].stopped
     assert asked.received == [] and asked.progress == []
-
-
-def test_closing_leaves_work_between_two_of_its_steps(qapp):
-    begun, received = threading.Event(), []
-
-    def without_end(_):
-        while True:
-            check_given_up()
-            begun.set()
-
-    background = Background("turning round", None)
-    background.done.connect(lambda *outcome: received.append(outcome))
-    background.failed.connect(lambda *outcome: received.append(outcome))
-    background.begin(without_end)
-    assert begun.wait(timeout=20)
-    background.close()
-    assert not background.running and received == []
-
-
-def test_closing_waits_and_reports_nothing(asked, qtbot):
-    asked.ask("abc")
-    asked.gate.release()
-    asked.background.close()
-    asked.background.close()
-    assert not asked.background.running
-    assert asked.begun and asked.ended == ["abc"]
-    qtbot.wait(50)
-    assert asked.received == []
-
-
-class TestFollowing:
-    """Steps that a task takes."""
-
-    @pytest.fixture
-    def steps(self):
-        """Ten steps, and what has become of them."""
-        self.ends = []
-
-        def ten():
-            try:
-                yield from range(10)
-                return "whole"
-            finally:
-                self.ends.append("closed")
-
-        return ten()
-
-    def test_to_their_end(self, steps):
-        seen = []
-        assert Task(None, None, None).follow(steps, seen.append) == "whole"
-        assert seen == list(range(10)) and self.ends == ["closed"]
-
-    def test_until_the_work_is_stopped(self, steps):
-        task, seen = Task(None, None, None), []
-
-        def watch(step):
-            seen.append(step)
-            if step == 3:
-                task.stop()
-
-        assert task.follow(steps, watch) is None
-        assert seen == [0, 1, 2, 3] and self.ends == ["closed"]

@@ -1,21 +1,12 @@
 """The dock that perturbs the lens on show."""
 
-import csv
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
 
 from tests.ui.hands import fill
-from ui.document.document import Document
-from ui.files.dialogs import FileDialogs
-from ui.files.plots import Plots
 from ui.tolerances import pane as pane_module
 from ui.tolerances.pane import TolerancePane
-from ui.widgets.message_bar import MessageBar
 from workbench.analysis.tolerances import Distribution, perturbed
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -101,51 +92,3 @@ def test_cancelling_keeps_the_lenses_so_far(pane, qtbot):
     assert pane.form.begin.text() == "Start" and pane.form.begin.isEnabled()
     traced = len(pane._sample.others)
     assert 2 < traced < 50000 and pane.summary.text().startswith(f"{traced} of 50000 lenses: ")
-
-
-def test_figures_of_an_earlier_lens_are_marked(pane, session, frame, frames, qtbot):
-    sample(pane, qtbot)
-    pane.show_frame(frames(5))
-    assert pane.summary.text().endswith("Out of date: the lens has changed since.")
-    pane.show_frame(frame)
-    assert "changed" not in pane.summary.text()
-    pane.show_nothing(session)
-    assert "changed" in pane.summary.text() and not pane.form.begin.isEnabled()
-
-
-def test_plot_and_figures_can_be_saved(pane, session, settings, tmp_path: Path, qtbot):
-    sample(pane, qtbot, lenses=3)
-    qtbot.waitUntil(lambda: not pane.plot.empty)
-    window, messages = QWidget(), MessageBar()
-    qtbot.addWidget(window)
-    qtbot.addWidget(messages)
-    document = Document(session, "small", window)
-    dialogs = FileDialogs(document, settings, window)
-    plots = Plots({"tolerances": pane.plot}, document, messages, dialogs, window)
-    for ending in ("json", "png", "csv"):
-        plots.save("tolerances", tmp_path / f"spread.{ending}")
-    plots.close()
-    figures = json.loads((tmp_path / "spread.json").read_text())
-    errors = [each["relative_l2"] for each in figures["samples"]]
-    assert len(errors) == 3 and figures["worst"] == max(errors)
-    assert (tmp_path / "spread.png").read_bytes().startswith(b"\x89PNG")
-    with (tmp_path / "spread.csv").open() as file:
-        rows = list(csv.DictReader(file))
-    assert [float(row["relative L2 error"]) for row in rows] == pytest.approx(errors)
-    assert "decentre x [cm]" in rows[0]
-
-
-def test_only_sources_that_can_be_off_have_rows(pane, make_scene, qtbot):
-    led = {"kind": "area", "center": [0, 0, -3.0], "half_width": [0.2, 0.1]}
-    point = {"kind": "point", "position": [0, 0, -3.0]}
-    for source, turns, moves in ((led, True, True), (point, False, True)):
-        pane.form.show_scene(make_scene({"source": source}))
-        assert pane.form._row("source_tilt").isVisible() == turns
-        assert pane.form._row("source_shift").isVisible() == moves
-        enter(pane, qtbot, "source_shift", "0.2")
-        assert pane.form.within.source_shift == 0.2
-    assert "may touch the lens" in enter(pane, qtbot, "source_shift", "4").refusal
-    pane.form.show_scene(make_scene())  # even light from infinitely far
-    assert not pane.form._row("source_shift").isVisible()
-    assert pane.form.within.source_shift == 0
-    assert pane.form.accepted()

@@ -5,11 +5,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QThread
 
-import workbench.analysis.derivatives
 from ui.views.derivative_view import DerivativeView
-from workbench.analysis.derivatives import DerivativeMap, irradiance_derivative
+from workbench.analysis.derivatives import irradiance_derivative
 from workbench.geometry.faces import FaceArrays
 from workbench.powers import written
 
@@ -27,20 +25,6 @@ def frame(session, snapshots):
         return SimpleNamespace(session=of, state=snapshot.state)
 
     return make
-
-
-@pytest.fixture
-def asked(monkeypatch):
-    """What the engine was asked for, and in which thread; answers with a map of ones."""
-    calls = []
-
-    def stand_in(scene, heights, index, face):
-        calls.append((scene, heights, index, QThread.currentThread()))
-        n_x, n_y = scene.receiver.pixels
-        return DerivativeMap(index, (0.0, 0.0), np.ones((n_y, n_x)), 0.5, 2.0)
-
-    monkeypatch.setattr(workbench.analysis.derivatives, "irradiance_derivative", stand_in)
-    return calls
 
 
 @pytest.fixture
@@ -67,20 +51,6 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     np.testing.assert_array_equal(shown.mask, wanted.map == 0)
     assert f"{written(wanted.sum, digits=2)} per cm," in seen._sum.text()
     assert seen._place.text() == "x = 0.111 cm, y = 0.143 cm"
-
-
-def test_nothing_is_computed_while_hidden(view, frame, asked, show, qtbot):
-    view.show_frame(frame(1))
-    view.show_frame(frame(2))
-    qtbot.wait(400)
-    assert not asked
-    show(view, 380, 380)
-    qtbot.waitUntil(lambda: len(asked) == 1)
-    assert asked[0][1]["exit"][0, 0] == 0.48
-    view.hide()
-    view.show_frame(frame(3))
-    qtbot.wait(400)
-    assert len(asked) == 1
 
 
 def test_a_refusal_is_shown_and_the_old_map_removed(seen, frame, make_session, qtbot):

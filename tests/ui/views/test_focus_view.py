@@ -88,22 +88,6 @@ def test_view_begins_at_the_screen_and_moves_to_any_distance(view, frame, qtbot)
     assert view.z == scene.receiver.z
 
 
-def test_nothing_is_traced_while_hidden(view, frame, traces, qtbot):
-    traced(view, frame, qtbot)
-    traces.clear()
-    view.uncover(False)
-    view._slider.setValue(700)
-    view.show_frame(frame)
-    qtbot.wait(400)
-    view.hide()
-    view.uncover(True)
-    qtbot.wait(400)
-    assert traces == []
-    view.show()
-    traced(view, frame, qtbot)
-    assert traces[-1] == (view.z, MANY)
-
-
 def test_the_image_follows_the_lens_when_it_stops_changing(view, frame, wavy, traces, qtbot):
     traced(view, frame, qtbot)
     traces.clear()

@@ -7,7 +7,6 @@ import pytest
 from PySide6.QtCore import Qt
 
 from ui.shown.frame import iterations_before
-from ui.shown.frame_history import FrameHistory
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -23,40 +22,6 @@ def frame(at, size=1000):
 
 def kept(history):
     return [iterations_before(each) for each in history.frames]
-
-
-def test_few_frames_are_all_kept():
-    history = FrameHistory()
-    for at in range(5):
-        history.add(frame(at))
-    assert kept(history) == [0, 1, 2, 3, 4]
-
-
-def test_many_frames_stay_within_the_budget_and_spread_evenly():
-    history = FrameHistory(budget=1_000_000)
-    for at in range(3000):
-        history.add(frame(at, size=100_000 - 8 * at))
-        found = kept(history)
-        assert found[0] == 0 and found[-1] == at
-        assert (
-            sum(
-                each.surfaces["exit"].nbytes + 8 * iterations_before(each)
-                for each in history.frames
-            )
-            <= 1_000_000
-        )
-    gaps = np.diff(found[:-1])
-    assert len(found) >= 5
-    assert gaps.max() <= 2 * gaps.min()
-
-
-def test_another_course_from_an_earlier_moment_replaces_the_later_ones():
-    history = FrameHistory()
-    for at in (0, 3, 6, 9, 5, 7):
-        history.add(frame(at))
-    assert kept(history) == [0, 3, 5, 7]
-    history.add(frame(0))
-    assert kept(history) == [0]
 
 
 @pytest.fixture
@@ -110,23 +75,6 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
         iterations_before(designed.loaded.control.history.frames[-1])
         == iterations_before(first) + 12
     )
-
-
-def test_the_list_of_steps_can_be_jumped_in(designed, qtbot):
-    scene = designed.document.session.scene
-    designed.document.edit(scene.model_copy(update={"unit": "mm"}), "change of unit", "unit")
-    dock, steps = designed.workspace.docks["history"], designed.workspace.history
-    assert dock.isHidden()
-    dock.toggleViewAction().trigger()
-    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
-    model = steps.model()
-    texts = [model.index(row, 0).data() for row in range(model.rowCount())]
-    assert texts == ["As opened", "design run", "change of unit"]
-    for row, unit, done in ((0, "cm", False), (1, "cm", True), (2, "mm", True)):
-        place = steps.visualRect(model.index(row, 0)).center()
-        qtbot.mouseClick(steps.viewport(), Qt.MouseButton.LeftButton, pos=place)
-        session = designed.document.session
-        assert (session.scene.unit, session.result is not None) == (unit, done)
 
 
 def test_undoing_a_run_removes_its_course_and_redoing_restores_it(designed, qtbot):

@@ -117,30 +117,6 @@ def test_all_show_their_value_under_the_pointer(views, frame, session, qtbot):
     assert {view._readout.text() for view in views} == {"Viewed from behind the screen"}
 
 
-def test_light_has_a_logarithmic_scale(views, qtbot):
-    qtbot.mouseClick(views[0]._logarithmic, Qt.MouseButton.LeftButton)
-    light, target, error = (view._content.image.artists[0] for view in views)
-    qtbot.waitUntil(lambda: views[1]._logarithmic.isChecked())
-    for image in (light, target):
-        assert image.norm.vmax / image.norm.vmin == pytest.approx(1000)
-        assert image.norm(image.norm.vmax / 10) == pytest.approx(2 / 3)
-    assert error.norm.vmin == -error.norm.vmax
-    qtbot.mouseClick(views[1]._logarithmic, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not views[0]._logarithmic.isChecked())
-    assert light.norm.vmin == 0 and light.norm(light.norm.vmax / 2) == 0.5
-
-
-def test_the_target_has_as_much_light_as_arrives(views, frame, frames, qtbot):
-    light, target = (view._content.image.artists[0] for view in views[:2])
-    total = frame.session.scene.receiver.total
-    assert total(target.get_array()) == pytest.approx(total(light.get_array()))
-    for view in views[:2]:
-        view.show_frame(frames(2, irradiance=frame.state.irradiance / 8))
-    qtbot.waitUntil(lambda: not views[1]._to_draw)
-    assert total(target.get_array()) == pytest.approx(total(frame.state.irradiance) / 8)
-    qtbot.waitUntil(lambda: light.get_clim() == target.get_clim())
-
-
 def test_a_cross_section_goes_through_the_place_that_is_clicked(
     views, section, frame, session, qtbot
 ):

@@ -2,13 +2,9 @@
 
 import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtWidgets import QComboBox, QLabel, QSlider
 
-from ui.document.document import Document
-from ui.files.photo_picture import PhotoPicture
 from ui.views.photo_view import PhotoView
-from ui.widgets.message_bar import MessageBar
 from workbench.analysis.photo.light import LIGHTS
 from workbench.analysis.photo.photo import photograph
 from workbench.geometry.faces import FaceArrays
@@ -74,20 +70,3 @@ def test_another_light_and_another_lens_are_taken_anew(view, flat, qtbot):
     assert view.photo is None
     assert said(view).startswith("Out of date: of the lens before.")
     qtbot.waitUntil(lambda: view.photo is not None)
-
-
-def test_photo_is_saved_with_its_exposure(view, session, tmp_path, qtbot):
-    messages, shown = MessageBar(), []
-    qtbot.addWidget(messages)
-    document = Document(session, "flame")
-    picture = PhotoPicture(view, document, messages, None, lambda: shown.append(1), view)
-    picture.choose_and_save()
-    assert (shown, messages.text[:20]) == ([1], "There is no photo of")
-    qtbot.waitUntil(lambda: view.photo is not None)
-    view.findChild(QSlider).setValue(-4)
-    picture.save(tmp_path / "flame.png")
-    with Image.open(tmp_path / "flame.png") as saved:
-        assert np.array_equal(np.asarray(saved), view.photo.picture(-4 / 3))
-    assert messages.text == f"{tmp_path / 'flame.png'} is written."
-    picture.save(tmp_path)
-    assert "a folder of that name is there" in messages.text

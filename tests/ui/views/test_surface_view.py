@@ -9,7 +9,6 @@ from PySide6.QtCore import QPoint
 from ui.views.surface_view import SurfaceView
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
-from workbench.pictures.surface import ASPECTS
 
 
 @pytest.fixture
@@ -30,18 +29,6 @@ def view(tilted, show, qtbot):
     show(view, 500, 400)
     qtbot.waitUntil(lambda: not view.empty)
     return view
-
-
-def bar(view):
-    return view._canvas.figure.axes[0].child_axes[0].get_ylabel()
-
-
-def test_any_aspect_can_be_chosen(view, qtbot):
-    assert bar(view) == "height (cm)"
-    for number, aspect in enumerate(ASPECTS):
-        view._aspects.setCurrentIndex(number)
-        qtbot.waitUntil(lambda name=aspect.name: bar(view).startswith(name))
-        assert aspect.tip in view._aspects.toolTip()
 
 
 def test_view_follows_the_lens_and_shows_the_value_under_the_pointer(view, tilted, qtbot):

@@ -66,44 +66,6 @@ def test_the_camera_comes_back_with_the_design(display, open_window, tmp_path, q
         assert scene.camera()[key] == pytest.approx(value)
 
 
-@pytest.mark.parametrize(
-    "view",
-    [
-        {},
-        {"layout": 3, "on": "rays_5", "camera": []},
-        {"layout": "no base64!", "on": [1, None], "camera": {}},
-        {"layout": "AAAA", "on": ["no such"], "camera": {"position": "here"}},
-        {"camera": {"position": [0, 0, 0], "focal_point": [0, 0, 0], "up": [0, 1, 0], "scale": 1}},
-        {"camera": {"fitted": 3}},
-    ],
-)
-def test_a_broken_view_is_logged_and_otherwise_ignored(open_window, tmp_path, view, qtbot):
-    path = tmp_path / "mine.freeform"
-    window = open_window()
-    window.build()
-    window.document.save(path, view)
-    before = shown(window)
-    assert window.files.open(path)
-    assert window.document.path == path and not window.messages.isVisible()
-    assert shown(window) == before
-    assert "cannot be shown again" in window.log.toPlainText()
-
-
-def test_size_and_docks_outlive_the_window_and_can_be_reset(open_window, settings):
-    first = open_window()
-    usual = shown(first)
-    first.resize(1111, 777)
-    first.workspace.docks["history"].show()
-    first.workspace.docks["error"].hide()
-    changed = shown(first)
-    first.discard_and_close()
-    second = open_window()
-    assert (second.width(), second.height()) == (1111, 777)
-    assert shown(second) == changed != usual
-    second.commands["reset_layout"].trigger()
-    assert shown(second) == usual
-
-
 def test_revert_goes_back_to_the_file_and_can_be_undone(open_window, tmp_path):
     window = open_window()
     document, revert = window.document, window.commands["revert"]

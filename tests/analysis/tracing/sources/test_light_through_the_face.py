@@ -58,22 +58,3 @@ def test_the_solid_angle_of_the_face():
     solid = 4 * math.atan(0.7 / (2 * math.sqrt(1 + 0.7**2 + 4)))
     flux = axial.through(0, x, y).flux.sum() * area
     assert flux == pytest.approx(solid / (2 * math.pi), rel=1e-5)
-
-
-def test_rays_come_from_their_point():
-    x, y, _ = places(5)
-    rays = light(ABOVE).through(0, x, y)
-    way = rays.position - [0.3, -0.2, -4.0]
-    assert np.cross(way, rays.direction) == pytest.approx(np.zeros((25, 3)), abs=1e-14)
-    assert np.linalg.norm(rays.direction, axis=1) == pytest.approx(1)
-    assert rays.position[:, :2].tolist() == np.column_stack([x, y]).tolist()
-
-
-def test_parallel_light_fills_the_face():
-    x, y, area = places(20)
-    parallel = light({"kind": "collimated"}, TILTED)
-    rays = parallel.through(0, x, y)
-    assert rays.flux.sum() * area == pytest.approx(parallel.emitted, rel=1e-12)
-    assert np.array_equal(
-        rays.direction, next(light({"kind": "collimated"}, TILTED).batch(0)).direction
-    )

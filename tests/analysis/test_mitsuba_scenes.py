@@ -1,0 +1,80 @@
+"""Mitsuba finds the same light of mirrors and of two faces."""
+
+import numpy as np
+import pytest
+
+from workbench.analysis.cross_check import cross_check
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.scene import Scene
+
+pytestmark = pytest.mark.full
+
+
+pytest.importorskip("mitsuba")
+
+
+@pytest.mark.parametrize(
+    "source", [{"kind": "collimated"}, {"kind": "point", "position": [-2.0, 0.0, -6.0]}]
+)
+def test_mitsuba_finds_the_same_light_of_a_mirror(source):
+    scene = Scene.from_data(
+        {
+            "mirror": {"half_width": [1, 1], "control_points": [6, 6], "reflectance": 0.8},
+            "source": source,
+            "screen": {
+                "z": -6.0,
+                "center": [5.0, 0.5],
+                "tilt": [0.0, -40.0],
+                "half_width": [2.0, 2.0],
+                "pixels": [16, 16],
+            },
+            "target": {"builtin": "ball"},
+        }
+    )
+    x, y = ControlNet.of(scene.optic).positions
+    # It leans towards the screen, and is bent more along x than along y.
+    heights = 0.28 * x[:, None] - 0.05 * np.square(x[:, None]) - 0.02 * np.square(y)
+    found = cross_check(scene, np.ones((16, 16)), {"mirror": heights}, rays=200_000)
+    assert found.ours.efficiency > 0.3
+    assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.01)
+    assert found.difference < 1.3 * found.noise
+
+
+pytest.importorskip("mitsuba")
+
+
+TILTED = {"kind": "collimated", "direction": [12, -5]}
+
+
+POINT = {"kind": "point", "position": [0.2, 0, -4], "rays": 1000}
+
+
+@pytest.mark.parametrize(("source", "outline"), [(TILTED, "rectangle"), (POINT, "ellipse")])
+def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, source, outline):
+    monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 128)  # made sooner
+    scene = make_scene(
+        {
+            "version": 2,
+            "lens.outline": outline,
+            "lens.entrance": {
+                "shape": "freeform",
+                "control_points": [7, 9],
+                "height_range": [-0.05, 0.3],
+            },
+            "lens.base": {"shape": "flat", "height": 0.6},
+            "source": source,
+            "screen.half_width": [1.8, 1.8],
+            "screen.pixels": [16, 16],
+            "lens.reflection": "fresnel",
+        }
+    )
+    heights = {}
+    for (name, net), z in zip(freeform_nets(scene.optic).items(), (0.0, 0.6), strict=True):
+        x, y = net.positions[0][:, None], net.positions[1]
+        heights[name] = z + 0.01 * np.sin(2 * x + len(name)) * np.cos(3 * y)
+    x, y = freeform_nets(scene.optic)["entrance"].positions
+    heights["entrance"] += 0.12 * (x[:, None] ** 2 + y**2)
+    found = cross_check(scene, np.ones((16, 16)), heights, rays=100_000)
+    assert found.ours.efficiency > 0.3
+    assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.015)
+    assert found.difference < 1.3 * found.noise

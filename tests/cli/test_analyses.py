@@ -1,0 +1,96 @@
+"""Commands that analyse a lens: manufacture, and the bound of a task."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from tests.accounts import account_of
+from workbench.design.lens_state import LensState
+from workbench.design.snapshot import Result
+from workbench.files.session import Session, write_session
+from workbench.geometry.faces import FaceArrays
+from workbench.geometry.surface import ControlNet
+
+GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
+
+
+@pytest.fixture
+def extended(tmp_path, scene_data):
+    path = tmp_path / "extended.json"
+    path.write_text(json.dumps(scene_data | {"source": GRID}))
+    return path
+
+
+def test_json_has_the_bound_and_its_assumptions(freeform, extended):
+    status, stdout, stderr = freeform("bound", extended, "--json")
+    assert (status, stderr) == (0, "")
+    found = json.loads(stdout)
+    assert 0 < found["relative_l2_bound"] <= found["relative_l2_reached"] < 1
+    assert 0 < found["relative_l2_half_as_wide"] < found["relative_l2_bound"]
+    assert 0 < found["on_target_bound"] <= found["efficiency_bound"] <= 1
+    assert any("one blur over the whole lens" in each for each in found["assumptions"])
+
+
+@pytest.fixture(autouse=True)
+def few_places(monkeypatch):
+    monkeypatch.setattr("workbench.analysis.manufacture._PARTS", 32)
+    monkeypatch.setattr("workbench.cli.manufacture._PLACES", 65)
+
+
+@pytest.fixture
+def bowl(make_scene, tmp_path):
+    """A session with a lens that is 0.2 x² thicker beside the middle."""
+    scene = make_scene()
+    x, _ = ControlNet.of(scene.optic).positions
+    heights = 0.5 + 0.2 * x[:, None] ** 2 + np.zeros((12, 10))
+    image = np.ones((32, 32))
+    account = account_of(1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    path = tmp_path / "bowl.freeform"
+    write_session(
+        Session(
+            scene,
+            image,
+            Result(
+                LensState(
+                    heights=FaceArrays({"exit": heights}), irradiance=image, loss=1, account=account
+                ),
+                losses=np.ones(1),
+                seconds=1,
+            ),
+        ),
+        path,
+    )
+    return path
+
+
+def test_figures(freeform, bowl):
+    status, stdout, stderr = freeform("manufacture", bowl, "--json")
+    assert (status, stderr) == (0, "")
+    found = json.loads(stdout)
+    assert found["unit"] == "cm"
+    assert [(v["limit"], v["state"]) for v in found["limits"]] == [(0.05, "met")]  # the scene's
+    assert found["thickest"]["value"] == pytest.approx(0.7)
+    assert found["tightest_convex"]["value"] is found["tightest_convex"]["bound"] is None
+    assert found["draft"] == pytest.approx(90 - math.degrees(math.atan(0.4)), abs=1.0)
+    status, stdout, _ = freeform("manufacture", bowl)
+    assert status == 0
+    assert "convex radius     -\n" in stdout
+
+
+def test_limits(freeform, bowl, tmp_path):
+    plot = tmp_path / "maps.png"
+    given = "manufacture", bowl, "--min-thickness", 0.45, "--max-slope", 10
+    status, stdout, stderr = freeform(*given, "--plot", plot)
+    assert status == 1
+    assert stderr.startswith("freeform: slope 21")
+    assert stderr.endswith("at most 10° wanted\n")
+    assert "thickness at least 0.45 cm: met\n" in stdout
+    assert "slope at most 10°: NOT MET\n" in stdout
+    assert plot.read_bytes().startswith(b"\x89PNG")
+    status, stdout, _ = freeform(*given, "--json")
+    assert status == 1
+    assert [v["state"] for v in json.loads(stdout)["limits"]] == ["met", "broken"]
+    status, _, stderr = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
+    assert (status, stderr) == (0, "")

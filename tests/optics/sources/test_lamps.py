@@ -1,0 +1,164 @@
+"""Light of measured rays, and samples where a beam is narrow."""
+
+import numpy as np
+import pytest
+import torch
+
+from tests.lamps import led
+from tests.measured.photometry.files import ies
+from workbench.analysis.metrics import relative_l2
+from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.validation import validate
+from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.measured.lamps import intensity_of
+from workbench.optics.beam_plan import BeamPlan
+from workbench.optics.plan import Plan
+from workbench.optics.samples import Corners
+from workbench.scene import Scene
+
+
+@pytest.fixture
+def scene(make_scene, tmp_path):
+    changes = {"source": led(tmp_path), "screen.pixels": [16, 16], "lens.reflection": "none"}
+    return make_scene(changes)
+
+
+def waves(scene):
+    x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)
+    return 0.5 + 0.05 * torch.sin(3 * x[:, None] + 1) * torch.cos(2 * y[None, :])
+
+
+def test_beams_of_points_make_the_image_of_the_rays(scene):
+    lens = waves(scene)
+    light = BeamPlan(scene, Corners(40, 40, 64), dtype=torch.float64).trace({"exit": lens})
+
+    found = validate(scene, np.ones((16, 16)), {"exit": lens.numpy()}, 200_000, accuracy=3e-3)
+
+    assert found.rays == 200_000
+    # The file's own noise: about 7,000 of its rays come to 256 pixels.
+    assert relative_l2(light.flux.numpy(), found.irradiance) < 0.25
+    assert relative_l2(light.flux.numpy(), found.by_cells.irradiance) < 5e-3
+    assert found.account.on_screen == pytest.approx(light.account.on_screen, rel=0.02)
+    assert found.account.on_screen + sum(found.account.lost.values()) == pytest.approx(1, abs=1e-9)
+
+
+def test_all_light_of_the_file_is_accounted_for(scene):
+    heights = {"exit": waves(scene)}
+    beams = BeamPlan(scene, Corners(24, 24, 16), dtype=torch.float64).trace(heights).account
+    drawn = Plan(scene, dtype=torch.float64).trace(heights).account
+
+    for account in (beams, drawn):
+        assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
+    assert drawn.on_screen == pytest.approx(beams.on_screen, rel=0.02)
+    assert drawn.lost["missed_lens"] > 0.5
+
+
+def test_the_lamp_stays_where_it_is_while_the_lens_is_turned(scene):
+    lens, pose = {"exit": waves(scene).numpy()}, Pose(tilt=(0.05, -0.03), decentre=(0.1, 0.0))
+
+    turned = validate(scene, np.ones((16, 16)), lens, 200_000, pose=pose, accuracy=3e-3)
+
+    by_cells, rays = turned.by_cells.irradiance, turned.irradiance
+    assert rays.sum() == pytest.approx(by_cells.sum(), rel=0.02)
+    straight = validate(scene, np.ones((16, 16)), lens, 200_000)
+    assert relative_l2(by_cells, rays) < relative_l2(by_cells, straight.irradiance)
+
+
+def test_gradients_are_those_of_central_differences(scene):
+    plan = BeamPlan(scene, Corners(12, 12, 4), dtype=torch.float64)
+    heights = waves(scene)
+    generator = torch.Generator().manual_seed(1)
+    weights = torch.rand(16, 16, generator=generator, dtype=torch.float64)
+    step = torch.randn(heights.shape, generator=generator, dtype=torch.float64)
+
+    def value(z):
+        return (plan.trace({"exit": z}).flux * weights).sum()
+
+    leaf = heights.clone().requires_grad_()
+    value(leaf).backward()
+    h = 1e-6
+    difference = (value(heights + h * step) - value(heights - h * step)) / (2 * h)
+    assert (leaf.grad * step).sum().item() == pytest.approx(difference.item(), rel=1e-5)
+
+
+GAMMA = np.linspace(0, 90, 181)
+
+
+# A quadrature over the aperture, and sums over 32 × 32 cells, are so far apart at most.
+WITHIN = 5e-4
+
+
+def scene_of(width, distance, aside, optic="lens", outline="rectangle"):
+    """A lamp with half of its intensity within an angle, straight on or aside and turned."""
+    lens = {
+        "half_width": [1.0, 0.8],
+        "refractive_index": 1.5,
+        "control_points": [8, 8],
+        "outline": outline,
+    }
+    if optic == "two faces":
+        lens["entrance"] = {"shape": "freeform", "control_points": [8, 8]}
+    content = ies([0], GAMMA, 1e5 * np.exp2(-((GAMMA / width) ** 2))[None]).encode()
+    source = {
+        "kind": "photometric",
+        "file": "narrow.ies",
+        "position": [0.41, 0.31, -distance] if aside else [0.0, 0.0, -distance],
+        "rotation": [0.0, 14.0, 0.0] if aside else [0.0, 0.0, 0.0],
+    }
+    data = {
+        "format": "freeform-scene",
+        "version": 2,
+        "unit": "mm",
+        "lens": lens,
+        "source": source,
+        "screen": {"z": 20.0, "half_width": [20.0, 20.0], "pixels": [8, 8]},
+        "target": {"builtin": "tophat"},
+    }
+    return Scene.from_data(data).carrying({"narrow.ies": content})
+
+
+def traced(scene, cells=32):
+    heights = {
+        face: torch.full(net.shape, float(scene.optic.place_of(face, 0.0, 0.0))).double()
+        for face, net in freeform_nets(scene.optic).items()
+    }
+    plan = BeamPlan(scene, Corners(cells, cells), dtype=torch.float64, fused=False)
+    return plan.trace(heights).account
+
+
+@pytest.mark.parametrize("width", [1.0, 2.0, 20.0])
+@pytest.mark.parametrize("distance", [0.03, 0.3, 1.2])
+@pytest.mark.parametrize("aside", [False, True])
+def test_samples_have_all_the_light_that_enters(width, distance, aside):
+    account = traced(scene_of(width, distance, aside))
+
+    shares = account.to_data()
+    assert min(shares.values()) > -WITHIN
+    assert max(shares.values()) <= 1 + WITHIN
+    assert sum(shares.values()) - account.emitted == pytest.approx(account.emitted, abs=1e-9)
+
+
+@pytest.mark.parametrize("optic", ["lens", "two faces"])
+@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
+def test_all_light_of_a_narrow_lamp_passes_flat_faces(optic, outline):
+    account = traced(scene_of(1.0, 0.3, aside=False, optic=optic, outline=outline))
+
+    # Fresnel's equations straight on: 4 % at each face.
+    assert account.on_screen == pytest.approx(0.96**2, abs=2 * WITHIN)
+    assert abs(account.lost["missed_lens"]) < WITHIN
+    assert abs(account.lost["left_side"]) < WITHIN
+
+
+@pytest.mark.parametrize("width", [0.6, 5.0, 40.0])
+def test_directions_of_a_table_have_its_flux(width):
+    table = intensity_of(scene_of(width, 1.0, aside=False).source)
+    direction, flux = table.flux_nodes
+
+    assert flux.sum() == pytest.approx(table.lumens, rel=1e-12)
+    assert np.linalg.norm(direction, axis=1) == pytest.approx(1.0, abs=1e-12)
+    # Within a cone of half of the width: the sum of a fine rule over its angles.
+    cone = np.radians(np.linspace(0, width / 2, 4001))
+    way = np.stack([np.sin(cone), np.zeros_like(cone), np.cos(cone)], axis=-1)
+    wanted = 2 * np.pi * np.trapezoid(table.at(way) * np.sin(cone), cone)
+    found = flux[direction[:, 2] >= np.cos(cone[-1])].sum()
+    assert found == pytest.approx(wanted, abs=2e-3 * table.lumens)

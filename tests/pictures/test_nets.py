@@ -1,0 +1,117 @@
+"""Control nets and source handles in the 3D scene."""
+
+import numpy as np
+import pytest
+
+from workbench.pictures.control_net import ControlNetPicture
+from workbench.pictures.lens import LensPicture
+from workbench.pictures.projection import Projection
+from workbench.pictures.source_handles import SourceHandles, moved
+
+
+@pytest.fixture
+def net(make_scene, plotter):
+    """The net of 12 × 10 control points, seen as the default view has it; one of them marked."""
+    scene = make_scene()
+    LensPicture(plotter, scene, np.ones((32, 32))).fit()
+    net = ControlNetPicture(plotter, scene.optic, "exit")
+    net.update(np.full((12, 10), 0.5))
+    net.mark((0, 0))
+    plotter.render()
+    return net
+
+
+def in_window(plotter, point):
+    """Pixels of a point of the scene, from the lower left."""
+    plotter.renderer.SetWorldPoint(*point, 1.0)
+    plotter.renderer.WorldToDisplay()
+    return plotter.renderer.GetDisplayPoint()[:2]
+
+
+def test_nothing_is_picked_beside_the_lens(net, plotter):
+    assert net.pick(1, 1) is None
+
+
+def test_points_of_the_entrance_face_lie_outside_the_glass(make_scene, plotter):
+    scene = make_scene({"lens.entrance": {"shape": "freeform", "control_points": [6, 7]}})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit("entrance")
+    net = ControlNetPicture(plotter, scene.optic, "entrance")
+    net.update(np.zeros((6, 7)))
+    net.show(True)
+    assert shown(net._points) == 42 and (net._points._mesh.points[:, 2] < 0).all()
+    plotter.render()
+    for index in [(0, 0), (5, 0), (2, 4)]:
+        assert net.pick(*in_window(plotter, net.places[index])) == index
+
+
+def shown(dots):
+    return dots._mesh.n_points if dots._actor.visibility else 0
+
+
+@pytest.mark.parametrize("view", ["", "side", "top", "axis"])
+def test_points_of_a_fine_net_are_picked_where_they_are_seen(make_scene, plotter, view, rng):
+    scene = make_scene({"lens.control_points": [64, 50]})
+    LensPicture(plotter, scene, np.ones((32, 32))).fit(view)
+    net = ControlNetPicture(plotter, scene.optic, "exit")
+    # Tilted, so that none hides another when seen from the side or from above.
+    tilt = np.linspace(-0.2, 0.2, 64)[:, None] + np.linspace(-0.1, 0.1, 50)
+    net.update(0.5 + tilt)
+    net.show(True)
+    plotter.camera.zoom(4)
+    plotter.render()
+    for index in rng.integers(0, (64, 50), (20, 2)):
+        place = net.places[tuple(index)]
+        i, j = net.pick(*in_window(plotter, place))
+        seen = np.array([in_window(plotter, place), in_window(plotter, net.places[i, j])])
+        assert np.abs(seen[0] - seen[1]).max() < 1.5  # itself, or another on the same pixel
+
+
+POINT = {"kind": "point", "position": [0.1, 0.2, -3.0]}
+
+
+GRID = {
+    "kind": "grid",
+    "center": [0.1, 0.0, -3.0],
+    "half_width": [0.8, 0.5],
+    "points": [5, 5],
+    "rays": 10,
+}
+
+
+@pytest.fixture
+def handles(make_scene, plotter):
+    def make(source):
+        scene = make_scene({"source": source})
+        LensPicture(plotter, scene, np.ones((32, 32))).fit()
+        made = SourceHandles(plotter)
+        made.show(scene.source)
+        plotter.ren_win.Render()
+        return made, scene.source
+
+    return make
+
+
+def test_a_point_is_its_own_handle(handles, plotter):
+    made, source = handles(POINT)
+    ((x, y),) = Projection(plotter).pixels(np.array([source.position]))
+    assert made.pick(x + 5, y - 5) == "middle"
+    assert made.pick(x + 30, y) is None
+    made.show(None)
+    assert made.pick(x, y) is None
+
+
+def test_a_grid_has_corners_and_a_middle(handles, plotter):
+    made, _ = handles(GRID)
+    corners = [[-0.7, -0.5, -3.0], [-0.7, 0.5, -3.0], [0.9, -0.5, -3.0], [0.9, 0.5, -3.0]]
+    seen = Projection(plotter).pixels(np.array([*corners, [0.1, 0.0, -3.0], [0.5, 0.25, -3.0]]))
+    assert [made.pick(x, y) for x, y in seen] == [0, 1, 2, 3, "middle", "middle"]
+
+
+def test_moving_rounds_to_what_a_person_would_type(make_scene):
+    point = make_scene({"source": POINT}).source
+    by = np.array([0.01234567, -0.1, 0.00001])
+    assert moved(point, "middle", by, 3).position == (0.112, 0.1, -3.0)
+    back = moved(point, "middle", -np.array(point.position) - 1e-9, 3).position
+    assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
+    grid = make_scene({"source": GRID}).source
+    assert moved(grid, "middle", by, 3).center == (0.112, -0.1, -3.0)

@@ -1,0 +1,161 @@
+"""Curves, maps and tables as pictures."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from workbench.design.session import VerifiedError
+from workbench.pictures.axes import Extent, colour_bar, map_image
+from workbench.pictures.error_curves import Curve, draw_sweep
+from workbench.pictures.figure_data import shown_data
+from workbench.pictures.images import IrradianceImage
+from workbench.pictures.loss import LossPicture, Verified
+from workbench.pictures.section import SectionCurves, cut_through
+
+
+@pytest.fixture
+def axes():
+    return Figure().subplots()
+
+
+def test_against_seconds(axes):
+    picture = LossPicture(axes, "seconds")
+    times = np.array([0.25, 0.5, 3.0])
+    picture.update(np.array([3.0, 2.0, 1.5]), 100, stage_starts=(2,), times=times)
+    np.testing.assert_array_equal(picture.artists[0].get_xdata(), times)
+    assert axes.get_xlim() == (0, 5)
+    assert axes.get_xlabel() == "time (s)"
+    assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
+
+
+def test_checks_stand_where_the_run_was(axes):
+    picture = LossPicture(axes, "seconds")
+    picture.update(np.array([3.0]), 1, times=np.ones(1), verified=[Verified(7, 0.5, 4.0)])
+    np.testing.assert_array_equal(picture.artists[1].get_xydata(), [[0.5, 4.0]])
+    assert axes.get_ylim() == (2, 5)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["this run", "verified"]
+    assert picture.update(np.array([3.0]), 1, times=np.ones(1)) is True
+    assert axes.get_legend() is None
+
+
+def found(percent, beside=0.1):
+    low, high = percent - beside, percent + beside
+    return VerifiedError(percent / 100, (max(low, 0) / 100, high / 100))
+
+
+def drawn(*curves):
+    axes = Figure().subplots()
+    draw_sweep(axes, "Lens · Index", curves)
+    return axes
+
+
+def test_lenses_stand_at_their_numbers_in_order():
+    axes = drawn(Curve("", ("1.6", "1.4", "1.5"), (found(3), found(1), found(2))))
+    (container,) = axes.containers
+    line, _, (bars,) = container
+    assert np.allclose(line.get_xydata(), [(1.4, 1), (1.5, 2), (1.6, 3)])
+    assert np.allclose(bars.get_segments()[0][:, 1], [0.9, 1.1])
+    assert axes.get_ylim()[0] == 0
+    assert axes.get_legend() is None
+    assert axes.get_xlabel() == "Lens · Index"
+
+
+def test_each_value_of_a_second_field_has_a_curve():
+    one, other = (Curve(f"Seed {n}", ("1", "2"), (found(n + 1), found(n + 2))) for n in (0, 1))
+    axes = drawn(one, other)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["Seed 0", "Seed 1"]
+    assert len(axes.containers) == 2
+
+
+@pytest.fixture
+def scene(make_scene):
+    return make_scene({"screen.half_width": [2.0, 1.0], "screen.pixels": [8, 4]})
+
+
+@pytest.mark.parametrize(
+    ("along", "positions", "line"),
+    [
+        ("x", [-1.75, -1.25, -0.75, -0.25, 0.25, 0.75, 1.25, 1.75], np.s_[1]),
+        ("y", [-0.75, -0.25, 0.25, 0.75], np.s_[::-1, 6]),
+    ],
+)
+def test_curves_are_the_pixels_along_the_axis(scene, rng, along, positions, line):
+    target, image = rng.random((4, 8)), rng.random((4, 8))
+    axes = Figure().subplots()
+    curves = SectionCurves(axes, scene, target)
+    assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is True  # row 1, column 6
+    wanted, light = (artist.get_data() for artist in curves.artists)
+    np.testing.assert_allclose(light, [positions, image[line]])
+    # As much light in all as the image has.
+    np.testing.assert_allclose(wanted, [positions, (target * image.sum() / target.sum())[line]])
+    across = "y = 0.4" if along == "x" else "x = 1.1"
+    assert axes.get_xlabel() == f"{along} (cm) at {across} cm"
+    assert curves.update(image, cut_through(scene, along, (1.1, 0.4))) is False
+
+
+@pytest.mark.parametrize(("along", "line"), [("x", np.s_[1]), ("y", np.s_[::-1, 6])])
+def test_a_cut_across_a_far_field_is_where_its_angles_are(make_scene, rng, along, line):
+    far = {"half_angle": [20.0, 10.0], "center": [30.0, -5.0], "pixels": [8, 4]}
+    scene, image = make_scene({"screen": None, "far_field": far}), rng.random((4, 8))
+    axes = Figure().subplots()
+    curves = SectionCurves(axes, scene, np.ones((4, 8)))
+    curves.update(image, cut_through(scene, along, (43.0, -1.0)))  # row 1, column 6
+    degrees = {"x": 12.5 + 5 * np.arange(8), "y": -12.5 + 5 * np.arange(4)}[along]
+    np.testing.assert_allclose(curves.artists[1].get_data(), [degrees, image[line]])
+    said = {"x": "H (°) at V = -1°", "y": "V (°) at H = 43°"}[along]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (said, "flux / sr")
+    assert axes.get_legend().get_texts()[1].get_text() == "intensity"
+
+
+@pytest.fixture
+def figure():
+    return Figure()
+
+
+def test_an_image_is_places_and_values_along_the_rows(scene, figure, rng):
+    image = rng.random((4, 8))
+    IrradianceImage(figure.subplots(), scene, np.ones((4, 8))).update(image)
+    x, y, values = shown_data(figure)
+    assert [x.name, y.name] == ["x [cm]", "y [cm]"]
+    assert values.name == "irradiance [flux / cm^2]"
+    np.testing.assert_allclose(x.values[:8], np.arange(-1.75, 2, 0.5))
+    np.testing.assert_allclose(y.values[::8], [0.75, 0.25, -0.25, -0.75])
+    np.testing.assert_array_equal(values.values, image.ravel())
+
+
+def test_curves_of_the_same_places_share_them(scene, figure, rng):
+    image = rng.random((4, 8))
+    SectionCurves(figure.subplots(), scene, np.ones((4, 8))).update(
+        image, cut_through(scene, "x", (0.0, 0.1))
+    )
+    columns = shown_data(figure)
+    assert [column.name for column in columns] == [
+        "x [cm] at y = 0.1 cm",
+        "target: flux / cm^2",
+        "irradiance: flux / cm^2",
+    ]
+    np.testing.assert_array_equal(columns[2].values, image[1])
+
+
+@pytest.fixture
+def image():
+    """A map with a colour bar."""
+    axes = Figure().subplots()
+    image = map_image(axes, "height", Extent.around((1.0, 1.0), "mm"), (2, 2), "gray")
+    colour_bar(axes, image, "height (mm)", "both")
+    return image
+
+
+def test_axes_have_a_power_too_and_files_of_numbers_have_none():
+    axes = Figure().subplots()
+    image = map_image(axes, "height", Extent.around((0.004, 0.004), "m"), (2, 2), "gray")
+    colour_bar(axes, image, "height (m)", "both")
+    image.set_data(np.full((2, 2), 3e-5))
+    image.set_clim(0, 4e-5)
+    axes.figure.draw_without_rendering()
+    assert axes.get_xlabel() == "x (10⁻³ m)"
+    assert "−2" in {text.get_text() for text in axes.get_xticklabels()}
+    x, y, height = shown_data(axes.figure)
+    assert [each.name for each in (x, y, height)] == ["x [m]", "y [m]", "height [m]"]
+    assert height.values == pytest.approx(3e-5)
+    assert np.abs(x.values).max() == pytest.approx(0.002)

@@ -1,0 +1,108 @@
+"""Rows of a report: bound, check, differences."""
+
+import numpy as np
+import pytest
+
+from tests.analysis.lenses import net_of
+from tests.lamps import PLATE, led
+from workbench.analysis.validation import validate
+from workbench.cli.validate import print_image
+from workbench.extended.bound import Bound
+from workbench.report.figures import bound_rows, check_rows, percent
+from workbench.report.scene_rows import differences, scene_rows
+from workbench.scene import Screen
+
+GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
+
+
+def test_report_says_what_no_lens_is_below(make_scene, rng):
+    found = Bound(make_scene({"source": GRID}), rng.random((32, 32)))
+    least, narrower, blur = bound_rows(found)
+    assert (least.name, least.value) == ("no lens is below", percent(found.relative_l2))
+    assert (narrower.name, narrower.value) == (
+        "a source half as wide would allow",
+        percent(found.half_as_wide),
+    )
+    assert found.half_as_wide < found.relative_l2
+    assert "pixels" in blur.value
+
+
+@pytest.fixture
+def checked(make_scene, tmp_path):
+    """A flat plate before 4,000 rays of a file, on an image that their number makes rough."""
+    scene = make_scene({**PLATE, "source": led(tmp_path, 4000), "screen.half_width": [1.0, 1.0]})
+    heights = {"exit": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
+    even = validate(scene, np.ones((40, 40)), heights, 4000, accuracy=1e-3)
+    return validate(scene, even.by_cells.irradiance, heights, 4000, accuracy=1e-3)
+
+
+def test_an_error_that_few_rays_cannot_tell_from_none_is_below_its_upper_end(checked):
+    found, rows = checked, dict(check_rows(checked, 0.0))
+    assert found.by_cells.relative_l2_corrected_interval[0] == 0
+    high = found.by_cells.relative_l2_corrected_interval[1]
+    assert rows["verified error"] == f"< {100 * high:.3f} %"
+    assert rows["without ray noise"].startswith("< ")
+    assert "off" not in rows["cells"]
+    assert rows["error by independent images"].startswith("4,000 rays, 95 % confidence; off by up")
+
+
+def test_so_says_the_command(checked, capsys):
+    print_image(checked, None, Screen(position=(0.0, 0.0, 5), half_width=(1, 1), pixels=(40, 40)))
+    lines = capsys.readouterr().out.splitlines()
+    high = checked.by_cells.relative_l2_corrected_interval[1]
+    assert lines[0] == f"verified error    < {high:.5f}  (relative L2, 0.00000 to {high:.5f})"
+    assert lines[2].split() == ["loss", "-"]
+    assert any(line.startswith("without ray noise <") for line in lines)
+
+
+def test_scenes_differ_where_their_values_do(make_scene):
+    one = make_scene()
+    other = make_scene({"screen.z": 6.5, "target": {"builtin": "ball"}, "run.seed": 3})
+    found = dict(differences(one, other))
+    assert found["Run · Seed"] == ("0", "3")
+    assert [values for title, values in found.items() if title.startswith("Screen")] == [
+        ("5 cm", "6.5 cm")
+    ]
+    assert all(title.startswith(("Run", "Screen", "Target")) for title in found)
+    assert differences(one, one) == ()
+
+
+def rows(scene):
+    return dict(scene_rows(scene))
+
+
+def test_every_field_has_a_row_with_its_unit(make_scene):
+    found = rows(make_scene({"unit": "mm", "run.min_radius": 0.5}))
+    assert found["lens.half_width"] == "1 × 1 mm"
+    assert found["lens.height_range"] == "-0.3, 0.3 mm"
+    assert found["lens.control_points"] == "12 × 10"
+    assert found["screen.z"] == "5 mm"
+    assert found["filter.alpha"] == "1 per pixel²"
+    assert found["target.invert"] == "no"
+    assert found["run.min_radius"] == "0.5 mm"
+    assert found["unit"] == "mm"
+    assert "format" not in found
+
+
+def leaves(data, path=""):
+    if isinstance(data, dict):
+        for name, value in data.items():
+            yield from leaves(value, f"{path}.{name}" if path else name)
+    else:
+        yield path
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"source": {"kind": "point", "position": [0, 0, -5]}},
+        {"source": {"kind": "grid", "center": [0, 0, -5], "half_width": [1, 1], "points": [3, 3]}},
+        {"run": {"method": "paper", "learning_rate": 0.01}},
+        {"lens.outline": "ellipse"},
+    ],
+)
+def test_every_field_of_the_scene_has_a_row(make_scene, changes):
+    scene = make_scene(changes)
+    wanted = set(leaves(scene.to_data())) - {"format", "version", "run.stages"}
+    assert wanted == set(rows(scene))

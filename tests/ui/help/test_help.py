@@ -1,0 +1,142 @@
+"""The manual and the tour."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QTextBrowser
+
+from resources.manual_pages import pages
+from ui.commands.shortcuts import Shortcuts
+from ui.commands.table import COMMANDS
+from ui.help.manual import Manual
+from ui.help.tour import STOPS, Bubble
+
+
+@pytest.fixture
+def manual(window, qtbot):
+    qtbot.keyClick(window, Qt.Key.Key_F1)
+    dialog = window.findChild(Manual)
+    qtbot.waitUntil(dialog.isVisible)
+    yield dialog
+    dialog.reject()
+
+
+def listed(manual):
+    rows = (manual._list.item(row) for row in range(manual._list.count()))
+    return [row.text() for row in rows if not row.isHidden()]
+
+
+def title(manual):
+    return manual.findChild(QTextBrowser).toPlainText().partition("\n")[0]
+
+
+def test_each_page_is_listed_and_shows_its_title_and_tables(manual):
+    assert listed(manual) == [page.title for page in pages()]
+    document = manual.findChild(QTextBrowser).document()
+    for row, page in enumerate(pages()):
+        manual._list.setCurrentRow(row)
+        assert title(manual) == page.title
+        assert "**" not in document.toPlainText()
+        frames = document.rootFrame().childFrames()
+        tables = [frame.columns() for frame in frames if hasattr(frame, "columns")]
+        lines = page.text.splitlines()
+        assert tables == [line.count("|") - 1 for line in lines if line.startswith("|---")]
+
+
+class TestSearch:
+    @pytest.fixture
+    def field(self, manual):
+        manual._search.setFocus()
+        return manual._search
+
+    def test_lists_pages_that_hold_all_words_and_marks_them(self, manual, field, qtbot):
+        qtbot.keyClicks(field, "tolerances mould")
+        assert listed(manual) == [page.title for page in pages() if page.holds("tolerances mould")]
+        assert len(listed(manual)) < len(pages())
+        assert title(manual) == listed(manual)[0]
+        marks = manual.findChild(QTextBrowser).extraSelections()
+        assert len(marks) == len(manual._places)
+        words = {place.selectedText().lower() for place in manual._places}
+        assert words == {"tolerances", "mould"}
+
+    def test_return_goes_through_all_places_and_pages_and_begins_again(self, manual, field, qtbot):
+        qtbot.keyClicks(field, "mitsuba")
+        browser = manual.findChild(QTextBrowser)
+        wanted = sum(page.text.lower().count("mitsuba") for page in pages())
+        places = set()
+        for _ in range(wanted + 5):
+            places.add((manual._list.currentRow(), browser.textCursor().position()))
+            qtbot.keyClick(field, Qt.Key.Key_Return)
+        assert len({row for row, _ in places}) == len(listed(manual)) > 1
+        shown = 0
+        for row in {row for row, _ in places}:
+            manual._list.setCurrentRow(row)
+            shown += len(browser.extraSelections())
+        assert len(places) == shown
+
+
+def test_words_that_no_page_has_are_said_to_be_on_none(manual, qtbot):
+    qtbot.keyClicks(manual._search, "xyzzy")
+    assert listed(manual) == []
+    assert manual._nothing.isVisible()
+    assert manual._nothing.text() == "No page has all of this: xyzzy"
+    manual._search.clear()
+    assert not manual._nothing.isVisible()
+
+
+@pytest.fixture
+def bubble(window, qtbot):
+    window.commands["tour"].trigger()
+    bubble = window.findChild(Bubble)
+    qtbot.waitUntil(bubble.isVisible)
+    return bubble
+
+
+def test_the_tour_is_stepped_through_by_keyboard(window, bubble, qtbot):
+    assert bubble._title.text() == STOPS[0].title
+    assert not bubble.back.isEnabled() and bubble.on.hasFocus()
+    titles = []
+    for _ in STOPS:
+        titles.append(bubble._title.text())
+        qtbot.waitUntil(bubble.on.hasFocus)
+        if len(titles) < len(STOPS):
+            qtbot.keyClick(bubble.on, Qt.Key.Key_Return)
+    assert titles == [stop.title for stop in STOPS]
+    assert bubble.on.text() == "&Done" and not bubble.end.isVisible()
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Backtab)
+    assert bubble.back.hasFocus()
+    qtbot.keyClick(bubble.back, Qt.Key.Key_Space)
+    assert bubble._title.text() == STOPS[-2].title
+    bubble.on.setFocus()
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
+    assert bubble._title.text() == STOPS[-1].title
+    gone = []
+    bubble.destroyed.connect(lambda: gone.append(True))
+    qtbot.keyClick(bubble.on, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: bool(gone))
+    assert window.findChild(Bubble) is None
+
+
+def test_the_tour_is_offered_once(window, settings, qtbot):
+    window.help.offer_tour(settings)
+    assert "tour" in window.messages.text.lower() and window.findChild(Bubble) is None
+    qtbot.mouseClick(window.messages.buttons[0], Qt.MouseButton.LeftButton)
+    assert window.findChild(Bubble) is not None
+    window.messages.clear()
+    window.help.offer_tour(settings)
+    assert not window.messages.isVisible()
+
+
+def test_all_shortcuts_are_listed_and_found_by_name_or_key(window, qtbot):
+    qtbot.keyClick(window, Qt.Key.Key_F1, Qt.KeyboardModifier.ControlModifier)
+    dialog = window.findChild(Shortcuts)
+    table = dialog._table
+    rows = [table.topLevelItem(k) for k in range(table.topLevelItemCount())]
+    keys = {row.text(1) for row in rows}
+    wanted = {QKeySequence(c.shortcut).toString() for c in COMMANDS.values() if c.shortcut}
+    assert wanted <= keys
+    for typed, found in (("contin", "Run → Continue"), ("shift+f5", "Run → Continue")):
+        dialog._field.clear()
+        qtbot.keyClicks(dialog._field, typed)
+        assert [row.text(0) for row in rows if not row.isHidden()] == [found]
+    dialog.reject()

@@ -1,0 +1,82 @@
+"""Docks of the main window."""
+
+import pytest
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QScreen
+
+from tests.ui.hands import move_screen
+from ui.document.undo_steps import UndoSteps
+from ui.window.workspace import _FORMS_SHARE, _IMAGES
+
+
+def reset(window, qtbot):
+    window.commands["reset_layout"].trigger()
+    share = pytest.approx((1 - _FORMS_SHARE) / 3 * window.width(), abs=0.03 * window.width())
+    qtbot.waitUntil(lambda: [width(window, name) for name in _IMAGES] == 3 * [share])
+
+
+def width(window, name="error"):
+    return window.workspace.docks[name].width()
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1600, 1000), (2560, 1440)])
+def test_irradiance_target_and_difference_have_a_third_of_the_window(
+    window, qtbot, monkeypatch, size
+):
+    monkeypatch.setattr(QScreen, "availableSize", lambda self: QSize(*size))
+    window.build()
+    window.resize(QSize(*size))
+    qtbot.waitUntil(lambda: window.size() == QSize(*size))
+    reset(window, qtbot)
+    docks = [window.workspace.docks[name] for name in _IMAGES]
+    assert len({dock.y() for dock in docks}) == 1  # side by side
+    assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
+
+
+STEPS = 300
+
+
+def test_hundreds_of_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
+    # Neither forms that show each of them nor the account of memory are tried here.
+    window.document.blockSignals(True)
+    monkeypatch.setattr(UndoSteps, "_forget_oldest", lambda self: None)
+    for number in range(STEPS):
+        move_screen(window.document, 6 + number, f"screen at {6 + number}")
+    window.document.blockSignals(False)
+    window.commands["go_history"].trigger()
+    history, document = window.workspace.history, window.document
+    qtbot.waitUntil(history.hasFocus)
+    assert history.model().rowCount() == STEPS + 1  # and the beginning
+    assert history.currentIndex().row() == STEPS
+    qtbot.waitUntil(lambda: history.visualRect(history.currentIndex()).isValid())
+    assert history.viewport().rect().intersects(history.visualRect(history.currentIndex()))
+    qtbot.keyClick(history, Qt.Key.Key_Up)
+    assert document.session.scene.receiver.z == 6 + STEPS - 2
+    qtbot.keyClick(history, Qt.Key.Key_Home)
+    assert document.session.scene.receiver.z == 5 and history.currentIndex().row() == 0
+    qtbot.keyClick(history, Qt.Key.Key_End)
+    assert document.session.scene.receiver.z == 6 + STEPS - 1
+
+
+SMALL = QSize(800, 500)
+
+
+@pytest.fixture
+def small_screen(monkeypatch):
+    monkeypatch.setattr(QScreen, "availableSize", lambda _: SMALL)
+
+
+def test_a_window_fits_on_a_small_screen_and_its_forms_can_be_scrolled(
+    small_screen, open_window, qtbot, display, kernels
+):
+    window = open_window()
+    window.build()
+    window.setWindowState(window.windowState().WindowNoState)
+    window.resize(SMALL)
+    qtbot.waitUntil(lambda: window.loaded.views.scene.isVisible())
+    assert window.minimumSizeHint().width() <= SMALL.width()
+    assert window.minimumSizeHint().height() <= SMALL.height()
+    assert window.width() == SMALL.width()
+    bar = window.forms.horizontalScrollBar()
+    hidden = window.forms.widget().width() - window.forms.viewport().width()
+    assert bar.maximum() == hidden > 0
