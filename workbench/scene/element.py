@@ -174,12 +174,13 @@ class Element(Part):
     @property
     def height_range(self) -> tuple[float, float] | None:
         """Height range of that face, as the scene states it."""
-        return self.spline.height_range
+        return self._shaped.face.height_range
 
     @property
     def base(self) -> PlacedBase:
-        """Base of that face at its place in the scene."""
-        return PlacedBase(self.spline.base, self._shaped.z)
+        """Base of that face at its place in the scene; of a fixed face, the face itself."""
+        face = self._shaped.face
+        return PlacedBase(face.base if isinstance(face, SplineFace) else face, self._shaped.z)
 
     @property
     def entrance(self) -> Face:

@@ -5,7 +5,6 @@ vertex stands is a matter of the element.
 """
 
 import math
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
@@ -32,6 +31,7 @@ LARGEST_NET = 1024
 NetSize = Annotated[int, Field(ge=2, le=LARGEST_NET)]
 NetShape = tuple[NetSize, NetSize]
 _MOST_COEFFICIENTS = 8
+_STEPS = 65  # at which the sag of an asphere is evaluated along each axis
 
 
 def check_net(path: str, shape: tuple[int, int], degree: tuple[int, int]) -> None:
@@ -134,13 +134,13 @@ class PlacedBase(NamedTuple):
 
     Attributes
     ----------
-    base : FlatBase or SphereBase
+    base : FlatBase, SphereBase, PlaneFace or ConicFace
         Its shape.
     height : float
         z of its vertex, scene units.
     """
 
-    base: FlatBase | SphereBase
+    base: "FlatBase | SphereBase | PlaneFace | ConicFace"
     height: float
 
     @property
@@ -170,6 +170,10 @@ class PlaneFace(Part):
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast."""
         return np.zeros(np.broadcast(x, y).shape)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest sag over the aperture."""
+        return 0.0, 0.0
 
     def net(self, other: NetShape) -> None:
         """No control points."""
@@ -241,6 +245,12 @@ class ConicFace(Part):
         root = np.sqrt(np.maximum(1 - (1 + self.conic) * curvature**2 * r2, 0.0))
         powers = sum(a * r2 ** (k + 2) for k, a in enumerate(self.coefficients))
         return np.asarray(curvature * r2 / (1 + root) + powers)
+
+    def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
+        """Lowest and highest sag over the aperture."""
+        x, y = (np.linspace(0, r, _STEPS) for r in half_width)
+        sag = self.sag(x[:, None], y)
+        return float(sag.min()), float(sag.max())
 
     def net(self, other: NetShape) -> None:
         """No control points."""
@@ -363,8 +373,3 @@ class SplineFace(Part):
 
 
 Face = Annotated[PlaneFace | ConicFace | SplineFace, Kinds("shape", title="Shape")]
-
-
-def designed_faces(faces: dict[str, Any]) -> Iterator[str]:
-    """Names of faces that the design shapes."""
-    return (name for name, face in faces.items() if face.designed)

@@ -29,7 +29,7 @@ from workbench.scene.element import (
     PlacedFace,
     relative,
 )
-from workbench.scene.faces import Face
+from workbench.scene.faces import ConicFace, Face
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
@@ -295,6 +295,8 @@ class Lens(Element):
     @property
     def entrance_offsets(self) -> tuple[float, float]:
         """How far the entrance face can come from its place, down and up."""
+        if isinstance(self.entrance, ConicFace):
+            return self.entrance.extent(self.half_width)
         return self.entrance.offsets(self._room_at_entrance)
 
     @property
@@ -322,6 +324,8 @@ class Lens(Element):
     def leaving_z(self) -> float:
         """The highest that the exit face can become, as far as a design may come to it."""
         top = self.base.extent(self.half_width)[1]
+        if not self.designed:
+            return top
         return min(self.highest, max(top, self.floor) + _RISES * max(self.half_width))
 
     @property
@@ -347,6 +351,8 @@ class Lens(Element):
         the face clear of its screen.
         """
         top = self.base.extent(self.half_width)[1]
+        if not self.designed:
+            return top
         if self.height_range is not None:
             return min(top + self.height_range[1], self.ceiling)
         return max(top, self.floor) if self.max_thickness is None else self.ceiling

@@ -13,6 +13,7 @@ from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import limits, versions
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element
+from workbench.scene.faces import SplineFace
 from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.image import (
@@ -26,6 +27,7 @@ from workbench.scene.image import (
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
+from workbench.scene.paraxial import of_designed_element
 from workbench.scene.part import Part
 from workbench.scene.region import Region, check_regions
 from workbench.scene.run import AutoRun, Run
@@ -36,6 +38,7 @@ from workbench.scene.target import Target
 Unit = Literal["mm", "cm", "m", "inch"]
 AnyElement = Annotated[Lens | Mirror, Kinds("kind")]
 _MOST_ELEMENTS = 16
+_ROUNDING = 1e-9
 
 
 class _Versioned(Part, extra="ignore"):
@@ -124,6 +127,10 @@ class Scene(Part):
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
         self._check_elements()
+        if len(self.elements) > 1:
+            of_designed_element(self).check()
+            check_regions(self.regions)
+            return
         optic = self.optic
         radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
         asked = [(f"run.{name}", radius) for name, radius in radii.items() if radius is not None]
@@ -169,13 +176,49 @@ class Scene(Part):
         designed = [number for number, element in enumerate(self.elements) if element.designed]
         if not designed:
             raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
-        optic = self.elements[designed[0]].lit(self.source.wavelength)
+        for number, element in enumerate(self.elements):
+            self._check_element(number, element, designed[0])
+
+    def _check_element(self, number: int, element: Element, designed: int) -> None:
+        """Refuse an element that cannot be computed with, or has no place in a train yet."""
+        path = f"elements[{number}]"
+        lit = element.lit(self.source.wavelength)
         try:
-            optic.check_element()
+            lit.check_element()
         except Refused as refused:
             if refused.path.startswith("source."):  # a wavelength beyond the data of a material
                 raise
-            raise Refused(f"elements[{designed[0]}].{refused.path}", refused.reason) from None
+            raise Refused(f"{path}.{refused.path}", refused.reason) from None
+        if number != designed and element.designed:
+            raise Refused(path, Said("a second designed element; one element is designed"))
+        fixed_net = any(
+            isinstance(each.face, SplineFace) and each.face.fixed for each in element.placed_faces
+        )
+        if fixed_net:
+            raise Refused(path, Said("fixed B-spline faces are not traced yet; a conic face"))
+        if number != designed and not isinstance(element, Lens):
+            raise Refused(path, Said("a mirror that is not designed is not traced yet"))
+        if number > designed and self.optic.onwards < 0:
+            raise Refused(path, Said("elements behind a mirror are not traced yet; none"))
+        upright = not any(element.tilt) and not any(element.position[:2])
+        if number in (0, designed) and not upright:
+            raise Refused(
+                f"{path}.tilt" if any(element.tilt) else f"{path}.position",
+                Said("the first and the designed element stand upright on the axis; 0"),
+            )
+        if number:
+            last = self.elements[number - 1].lit(self.source.wavelength)
+            least = last.leaving_z if number - 1 != designed else last.highest
+            if lit.front_z < least - _ROUNDING * max(lit.half_width):
+                raise Refused(
+                    f"{path}.position[2]",
+                    Said(
+                        "{z:g} reaches into {name}; at least {least:g}",
+                        z=element.position[2],
+                        name=last.name,
+                        least=least + element.position[2] - lit.front_z,
+                    ),
+                )
 
     @property
     def designed_number(self) -> int:
@@ -257,6 +300,23 @@ class Scene(Part):
             If the target of a further image has yet to be drawn.
         """
         return wanted_images(self, target)
+
+    @property
+    def alone(self) -> "Scene":
+        """The scene with the designed element alone; see `paraxial.of_designed_element`."""
+        return of_designed_element(self)
+
+    def check_one_element(self, who: str) -> None:
+        """Refuse trains of several elements, as `check_one_image` refuses several images."""
+        if len(self.elements) > 1:
+            raise Refused(
+                "elements",
+                Said(
+                    "{count} given, which {who} cannot take into account; one",
+                    count=len(self.elements),
+                    who=who,
+                ),
+            )
 
     def check_one_image(self, who: str) -> None:
         """Refuse further images where only one is known.
