@@ -367,9 +367,11 @@ class Element(Part):
         limits.check_lengths(places, self.half_width, limits.FARTHEST)
         heights = [("position[2]", self.position[2]), *self._own_heights()]
         limits.check_lengths(heights, self.half_width, limits.HEIGHT)
+        ellipse = self.outline == "ellipse"
+        rim = max(self.half_width) if ellipse else math.hypot(*self.half_width)
         for placed in self.placed_faces:
             with refused_within(placed.path):
-                placed.face.check_face(self.called, self.half_width)
+                placed.face.check_face(self.called, self.half_width, rim)
                 if isinstance(placed.face, SplineFace) and self.designed:
                     given = placed.face.net(self.known_shape) if self.known_shape else None
                     if given is not None:

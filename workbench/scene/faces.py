@@ -186,7 +186,7 @@ class PlaneFace(Part):
         """Return the same face: it has no bounds."""
         return self
 
-    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
+    def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
         """Refuse nothing: a plane suits any element."""
 
 
@@ -249,7 +249,9 @@ class ConicFace(Part):
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
         """Lowest and highest sag over the aperture."""
         x, y = (np.linspace(0, r, _STEPS) for r in half_width)
-        sag = self.sag(x[:, None], y)
+        r2 = np.square(x)[:, None] + np.square(y)
+        there = (1 + self.conic) * r2 <= self.radius**2  # corners of an ellipse may be beyond it
+        sag = self.sag(x[:, None], y)[there]
         return float(sag.min()), float(sag.max())
 
     def net(self, other: NetShape) -> None:
@@ -263,12 +265,11 @@ class ConicFace(Part):
         """Return the same face: it has no bounds."""
         return self
 
-    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
-        """Refuse a surface that ends within the rim of the element."""
+    def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
+        """Refuse a surface that ends within the rim of the element, so far from its axis."""
         if self.radius == 0:
             raise Refused("radius", Said("0 is no curvature; a radius, or a plane face"))
         limits.check_lengths([("radius", self.radius)], half_width, limits.FAR)
-        rim = math.hypot(*half_width)
         if (1 + self.conic) * (rim / self.radius) ** 2 > 1 + 1e-12:
             raise Refused(
                 "radius",
@@ -350,7 +351,7 @@ class SplineFace(Part):
         """Return the face with these bounds."""
         return self.model_copy(update={"height_range": offsets})
 
-    def check_face(self, called: str, half_width: tuple[float, float]) -> None:
+    def check_face(self, called: str, half_width: tuple[float, float], rim: float) -> None:
         """Refuse a net that cannot be, an empty height range and a base that does not fit."""
         if not isinstance(self.control_points, AutoNet):
             check_net("control_points", self.control_points, self.degree)
