@@ -156,7 +156,7 @@ def _magnified(shape: str, magnification: int) -> dict[str, Any]:
 
     The focal lengths -16 and -8 of its bases then just fill the screens.
     """
-    base = {"shape": "flat"}
+    base: dict[str, Any] = {"shape": "flat"}
     if magnification > 1:
         base = {"shape": "sphere", "radius": _RADII[magnification]}
     half_width = round(0.64 * magnification, 2)

@@ -77,6 +77,12 @@ def test_one_number_stands_for_each(make_scene):
     assert found.optic.control_points == (20, 20)
 
 
+def test_one_number_stands_for_both_of_an_automatic_net(make_scene):
+    scene = make_scene({"lens.control_points": "auto"})
+    found = with_values(scene, {"lens.back.control_points": 20})
+    assert found.optic.control_points == (20, 20)
+
+
 def test_one_of_several(make_scene):
     scene = make_scene({"source": {"kind": "point", "position": [0, 0, -5]}})
     assert with_values(scene, {"source.position[2]": -8}).source.position == (0, 0, -8)
