@@ -51,7 +51,8 @@ def far_image(angle, distance=1e5):
     """A plate whose light all goes to a small image aside, at an angle to the axis."""
     scene = SunPlate().with_answers({"distance": distance, "image_size": [1.0, 1.0]}).scene()
     aside = (scene.receiver.z - scene.optic.leaving_z) * math.tan(math.radians(angle))
-    return scene.altered(screen=scene.receiver.altered(center=(aside, 0.0)))
+    receiver = scene.receiver
+    return scene.with_receiver(receiver.altered(position=(aside, 0.0, receiver.z)))
 
 
 @pytest.mark.parametrize("angle", [1.0, 10.0, 30.0, 45.0])
