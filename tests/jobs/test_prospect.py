@@ -15,7 +15,7 @@ from workbench.jobs.proposals import blur_widths
 from workbench.jobs.prospect import _light_of, prospecting
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
-from workbench.scene import Scene
+from workbench.scene.paths import with_values
 from workbench.watch import finished
 
 EVEN = {"target": {"builtin": "rectangle"}}
@@ -27,10 +27,8 @@ def session_of(job):
 
 def coarse(scene):
     """The same task with a quarter of the pixels along each axis."""
-    data = scene.to_data()
-    receiver = data.get("screen") or data["far_field"]
-    receiver["pixels"] = [number // 4 for number in receiver["pixels"]]
-    return Scene.from_data(data)
+    pixels = [number // 4 for number in scene.receiver.pixels]
+    return with_values(scene, {"images[0].receiver.pixels": pixels})
 
 
 def prospect(session):

@@ -10,6 +10,7 @@ from workbench.analysis.derivatives import irradiance_derivative
 from workbench.design.run import run
 from workbench.files.session import open_design
 from workbench.scene import Scene
+from workbench.scene.paths import with_values
 from workbench.scene.viewing import as_viewed
 from workbench.targets import load_target
 
@@ -76,13 +77,15 @@ def test_examples_find_their_targets(example):
 def test_examples_improve(name, part):
     """With fewer rays, pixels and control points than they have, to be done soon."""
     example = _named(name)
-    data = json.loads(example.file.read_bytes())
+    scene = Scene.from_json(example.file.read_bytes())
     few = {"collimated": [128, 128], "point": 20_000, "grid": 30}
-    data["source"]["rays"] = few[data["source"]["kind"]]
-    data["screen"]["pixels"] = [48, 48]
-    data["lens"]["control_points"] = [16, 16]
-    data["run"]["iterations"] = 20
-    scene = Scene.from_data(data)
+    changes = {
+        "source.rays": few[scene.source.kind],
+        "images[0].receiver.pixels": [48, 48],
+        "lens.back.control_points": [16, 16],
+        "run.iterations": 20,
+    }
+    scene = with_values(scene, changes)
     losses = [
         snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))
     ]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.scene.test_further_image import SECOND
+from tests.scene.test_images import SECOND
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.errors import Refused
 from workbench.geometry.surface import freeform_nets
