@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.scenes import changed
 from workbench.design.brush import Stroke, bump
 from workbench.design.evaluation import Evaluator
 from workbench.design.near_sources import source_cells
@@ -177,16 +178,7 @@ def test_the_bump_is_the_formula_and_nothing_beyond_the_radius(lens):
     radius=st.floats(0, 3),
 )
 def test_heights_stay_in_their_range(index, by, radius):
-    from workbench.scene import FlatBase, Lens
-
-    lens = Lens(
-        half_width=(1.0, 1.0),
-        refractive_index=1.5,
-        control_points=(12, 10),
-        base=FlatBase(height=0.5),
-        height_range=(-0.3, 0.3),
-        min_thickness=0.3,
-    )
+    lens = Scene.from_data(changed({"lens.min_thickness": 0.3})).optic
     heights = Stroke(lens, "exit", np.full((12, 10), 0.5), None, index, radius).raised(by)
     assert heights.min() >= 0.3  # the minimal thickness ends before the height range
     assert heights.max() <= 0.8

@@ -6,28 +6,25 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.scenes import changed
 from workbench.design.heights import HeightRange
 from workbench.design.limits import HeightLimits, bounded
 from workbench.design.run import run
 from workbench.geometry.surface import ControlNet, sample_faces
-from workbench.scene import FlatBase, Lens, SphereBase
+from workbench.scene import Scene
 from workbench.targets import load_target
 
 BASES = [
-    FlatBase(height=0.5),
-    SphereBase(height=0.5, radius=4.0, form="concave"),
-    SphereBase(height=0.6, radius=8.0, form="convex"),
+    {"shape": "flat", "height": 0.5},
+    {"shape": "sphere", "height": 0.5, "radius": 4.0, "form": "concave"},
+    {"shape": "sphere", "height": 0.6, "radius": 8.0, "form": "convex"},
 ]
 
 
-def lens_with(base, **changes):
-    fields = {
-        "half_width": (1.0, 1.0),
-        "refractive_index": 1.5,
-        "control_points": (9, 7),
-        "base": base,
-    }
-    return Lens(**(fields | {"height_range": (-0.2, 0.3), "min_thickness": 0.05} | changes))
+def lens_with(base, thickness=0.05):
+    fields = {"base": base, "control_points": [9, 7], "height_range": [-0.2, 0.3]}
+    fields |= {"min_thickness": thickness}
+    return Scene.from_data(changed({f"lens.{name}": value for name, value in fields.items()})).optic
 
 
 @pytest.mark.parametrize("base", BASES, ids=str)
@@ -36,7 +33,7 @@ def test_the_undesigned_lens_is_the_base_plus_the_middle_of_the_range(base):
     net = ControlNet.of(lens)
     free = HeightRange.of(lens, net)
     x, y = net.positions
-    expected = base.height_at(x[:, None], y[None, :]) + 0.05
+    expected = lens.base.height_at(x[:, None], y[None, :]) + 0.05
     assert free.heights(free.rest)["exit"].numpy() == pytest.approx(expected, abs=1e-14)
 
 
@@ -47,13 +44,13 @@ def test_the_undesigned_lens_is_the_base_plus_the_middle_of_the_range(base):
     thickness=st.sampled_from([0.0, 0.05, 0.45]),
 )
 def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, base, thickness):
-    lens = lens_with(base, min_thickness=thickness)
+    lens = lens_with(base, thickness)
     net = ControlNet.of(lens)
     free = HeightRange.of(lens, net)
     parameters = torch.as_tensor(np.random.default_rng(seed).normal(0, size, net.shape))
     heights = free.heights(parameters)["exit"].numpy()
     x, y = net.positions
-    offset = heights - base.height_at(x[:, None], y[None, :])
+    offset = heights - lens.base.height_at(x[:, None], y[None, :])
     assert offset.max() <= 0.3 + 1e-12
     assert (offset.min() >= -0.2 - 1e-12) or heights.min() >= thickness
     assert heights.min() >= lens.entrance_z + thickness - 1e-12

@@ -13,6 +13,7 @@ from workbench.design.snapshot import History
 from workbench.design.task import begin
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
+from workbench.scene.paths import with_values
 
 
 @pytest.fixture(scope="module")
@@ -107,18 +108,15 @@ def test_locked_control_points_stay_however_large_the_edit_is(designed):
 @pytest.mark.parametrize(
     ("changes", "asks"),
     [
-        ({"screen": {"z": 6}}, True),
-        ({"lens": {"control_points": [24, 24]}}, True),
-        ({"run": {"smoothness": 1e-3}}, True),
-        ({"run": {"min_radius": 0.5}}, True),
-        ({"run": {"iterations": 7}}, False),
-        ({"run": {"seed": 7}}, False),
+        ({"images[0].receiver.position[2]": 6}, True),
+        ({"lens.back.control_points": [24, 24]}, True),
+        ({"run.smoothness": 1e-3}, True),
+        ({"run.min_radius": 0.5}, True),
+        ({"run.iterations": 7}, False),
+        ({"run.seed": 7}, False),
         ({}, False),
     ],
 )
 def test_change_of_the_task_needs_another_lens(changes, asks, designed):
-    data = designed.scene.to_data()
-    for part, values in changes.items():
-        data[part] |= values
-    after = designed.with_scene(Scene.from_data(data), designed.target)
+    after = designed.with_scene(with_values(designed.scene, changes), designed.target)
     assert asks_for_another_lens(designed, after) is asks

@@ -36,7 +36,7 @@ def test_a_run_that_does_not_fit_is_refused_before_anything_is_made(large, monke
     monkeypatch.setattr("workbench.design.run.Room", lambda *_: pytest.fail("was made"))
     with pytest.raises(Refused) as refused:
         next(run(large, load_target(large, None)))
-    assert refused.value.path == "screen.pixels"
+    assert refused.value.path == "images[0].receiver.pixels"
     assert refused.value.reason == (
         f"1024 × 1024 pixels with 64 × 64 control points need about {as_bytes(needed)} of memory, "
         f"and {as_bytes(needed - 1)} are free; take fewer of both, or close other programs"

@@ -9,6 +9,7 @@ from workbench.design.run import run
 from workbench.design.session import Session
 from workbench.design.snapshot import History
 from workbench.geometry.faces import FaceArrays
+from workbench.scene.paths import value_at
 
 
 @pytest.fixture
@@ -70,7 +71,7 @@ def _session(make_scene, rng, **fields):
 def test_a_session_has_a_net_and_keeps_that_it_was_left_to_the_program(make_scene, rng):
     session = _session(make_scene, rng)
     assert session.scene.optic.net_shape == (60, 60)
-    assert session.scene.to_data()["lens"]["control_points"] == "auto"
+    assert value_at(session.scene.to_data(), "elements[0].faces[1].control_points") == "auto"
 
 
 def test_more_pixels_get_a_finer_net_and_the_lens_is_carried(make_scene, rng):

@@ -13,7 +13,7 @@ from workbench.design.snapshot import Result
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 from workbench.geometry.surface import ControlNet
-from workbench.scene import Scene
+from workbench.scene.paths import with_values
 
 
 @pytest.fixture
@@ -33,13 +33,12 @@ def session(make_scene, rng):
     return Session(scene, np.ones((n_y, n_x)), result)
 
 
-def edited(session, target=None, **values):
+NET = "lens.back.control_points"
+
+
+def edited(session, changes):
     """The session after some fields, by path, have got other values."""
-    data = session.scene.to_data()
-    for path, value in values.items():
-        part, name = path.split("__")
-        data[part][name] = value
-    return session.with_scene(Scene.from_data(data), session.target if target is None else target)
+    return session.with_scene(with_values(session.scene, changes), session.target)
 
 
 def off(session, other):
@@ -54,7 +53,7 @@ def finer(lens, factor):
 
 
 def test_a_net_that_holds_the_surface_keeps_the_result(session):
-    other = edited(session, lens__control_points=finer(session.scene.optic, 3))
+    other = edited(session, {NET: finer(session.scene.optic, 3)})
     result = other.result
     assert result.state.heights["exit"].shape == other.scene.optic.control_points
     assert off(session, other) < 1e-15 * 10
@@ -67,26 +66,26 @@ def test_a_net_that_holds_the_surface_keeps_the_result(session):
 
 
 def test_another_net_makes_the_nearest_lens_a_start(session):
-    other = edited(session, lens__control_points=[20, 20])
+    other = edited(session, {NET: [20, 20]})
     assert other.result is None
     assert other.start["exit"].shape == (20, 20)
     assert 1e-6 < off(session, other) < 0.01
-    again = edited(other, lens__control_points=[9, 9])
+    again = edited(other, {NET: [9, 9]})
     assert again.start["exit"].shape == (9, 9)
 
 
 @pytest.mark.parametrize(
     "values",
     [
-        {"screen__z": 7.0},
-        {"screen__half_width": [2.0, 2.0]},
-        {"source__rays": [40, 40]},
-        {"filter__alpha": 2.0},
-        {"lens__refractive_index": 1.6},
+        {"images[0].receiver.position[2]": 7.0},
+        {"images[0].receiver.half_width": [2.0, 2.0]},
+        {"source.rays": [40, 40]},
+        {"filter.alpha": 2.0},
+        {"lens.material": {"index": 1.6}},
     ],
 )
 def test_another_task_takes_the_lens_for_a_start(session, values):
-    other = edited(session, **values)
+    other = edited(session, values)
     assert other.result is None
     assert other.start is session.result.state.heights
     assert other.heights is other.start
@@ -95,16 +94,16 @@ def test_another_task_takes_the_lens_for_a_start(session, values):
 @pytest.mark.parametrize(
     "values",
     [
-        {"lens__min_thickness": 0.06},
-        {"lens__max_thickness": 8.0},
-        {"lens__height_range": [-0.2, 3.0]},
-        {"lens__height_range": None},
+        {"lens.min_thickness": 0.06},
+        {"lens.max_thickness": 8.0},
+        {"lens.back.height_range": [-0.2, 3.0]},
+        {"lens.back.height_range": None},
     ],
 )
 def test_limits_that_the_lens_is_within_keep_the_result(session, values):
     short = Shortfall("height_range", None, (-0.3, 0.3), 0.5)
     short = replace(session, result=session.result.with_state(shortfall=short))
-    other = edited(short, **values)
+    other = edited(short, values)
     assert other.result.state.heights is session.result.state.heights
     assert other.result.losses is session.result.losses
     assert other.result.state.shortfall is None  # it was one of the limits before
@@ -114,10 +113,10 @@ def test_limits_that_the_lens_is_within_keep_the_result(session, values):
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
     locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     session = replace(session, locked=locked)
-    assert edited(session, lens__half_width=[2.0, 2.0]).locked is locked
-    assert edited(session, screen__z=7.0).locked is locked
+    assert edited(session, {"lens.half_width": [2.0, 2.0]}).locked is locked
+    assert edited(session, {"images[0].receiver.position[2]": 7.0}).locked is locked
     finer_net = finer(session.scene.optic, 2)
-    assert edited(session, lens__control_points=finer_net).locked == NO_LOCKS
+    assert edited(session, {NET: finer_net}).locked == NO_LOCKS
 
 
 def test_another_unit_keeps_the_lens_and_its_light(session):

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 import torch
-from tests.scene.test_images import SECOND
 
+from tests.scene.test_images import SECOND
 from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.validation import validate
 from workbench.design.levels import finest_image
@@ -14,6 +14,7 @@ from workbench.design.session import Session
 from workbench.design.snapshot import Result
 from workbench.design.task import begin
 from workbench.files.session import read_session, write_session
+from workbench.scene.paths import with_values
 
 BOTH = {
     "lens.entrance": {"shape": "freeform", "height_range": [-0.3, 0.3]},
@@ -30,17 +31,13 @@ BOTH = {
 def at_two_distances(make_scene, tmp_path):
     """The same image on two screens, by two faces."""
     scene = make_scene(BOTH)
-    second = {
-        "screen": scene.receiver.moved_to(5.5).model_dump(mode="json"),
-        "target": BOTH["target"],
-    }
-    return begin(make_scene({**BOTH, "run.iterations": 12, "further_images": [second]}), tmp_path)
+    second = scene.images[0].altered(receiver=scene.receiver.moved_to(5.5))
+    short = scene.run.altered(iterations=12)
+    return begin(scene.with_images((*scene.images, second)).altered(run=short), tmp_path)
 
 
-def with_one_face(session, make_scene, tmp_path):
-    data = session.scene.to_data()
-    data["lens"]["entrance"] = {"shape": "flat"}
-    return begin(type(session.scene).from_data(data), tmp_path)
+def with_one_face(session, tmp_path):
+    return begin(with_values(session.scene, {"lens.front": {"shape": "plane"}}), tmp_path)
 
 
 def last_of(session):
@@ -48,10 +45,8 @@ def last_of(session):
     return last
 
 
-def test_two_faces_make_an_image_at_two_distances_that_one_face_cannot(
-    at_two_distances, make_scene, tmp_path
-):
-    one_face = with_one_face(at_two_distances, make_scene, tmp_path)
+def test_two_faces_make_an_image_at_two_distances_that_one_face_cannot(at_two_distances, tmp_path):
+    one_face = with_one_face(at_two_distances, tmp_path)
     two, one = (last_of(session).state for session in (at_two_distances, one_face))
     assert two.loss < 0.4 * one.loss
     for state in (two, one):
@@ -106,7 +101,7 @@ def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
     (tmp_path / "wanted.npy").unlink()
     again = read_session(path)
     assert again.scene == session.scene
-    for before, after in zip(session.scene.further_images, again.scene.further_images, strict=True):
+    for before, after in zip(session.scene.images[1:], again.scene.images[1:], strict=True):
         np.testing.assert_array_equal(before.wanted, after.wanted)
         assert before.drawn.picture == after.drawn.picture
     for before, after in zip(shot.state.further, again.result.state.further, strict=True):

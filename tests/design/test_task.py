@@ -20,7 +20,6 @@ from workbench.design.task import begin, with_task
 from workbench.errors import Refused
 from workbench.geometry.faces import FaceArrays
 from workbench.said import Said
-from workbench.scene import Scene
 
 
 def test_a_lamp_that_shines_away_from_the_lens_is_refused(make_scene, tmp_path):
@@ -118,9 +117,8 @@ def session(make_scene, image):
 
 
 def edited(session, **target):
-    data = session.scene.to_data()
-    data["target"] |= target
-    return with_task(session, Scene.from_data(data), Path(session.scene.image).parent)
+    scene = session.scene.with_target(session.scene.target.altered(**target))
+    return with_task(session, scene, Path(session.scene.image).parent)
 
 
 def test_the_target_is_drawn_anew_without_the_file(session, image):

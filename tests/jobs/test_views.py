@@ -11,6 +11,7 @@ from workbench.jobs.slopes import needed_slopes
 from workbench.jobs.sun_plate import SunPlate
 from workbench.jobs.torch import Torch
 from workbench.jobs.wall_washer import WallWasher
+from workbench.scene.paths import with_values
 
 
 def test_widths_and_distances_are_those_of_the_job():
@@ -51,8 +52,7 @@ def far_image(angle, distance=1e5):
     """A plate whose light all goes to a small image aside, at an angle to the axis."""
     scene = SunPlate().with_answers({"distance": distance, "image_size": [1.0, 1.0]}).scene()
     aside = (scene.receiver.z - scene.optic.leaving_z) * math.tan(math.radians(angle))
-    receiver = scene.receiver
-    return scene.with_receiver(receiver.altered(position=(aside, 0.0, receiver.z)))
+    return with_values(scene, {"images[0].receiver.position[0]": aside})
 
 
 @pytest.mark.parametrize("angle", [1.0, 10.0, 30.0, 45.0])

@@ -50,7 +50,11 @@ def test_schema_is_that_of_the_scene(made):
     shipped = json.loads(resources.path("scene.schema.json").read_text("utf-8"))
     assert shipped == json.loads((made / "scene.schema.json").read_text("utf-8"))
     assert set(shipped["properties"]) == set(Scene.model_fields)
-    assert shipped["required"] == ["source", "elements", "images"]
+    assert shipped["required"] == ["source", "target"]
+    either = (("lens", "mirror"), ("screen", "far_field"))
+    assert shipped["allOf"] == [
+        {"oneOf": [{"required": [name]} for name in pair]} for pair in either
+    ]
 
 
 @examples
@@ -73,15 +77,15 @@ def test_examples_find_their_targets(example):
 def test_examples_improve(name, part):
     """With fewer rays, pixels and control points than they have, to be done soon."""
     example = _named(name)
-    whole = Scene.from_json(example.file.read_bytes())
-    few = {"collimated": 128, "point": 20_000, "grid": 30}
+    scene = Scene.from_json(example.file.read_bytes())
+    few = {"collimated": [128, 128], "point": 20_000, "grid": 30}
     changes = {
-        "source.rays": few[whole.source.kind],
-        "images[0].receiver.pixels": 48,
-        "lens.back.control_points": 16,
+        "source.rays": few[scene.source.kind],
+        "images[0].receiver.pixels": [48, 48],
+        "lens.back.control_points": [16, 16],
         "run.iterations": 20,
     }
-    scene = with_values(whole, changes)
+    scene = with_values(scene, changes)
     losses = [
         snapshot.state.loss for snapshot in run(scene, load_target(scene, example.file.parent))
     ]

@@ -87,15 +87,18 @@ EDITS = {
 }
 
 
+DATA = {
+    "version": 2,
+    "unit": "cm",
+    "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [24, 24]},
+    "source": SOURCES["collimated"],
+    "screen": {"z": 5, "half_width": [1, 1], "pixels": [32, 32]},
+    "target": {"builtin": "flame"},
+}
+
+
 def scene_of(light="collimated", **changes):
-    data = {
-        "version": 2,
-        "unit": "cm",
-        "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [24, 24]},
-        "source": SOURCES[light],
-        "screen": {"z": 5, "half_width": [1, 1], "pixels": [32, 32]},
-        "target": {"builtin": "flame"},
-    }
+    data = DATA | {"source": SOURCES[light]}
     return Scene.from_data(data | {part: data[part] | new for part, new in changes.items()})
 
 
@@ -128,11 +131,9 @@ def test_light_goes_to_the_same_parts_of_the_image_after_an_edit(source, edit, t
 
 def test_light_of_a_mirror_goes_where_it_went(tmp_path):
     def mirror(z):
-        data = scene_of().to_data()
         optic = {"half_width": [1, 1], "control_points": [24, 24]}
-        del data["lens"]
-        screen = data["screen"] | {"z": z, "center": [3.0, 0.0]}
-        return Scene.from_data(data | {"mirror": optic, "screen": screen})
+        screen = DATA["screen"] | {"z": z, "center": [3.0, 0.0]}
+        return Scene.from_data(DATA | {"lens": None, "mirror": optic, "screen": screen})
 
     before, scene = mirror(-5.0), mirror(-5.3)
     heights = designed(before, tmp_path)

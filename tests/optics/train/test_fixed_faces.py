@@ -193,7 +193,9 @@ def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dt
     nodes = CompiledTrain(path).nodes(heights)
     a, b = slopes_at(cells, outline, inner)
     slope = np.hypot(a, b)
-    aside = slope * (scene.screen.z - source - thickness) + slab(slope, thickness, scene.optic.index)
+    aside = slope * (scene.screen.z - source - thickness) + slab(
+        slope, thickness, scene.optic.index
+    )
     columns, rows = (10 + part * aside / np.where(slope > 0, slope, 1) for part in (a, -b))
     assert nodes.hits[0].numpy() == pytest.approx(columns, abs=accuracy)
     assert nodes.hits[1].numpy() == pytest.approx(rows, abs=accuracy)

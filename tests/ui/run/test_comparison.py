@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QComboBox, QWidget
-from tests.scene.test_images import SECOND
 
 from tests.accounts import account_of
+from tests.scene.test_images import SECOND
 from ui.run.bound import BoundOfDesign
 from ui.run.comparison import RunComparison
 from workbench.design.lens_state import FurtherLight

@@ -4,9 +4,9 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtWidgets import QStatusBar
-from tests.scene.test_images import SECOND
 
 from tests.accounts import account_of
+from tests.scene.test_images import SECOND
 from ui.run.status import RunStatus
 from workbench.analysis.metrics import relative_l2
 from workbench.design.lens_state import FurtherLight

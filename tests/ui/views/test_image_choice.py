@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QVBoxLayout, QWidget
-from tests.scene.test_images import SECOND
 
 from tests.accounts import account_of
+from tests.scene.test_images import SECOND
 from ui.views.error_view import ErrorView
 from ui.views.image_choice import ImageChoice
 from ui.views.image_link import ImageLink
