@@ -8,15 +8,6 @@ from workbench.errors import Refused
 FREEFORM = {"shape": "freeform"}
 
 
-def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene):
-    entrance = {**FREEFORM, "height_range": [-0.5, 0.1]}
-    near = {"kind": "point", "position": [0, 0, -0.4]}
-    assert make_scene({"lens.entrance": entrance}).optic.front_z == -0.5
-    make_scene({"lens.entrance": FREEFORM, "source": near})
-    with pytest.raises(Refused, match=r"source.position\[2\]: -0.4 is not before"):
-        make_scene({"lens.entrance": entrance, "source": near})
-
-
 @pytest.mark.parametrize(
     ("changes", "room"),
     [
