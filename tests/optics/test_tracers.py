@@ -8,13 +8,11 @@ from tests.optics.kernels.twins import account
 from tests.optics.points import GRID, POINT, smooth
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Passed
-from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.tracers import Tracers
-from workbench.optics.train.compiled import CompiledTrain
 
 COLLIMATED = {"kind": "collimated", "rays": [40, 30]}
 MESH = POINT | {"intersection": {"method": "mesh"}}
@@ -44,25 +42,27 @@ def changed(path, emitter=None, steps=None):
     )
 
 
-def kind(path):
-    return Tracers(path, (False, False)).kind
+def is_compiled(path):
+    return Tracers(path, (False, False)).compiled == "train"
 
 
 @pytest.mark.parametrize(
     ("source", "samples", "expected"),
     [
-        (COLLIMATED, None, CompiledTrain),
-        (COLLIMATED, (20, 20), CompiledTrain),
-        (POINT, None, FusedPointRays),
-        (GRID, None, FusedPointRays),
-        (MESH, None, None),
-        (POINT, Corners(20, 20), CompiledTrain),
-        (GRID, Corners(20, 20), CompiledTrain),
-        (MESH, Corners(20, 20), None),
+        (COLLIMATED, None, True),
+        (COLLIMATED, (20, 20), True),
+        (POINT, None, True),
+        (GRID, None, True),
+        (MESH, None, False),
+        (POINT, Corners(20, 20), True),
+        (GRID, Corners(20, 20), True),
+        (MESH, Corners(20, 20), False),
     ],
 )
-def test_the_compiled_tracer_follows_from_the_elements(make_scene, source, samples, expected):
-    assert kind(path_of(make_scene({"source": source}), samples)) is expected
+def test_whether_the_train_is_compiled_follows_from_the_elements(
+    make_scene, source, samples, expected
+):
+    assert is_compiled(path_of(make_scene({"source": source}), samples)) is expected
 
 
 @pytest.mark.parametrize("source", [COLLIMATED, POINT], ids=["collimated", "point"])
@@ -71,7 +71,7 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     path = path_of(scene)
     entrance, exit_face = path.steps
     window = changed(path, steps=[entrance, exit_face._replace(interface=Unchanged())])
-    assert kind(window) is None
+    assert not is_compiled(window)
     # Without refraction at the exit, light keeps its direction: more of it passes the screen by.
     light = Reference(window).image({"exit": smooth(scene)}, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0

@@ -12,7 +12,6 @@ from tests.stress.scenes import Case, Heights
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.kernels.point import FusedPointRays
 from workbench.optics.light import Light, Tracer
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
@@ -60,15 +59,15 @@ def ways(case: Case, dtype: torch.dtype) -> dict[str, list[Make]]:
     def path(scene: Scene) -> Path:
         return Path.of(scene, net, dtype)
 
-    search: list[Make] = [
+    made: list[Make] = [
         lambda scene: Reference(path(scene)),
-        lambda scene: FusedPointRays(path(scene)),
+        lambda scene: CompiledTrain(path(scene)),
     ]
     if isinstance(source, CollimatedSource):
-        return {"collimated": [*search, lambda scene: CompiledTrain(path(scene))]}
+        return {"collimated": made}
     if not isinstance(source.intersection, ExactMethod):
-        search.pop()
-    return {source.intersection.method: search}
+        made.pop()
+    return {source.intersection.method: made}
 
 
 class _Beams:

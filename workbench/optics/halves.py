@@ -51,6 +51,11 @@ class Halves(NamedTuple):
         half = self[axis]
         return values if half is None else values[: len(half)]
 
+    def rows(self, values: Array) -> Array:
+        """Values (m_x, m_y) of all samples for those that are traced, shape (m_y, m_x)."""
+        rows = np.ascontiguousarray(self.first(values, 0).T)
+        return np.ascontiguousarray(self.first(rows, 1))
+
     def weighted(self, flux: Array, axis: int) -> Array:
         """The flux of rays along an axis that belongs to the traced half."""
         half = self[axis]

@@ -15,7 +15,6 @@ from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Passed
-from workbench.optics.intersection import Bundle
 from workbench.optics.rays import RayBundle, Vector, place_seen, seen
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
@@ -50,8 +49,8 @@ class Path:
     """Source, faces and receiver of a scene, with everything that heights do not change.
 
     Source and receiver are in coordinates of the scene with z counted from a datum. Each face has
-    its own frame. Rays before the first freeform face, `rays` and `lines`, are in the frame of that
-    face: what samples it has its coordinates.
+    its own frame. Rays before the first freeform face are in the frame of that face: what samples
+    that face has its coordinates.
 
     Parameters
     ----------
@@ -75,10 +74,13 @@ class Path:
 
     Attributes
     ----------
-    shaped : tuple of FaceStep
-        Those of the steps that depend on control heights: the first freeform face and all behind.
-    changes : list of Frame
-        Changes of coordinates before each of these and behind the last one, see `changes_of`.
+    fixed, shaped : tuple of FaceStep
+        The steps before the first freeform face, and it with all behind.
+    changes_before, changes : list of Frame
+        Changes of coordinates before each of the fixed steps and to the first freeform face; before
+        each of the others and behind the last one, see `changes_of`.
+    draw : int
+        Number of the set of the source's rays.
     """
 
     def __init__(
@@ -96,17 +98,16 @@ class Path:
         self.emitter, self.steps, self.receiver = emitter, tuple(steps), receiver
         self.datum, self.outline = datum, outline
         self.front_z = datum if front_z is None else front_z
-        self.dtype, self.device, self._seed, self._draw = dtype, device, seed, 0
+        self.dtype, self.device, self._seed, self.draw = dtype, device, seed, 0
         fixed = next((i for i, step in enumerate(steps) if step.surface.freeform), len(steps))
-        self._fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
+        self.fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
         frames = [step.frame for step in self.steps]
         first = frames[fixed] if self.shaped else None
         if first is not None and datum != 0:
             raise ValueError("a freeform face with a frame counts z from there: use the datum 0")
-        self._before = changes_of([None, *frames[:fixed], first], datum)
+        self.changes_before = changes_of([None, *frames[:fixed], first], datum)
         self.changes = changes_of([first, *frames[fixed:], None], datum)
         self._rays: RayBundle | None = None
-        self._lines: Bundle | None = None
         self._lost: dict[str, Tensor] | None = None
 
     @classmethod
@@ -137,31 +138,33 @@ class Path:
     def rays(self) -> RayBundle:
         """The source's rays before the first freeform face, those that get there."""
         if self._rays is None:
-            self._rays = _cast(self._begin(), self.dtype, self.device)
+            self._rays = self.begin().to(self.device, self.dtype)
         return self._rays
-
-    @property
-    def lines(self) -> Bundle:
-        """The same rays as lines, for tracers that need nothing else of them.
-
-        Rounded once, from float64: those of `rays` are rounded before and after.
-        """
-        if self._lines is None:
-            lines = Bundle.of(self._begin())
-            self._lines = Bundle(*(part.to(self.device, self.dtype) for part in lines))
-        return self._lines
 
     @property
     def lost(self) -> dict[str, Tensor]:
         """Flux lost before the first freeform face, by name; see `Arrival.lost`."""
         if self._lost is None:
-            self._rays = _cast(self._begin(), self.dtype, self.device)
+            self._rays = self.begin().to(self.device, self.dtype)
         return dict(self._lost or {})
+
+    def begin(self) -> RayBundle:
+        """The source's rays before the first freeform face in float64, computed at each call."""
+        rays = self.emitter.rays(self._seed, self.draw)
+        if not self.emitter.by_area:  # else their flux is that of what the aperture lets through
+            rays = _stopped(rays, self.outline)
+        rays = rays._replace(position=_lifted(rays.position, -self.datum))
+        passing = 1 - _total(rays)
+        rays, lost, _ = _through(self.fixed, self.changes_before, rays, {})
+        if abs(passing) > _ROUNDING:  # few samples may make more than all light
+            lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
+        self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
+        return _living(rays)
 
     def redraw(self) -> None:
         """Take another set of the source's rays."""
-        self._draw += 1
-        self._rays = self._lines = self._lost = None
+        self.draw += 1
+        self._rays = self._lost = None
 
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the source's rays to the receiver.
@@ -212,19 +215,6 @@ class Path:
         """Where to end rays behind the last face in a drawing; z as in the scene."""
         return _lifted(self.receiver.ends(rays), self.datum)
 
-    def _begin(self) -> RayBundle:
-        """The source's rays before the first freeform face, in float64; notes what is lost."""
-        rays = self.emitter.rays(self._seed, self._draw)
-        if not self.emitter.by_area:  # else their flux is that of what the aperture lets through
-            rays = _stopped(rays, self.outline)
-        rays = rays._replace(position=_lifted(rays.position, -self.datum))
-        passing = 1 - _total(rays)
-        rays, lost, _ = _through(self._fixed, self._before, rays, {})
-        if abs(passing) > _ROUNDING:  # few samples may make more than all light
-            lost = _added(lost, {self.steps[0].missed: rays.flux.new_tensor(passing)})
-        self._lost = {name: flux.to(self.device) for name, flux in lost.items()}
-        return _living(rays)
-
 
 def _stopped(rays: RayBundle, outline: Outline) -> RayBundle:
     """Rays that are in the plane of the aperture; those beside it end there."""
@@ -271,15 +261,6 @@ def _added(account: Mapping[str, Tensor], more: Mapping[str, Tensor]) -> dict[st
 def _lifted(place: Vector, by: float) -> Vector:
     x, y, z = place
     return x, y, z + by
-
-
-def _cast(rays: RayBundle, dtype: torch.dtype, device: torch.device | str) -> RayBundle:
-    def vector(parts: Vector) -> Vector:
-        x, y, z = (part.to(device, dtype) for part in parts)
-        return x, y, z
-
-    flux, alive = rays.flux.to(device, dtype), rays.alive.to(device)
-    return RayBundle(vector(rays.position), vector(rays.direction), flux, alive)
 
 
 def _living(rays: RayBundle) -> RayBundle:

@@ -64,8 +64,7 @@ class Plan:
         self._redrawn = scene.source.redrawn
         path = Path.of(scene, net, dtype or needed, device_of(scene), samples)
         self._tracers = Tracers(path, mirrored)
-        kind = self._tracers.kind
-        self._choice = Choice(path, None if kind is None else kind.name, fused, fine)
+        self._choice = Choice(path, self._tracers.compiled, fused, fine)
 
     def trace(self, heights: Mapping[str, Tensor]) -> Light:
         """Image and light account of a lens.

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import torch
 from torch import Tensor
 
 from workbench.geometry.frames import Frame
@@ -31,6 +32,16 @@ class RayBundle(NamedTuple):
     direction: Vector
     flux: Tensor
     alive: Tensor
+
+    def to(self, device: torch.device | str, dtype: torch.dtype) -> "RayBundle":
+        """The same rays on a device, in a float type."""
+
+        def vector(parts: Vector) -> Vector:
+            x, y, z = (part.to(device, dtype) for part in parts)
+            return x, y, z
+
+        flux, alive = self.flux.to(device, dtype), self.alive.to(device)
+        return RayBundle(vector(self.position), vector(self.direction), flux, alive)
 
 
 def seen(rays: RayBundle, change: Frame) -> RayBundle:

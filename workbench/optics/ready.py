@@ -21,7 +21,7 @@ from enum import Enum
 import torch
 
 from workbench.interruption import given_up_when
-from workbench.optics.kernels import beam_image, box_image, point
+from workbench.optics.kernels import beam_image, box_image
 from workbench.optics.train import compiled
 
 # What compiles a kernel for a float type, by tiny calls.
@@ -29,7 +29,6 @@ _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {
     "train": compiled.compile_for,
     "beams": beam_image.compile_for,
     "boxes": box_image.compile_for,
-    "point": point.compile_for,
 }
 
 
@@ -54,7 +53,7 @@ def obtain(name: str, dtype: torch.dtype) -> bool:
     Parameters
     ----------
     name : str
-        "train", "beams", "boxes" or "point".
+        "train", "beams" or "boxes".
     dtype : torch.dtype
         Float type of the trace.
     """

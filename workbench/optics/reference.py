@@ -42,7 +42,7 @@ class Reference:
         self.notes: list[str] = []
         self._corners: SampledTrain | Emitter = path.emitter
         train = SampledTrain.of(path)
-        if train is not None and not is_even(path):
+        if train is not None and not is_even(train, path):
             self._corners, self.notes = train, [train.note]
             self._walk = SampledWalk(train, path).walk
 

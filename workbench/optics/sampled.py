@@ -2,11 +2,11 @@
 
 On a tensor grid of samples height and slopes of the face are small matrix products, and all origins
 of the light share them. What comes to a sample from before is in `workbench.optics.lit_face`, and
-behind a plane entrance face in `workbench.optics.glass_face`. The compiled twin is
-`workbench.optics.train.compiled`.
+behind a plane entrance face in `workbench.optics.glass_face`. Where other fixed faces come first,
+the aperture before them is sampled instead; see `workbench.optics.fixed_faces`. The compiled twin
+is `workbench.optics.train.compiled`.
 """
 
-import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -19,13 +19,13 @@ from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline
 from workbench.geometry.surface import ControlNet
 from workbench.optics.arrival import Arrival
+from workbench.optics.fixed_faces import Followed, follow, pass_face, through_aperture
 from workbench.optics.glass_face import Glass, GlassFace
 from workbench.optics.interfaces import Refraction
-from workbench.optics.intersection import RIM
 from workbench.optics.lit_face import LitFace
 from workbench.optics.path import Path
 from workbench.optics.patterns import Patterns, tabulated
-from workbench.optics.rays import RayBundle, Vector, seen
+from workbench.optics.rays import Vector, seen
 from workbench.optics.samples import Corners, Places, Samples, areas_of, places, splits_side_by_side
 from workbench.optics.sources import CollimatedEmitter, PointEmitter
 from workbench.optics.sources.origins import Origins
@@ -33,12 +33,9 @@ from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface, Plane
 from workbench.said import Said
 
-# No place is nearer to the axis, as a part of the way to the rim: the root has a slope.
-_TINY = 1e-15
-
 
 class SampledTrain(NamedTuple):
-    """A train whose first freeform face is sampled, in coordinates of the scene.
+    """A train whose first freeform face, or whose aperture, is sampled; in the scene's coordinates.
 
     Attributes
     ----------
@@ -48,16 +45,20 @@ class SampledTrain(NamedTuple):
         Middles of so many cells along x and y, or corners of cells.
     glass : Glass, optional
         A plane entrance face before the freeform one.
-    first : FaceStep
-        The face that is sampled.
+    before : tuple of FaceStep
+        Other fixed faces before the first freeform one.
+    first : FaceStep, optional
+        The freeform face that is sampled; None where the aperture is, which its light passes before
+        other fixed faces, or before a face that is tilted.
     rest : tuple of FaceStep
-        Those behind it.
+        Those that rays search for, from the first freeform face or from behind it on.
     surface : BSplineSurface
-        That of the first.
-    changes : list of Frame
-        Changes of coordinates before each of these and behind the last one.
+        That of the first freeform face.
+    changes_before, changes : list of Frame
+        Changes of coordinates before each of the fixed faces and behind the last; the same of
+        those that rays search for.
     outline : Outline
-        Of the first face, and of the aperture before it.
+        Of the aperture; of a sampled face, too.
     front_z : float
         z of the scene where that is.
     datum : float
@@ -67,9 +68,11 @@ class SampledTrain(NamedTuple):
     origins: Origins
     samples: Samples
     glass: Glass | None
-    first: FaceStep
+    before: tuple[FaceStep, ...]
+    first: FaceStep | None
     rest: tuple[FaceStep, ...]
     surface: BSplineSurface
+    changes_before: list[Frame]
     changes: list[Frame]
     outline: Outline
     front_z: float
@@ -77,32 +80,33 @@ class SampledTrain(NamedTuple):
 
     @classmethod
     def of(cls, path: Path) -> "SampledTrain | None":
-        """Light of which samples are wanted, and a B-spline behind a plane face or none."""
-        emitter, steps = path.emitter, path.steps
+        """Light of which samples are wanted, and a B-spline as the first freeform face."""
+        emitter, fixed = path.emitter, path.fixed
         samples = emitter.samples
-        if samples is None or not (isinstance(samples, Corners) or _by_middles(path)):
+        if samples is None or not path.shaped:
             return None
-        origins, glass = emitter.origins, None
-        match steps[0]:
-            case FaceStep(Plane(z=z), Refraction(law=law, reflected=name), _, None) if (
-                len(steps) > 1
-            ):
-                one_distance = origins.infinite or np.ptp(origins.places[:, 2]) == 0
-                surface = steps[1].surface
-                if not (one_distance and isinstance(surface, BSplineSurface)):
-                    return None
-                shape = surface.net, surface.level, path.outline
-                lines = places(samples, 0), places(samples, 1)
-                crowded = None if _are_even(samples) else lines
-                glass = Glass(origins, steps[0], name, law, z + path.datum, *shape, crowded)
-                steps = steps[1:]
-        surface = steps[0].surface
+        if not (isinstance(samples, Corners) or _by_middles(path)):
+            return None
+        (first, *rest), origins = path.shaped, emitter.origins
+        surface, glass = first.surface, None
         if not isinstance(surface, BSplineSurface) or surface.subdivisions is not None:
             return None
-        if steps[0].frame is not None:  # the source is in other coordinates
-            return None
-        given = origins, samples, glass, steps[0], steps[1:], surface, path.changes[1:]
-        return cls(*given, path.outline, path.front_z, path.datum)
+        match fixed:
+            case (FaceStep(Plane(z=z), Refraction(law=law, reflected=name), _, None),) if (
+                first.frame is None and _alike(origins)
+            ):
+                net, level = surface.net, surface.level
+                lines = None if _are_even(samples) else (places(samples, 0), places(samples, 1))
+                front = fixed[0], name, law, z + path.datum
+                glass = Glass(origins, *front, net, level, path.outline, lines)
+                fixed = ()
+        faces, aperture = (first, tuple(rest), surface), (path.outline, path.front_z, path.datum)
+        train = cls(origins, samples, glass, (), *faces, [], path.changes[1:], *aperture)
+        if fixed or first.frame is not None:  # the source is in other coordinates
+            before, changes = path.changes_before, path.changes
+            train = train._replace(before=fixed, first=None, rest=path.shaped)
+            train = train._replace(changes_before=before, changes=changes)
+        return train
 
     @property
     def net(self) -> ControlNet:
@@ -111,12 +115,12 @@ class SampledTrain(NamedTuple):
 
     @property
     def half_width(self) -> tuple[float, float]:
-        """Of the first face, scene units."""
-        return self.net.half_width
+        """Of what is sampled, scene units."""
+        return self.outline.half_width if self.first is None else self.net.half_width
 
     @property
     def level(self) -> float:
-        """Z of the scene that heights of the first face are counted from."""
+        """Z of the scene that heights of the first freeform face are counted from."""
         return self.surface.level
 
     @property
@@ -134,6 +138,25 @@ class SampledTrain(NamedTuple):
         """See `workbench.optics.light.BeamTracer`: origins one after the other along y."""
         return splits_side_by_side(*self.lines, len(self.origins.places))
 
+    def of_origins(self, origins: Origins) -> "SampledTrain":
+        """The train with other origins of the light."""
+        glass = self.glass and self.glass._replace(origins=origins)
+        return self._replace(origins=origins, glass=glass)
+
+    def followed(self, copies: int = 1) -> Followed:
+        """The light of samples of the aperture, behind the fixed faces ``before``.
+
+        Parameters
+        ----------
+        copies : int
+            How many mirror images of the origins make all light.
+        """
+        rays = through_aperture(self.origins, self.lines, self.outline, self.front_z)
+        x, y, z = rays.position
+        rays = rays._replace(position=(x, y, z - self.datum))
+        missed = (*self.before, *self.rest)[0].missed
+        return follow(rays, self.before, self.changes_before, (self.outline, missed), copies)
+
     def patterns(self) -> Patterns | None:
         """Intensities of each origin over its flux; see `tabulated`.
 
@@ -149,6 +172,8 @@ class SampledTrain(NamedTuple):
     @property
     def note(self) -> Said:
         """What is special about it, in words."""
+        if self.first is None:
+            return Said("samples of the aperture, followed through fixed faces once")
         if self.glass is not None:
             return Said("samples on the exit face, shared by all origins of the light")
         if isinstance(self.first.interface, Refraction):
@@ -156,9 +181,10 @@ class SampledTrain(NamedTuple):
         return Said("samples on the mirror, shared by all origins of the light")
 
 
-def is_even(path: Path) -> bool:
+def is_even(train: SampledTrain, path: Path) -> bool:
     """Whether light along the axis meets one freeform face, so that a walk needs no search."""
-    return _even(path) and len(path.shaped) == 1
+    straight = isinstance(path.emitter, CollimatedEmitter) and train.first is not None
+    return straight and not train.rest
 
 
 def _by_middles(path: Path) -> bool:
@@ -170,8 +196,9 @@ def _are_even(samples: Samples) -> bool:
     return not isinstance(samples, Corners) or samples.even
 
 
-def _even(path: Path) -> bool:
-    return isinstance(path.emitter, CollimatedEmitter)
+def _alike(origins: Origins) -> bool:
+    """Whether light of all origins comes from one distance along the axis, if from any."""
+    return origins.infinite or bool(np.ptp(origins.places[:, 2]) == 0)
 
 
 class SampledWalk:
@@ -186,82 +213,45 @@ class SampledWalk:
     """
 
     def __init__(self, train: SampledTrain, path: Path) -> None:
-        self._train, self._path = train, path
-        self._face: GlassFace | LitFace
-        if train.glass is not None:
+        self._train, self._path, self._before = train, path, dict[str, float]()
+        self._face: GlassFace | LitFace | None = None
+        if train.first is None:
+            followed = train.followed()
+            self._rays = followed.rays.to(path.device, path.dtype)
+            self._rim = followed.rim.to(path.device, path.dtype)
+            self._before = followed.lost
+        elif train.glass is not None:
             self._before = train.glass.before()
             self._face = GlassFace(train.glass, train.lines, path)
         else:
-            self._before = {}
             given = train.net, train.level, train.lines, train.origins, path, train.patterns()
             self._face = LitFace(*given)
 
     def walk(self, heights: Mapping[str, Tensor]) -> Arrival:
         """Follow the light from the samples to the receiver; see `Path.walk`."""
-        train = self._train
-        lit = self._face.light(train.surface.own(heights))
-        passed = train.first.interface.turn(*lit)
-        with torch.no_grad():
-            lost = {name: part.sum(dtype=torch.float64) for name, part in passed.lost.items()}
-            for name, before in self._before.items():
-                lost[name] = lit.rays.flux.new_tensor(before, dtype=torch.float64)
+        train, sums = self._train, dict[str, Tensor | float](self._before)
+        begin: tuple[Vector, Outline] | None = None
+        rim: Tensor | None = None
+        if self._face is None or train.first is None:
+            rays, rim = self._rays, self._rim
+        else:
+            lit = self._face.light(train.surface.own(heights))
+            passed = train.first.interface.turn(*lit)
             # What came and did not meet the face; with the error of the sum over samples.
-            met = lit.rays.flux.sum(dtype=torch.float64)
+            met = lit.rays.flux.detach().sum(dtype=torch.float64)
             missed = 1 - sum(self._before.values()) - met
-            lost[train.first.missed] = lost.get(train.first.missed, 0.0) + missed
-        rays, rim = passed.rays, None
-        for number, (step, change) in enumerate(zip(train.rest, train.changes[:-1], strict=True)):
-            begin = lit.meeting.position if number == 0 else None
-            rays, rim, more = self._pass(step, seen(rays, change), heights, rim, begin)
-            for name, part in more.items():
-                lost[name] = lost.get(name, 0.0) + part.sum(dtype=torch.float64)
+            _add(sums, {train.first.missed: missed, **passed.lost})
+            rays, begin = passed.rays, (lit.meeting.position, train.outline)
+        for step, change in zip(train.rest, train.changes[:-1], strict=True):
+            rays, rim, lost = pass_face(step, seen(rays, change), heights, rim, begin)
+            begin = None
+            _add(sums, lost)
         rays = seen(rays, train.changes[-1])
-        return Arrival(*self._path.receiver.places(rays), rays, lost, rim)
-
-    def _pass(
-        self,
-        step: FaceStep,
-        rays: RayBundle,
-        heights: Mapping[str, Tensor],
-        rim: Tensor | None,
-        begin: Vector | None,
-    ) -> tuple[RayBundle, Tensor, dict[str, Tensor]]:
-        """Rays behind a further face, their distance to the rims so far, and losses by name.
-
-        Parameters
-        ----------
-        step, rays, heights
-            The face, and the rays before it.
-        rim : Tensor, optional
-            The distance before.
-        begin : tuple of three Tensor, optional
-            Samples, if this is the next face behind them.
-        """
-        first, outline = self._train.outline, step.surface.outline
-        meeting = step.surface.meet_unbounded(rays, heights)
-        own = RIM - _radius(outline, meeting.position)
-        if begin is not None and not first.whole:
-            # Samples beside a curved outline stand for parts that it cuts: for these its rim is
-            # where they are.
-            beyond = _radius(first, begin).clamp_min(1.0) - 1.0
-            own = own + beyond * beyond_rim(first, outline)
-        meeting = meeting._replace(met=meeting.met & (own >= 0))
-        # Rays that do not come to the face leave at the side, but for those without a way.
-        own = torch.where(meeting.met, own.clamp_min(0.0), torch.where(rays.alive, -1.0, 0.0))
-        passed = step.interface.turn(rays, meeting)
-        missed = torch.where(meeting.met, 0.0, rays.flux)
-        lost = {step.missed: missed.detach(), **passed.lost}
-        return passed.rays, own if rim is None else torch.minimum(own, rim), lost
+        zero = rays.flux.new_zeros((), dtype=torch.float64)
+        account = {name: zero + part for name, part in sums.items()}
+        return Arrival(*self._path.receiver.places(rays), rays, account, rim)
 
 
-def beyond_rim(first: Outline, outline: Outline) -> float:
-    """Distance from the axis, as a part of that of an outline, over the same of the first one."""
-    return RIM * math.sqrt(math.prod(first.half_width) / math.prod(outline.half_width))
-
-
-def _radius(outline: Outline, place: Vector) -> Tensor:
-    """Distance from the axis as a part of that of the rim."""
-    (x, y, _), (r_x, r_y) = place, outline.half_width
-    if outline.whole:
-        return torch.maximum((x / r_x).abs(), (y / r_y).abs())
-    return ((x / r_x).square() + (y / r_y).square()).clamp_min(_TINY**2).sqrt()
+def _add(sums: dict[str, Tensor | float], lost: Mapping[str, Tensor]) -> None:
+    for name, part in lost.items():
+        sums[name] = sums.get(name, 0.0) + part.detach().sum(dtype=torch.float64)

@@ -124,7 +124,7 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
     monkeypatch.setitem(ready._COMPILERS, "train", fail)
     with pytest.raises(ValueError, match="no such register"):
         ready.compile_all()
-    others = {"point", "beams", "boxes"}
+    others = {"beams", "boxes"}
     assert ready._ready == {(name, torch.float32) for name in others}
     assert ready.is_compiled()  # nothing is left to wait for
     scene = make_scene()

@@ -19,10 +19,10 @@ from workbench.optics.kernels.spread import (
     workspace,
 )
 from workbench.optics.kernels.taps import fill_taps, make_taps
-from workbench.optics.receivers import PlaneReceiver
 from workbench.scene import BoxFilter, GaussianFilter, Screen
 
 SCREEN = Screen(z=5.0, half_width=(3.0, 2.0), pixels=(12, 8))
+PER_X, PER_Y = 12 / 6, -8 / 4
 KINDS = [np.float32, np.float64]
 FILTERS = [
     BoxFilter(),
@@ -88,8 +88,13 @@ def hits(rng, kind, count=BATCH):
     return x, y, weight
 
 
+def in_pixels(x, y):
+    kind = x.dtype.type
+    return kind(6) + kind(PER_X) * x, kind(4) + kind(PER_Y) * y
+
+
 def spread_out(spread, x, y, weight):
-    column, row = spread.column_0 + spread.per_x * x, spread.row_0 + spread.per_y * y
+    column, row = in_pixels(x, y)
     canvases = make_canvases(spread, 1)
     work = workspace(spread, weight)
     landing = scatter(spread, column, row, weight, len(x), work, canvases[0])
@@ -97,21 +102,19 @@ def spread_out(spread, x, y, weight):
 
 
 def pull_back(spread, x, y, weight, cotangent):
-    column, row = spread.column_0 + spread.per_x * x, spread.row_0 + spread.per_y * y
+    column, row = in_pixels(x, y)
     d_column, d_row, d_weight = np.full((3, BATCH), np.nan, weight.dtype)
     work = workspace(spread, weight)
     canvas = pad(spread, cotangent)
     gather(spread, column, row, weight, len(x), work, canvas, d_column, d_row, d_weight)
-    return d_column * spread.per_x, d_row * spread.per_y, d_weight
+    return d_column * x.dtype.type(PER_X), d_row * x.dtype.type(PER_Y), d_weight
 
 
 @pytest.mark.parametrize("filter", FILTERS, ids=str)
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_image_is_that_of_the_reference(filter, kind, rng):
     x, y, weight = hits(rng, kind)
-    image, (on_screen, beside) = spread_out(
-        make_spread(PlaneReceiver(SCREEN, 0.0), filter, kind), x, y, weight
-    )
+    image, (on_screen, beside) = spread_out(make_spread(SCREEN.pixels, filter, kind), x, y, weight)
     exact = image_at(*(torch.tensor(c) for c in (x, y, weight)), SCREEN, filter)
     eps = float(np.finfo(kind).eps)
     steepness = filter.alpha if isinstance(filter, GaussianFilter) and filter.size != (1, 1) else 1
@@ -134,9 +137,7 @@ def test_cotangents_are_those_of_the_reference(filter, kind, rng):
     exact = torch.autograd.grad(
         (flux * torch.tensor(cotangent)).sum(), leaves, materialize_grads=True, allow_unused=True
     )
-    found = pull_back(
-        make_spread(PlaneReceiver(SCREEN, 0.0), filter, kind), x, y, weight, cotangent
-    )
+    found = pull_back(make_spread(SCREEN.pixels, filter, kind), x, y, weight, cotangent)
     eps = float(np.finfo(kind).eps)
     for mine, theirs in zip(found, exact, strict=True):
         scale = theirs.abs().max().item()
@@ -150,11 +151,11 @@ def test_a_box_has_no_slope(kind, rng):
     x, y, weight = hits(rng, kind)
     cotangent = rng.normal(size=(8, 12)).astype(kind)
     d_x, d_y, d_weight = pull_back(
-        make_spread(PlaneReceiver(SCREEN, 0.0), BoxFilter(), kind), x, y, weight, cotangent
+        make_spread(SCREEN.pixels, BoxFilter(), kind), x, y, weight, cotangent
     )
     assert not d_x.any()
     assert not d_y.any()
-    image, _ = spread_out(make_spread(PlaneReceiver(SCREEN, 0.0), BoxFilter(), kind), x, y, weight)
+    image, _ = spread_out(make_spread(SCREEN.pixels, BoxFilter(), kind), x, y, weight)
     # Linear in the weights: the image meets a cotangent as the weights meet its adjoint.
     assert (image * cotangent).sum() == pytest.approx(
         (weight * d_weight).sum(), rel=1e4 * float(np.finfo(kind).eps)
@@ -172,7 +173,7 @@ def test_one_ray_anywhere_through_any_filter(size, alpha, x, y):
     filter = GaussianFilter(size=size, alpha=alpha)
     one = np.ones(1)
     image, landing = spread_out(
-        make_spread(PlaneReceiver(SCREEN, 0.0), filter, np.float64),
+        make_spread(SCREEN.pixels, filter, np.float64),
         np.array([x]),
         np.array([y]),
         one,

@@ -18,7 +18,8 @@ from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
-from workbench.optics.train.compiled import CompiledTrain, halved
+from workbench.optics.train.compiled import CompiledTrain
+from workbench.optics.train.entries import halved
 from workbench.scene import Scene
 
 

@@ -20,8 +20,8 @@ from workbench.optics.kernels.beam_raster import (
     edges_back,
 )
 from workbench.optics.kernels.cell_image import Back, Splits, cell_image
-from workbench.optics.kernels.function import kind_of
 from workbench.optics.kernels.polygons import compile_drawing
+from workbench.optics.kernels.tensors import kind_of
 
 # Times as many parts where a part needs no image of its own: rows take more time where light is.
 _SHARES = 4

@@ -11,7 +11,7 @@ from workbench.optics.kernels import threads
 from workbench.optics.kernels.beam_raster import ROUNDING
 from workbench.optics.kernels.box_grids import Grids, add_grids, see_grids
 from workbench.optics.kernels.cell_image import Back, Splits, cell_image
-from workbench.optics.kernels.function import kind_of
+from workbench.optics.kernels.tensors import kind_of
 
 # Parts where none needs an image of its own: no thread then waits long for another.
 _PARTS = 32

@@ -9,19 +9,19 @@ from torch.autograd.function import once_differentiable
 
 from workbench.compiled import jit
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.function import as_array, kind_of
 from workbench.optics.kernels.spread import (
     BATCH,
     Spread,
     add_up,
     gather,
     make_canvases,
-    make_image_spread,
+    make_spread,
     pad,
     scatter,
     workspace,
 )
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.tensors import as_array, kind_of
 from workbench.scene import Filter
 
 
@@ -43,7 +43,7 @@ def filtered(hits: Tensor, pixels: tuple[int, int], filter: Filter) -> tuple[Ten
     tuple of Tensor, shape (n_y, n_x), and two floats
         Flux in each pixel, differentiable; and that of rays on the receiver, and beside it.
     """
-    spread = make_image_spread(pixels, filter, kind_of(hits.dtype))
+    spread = make_spread(pixels, filter, kind_of(hits.dtype))
     sums: list[float] = []
     image = _Filtered.apply(spread, sums, hits.flatten(1))  # type: ignore[no-untyped-call]
     return image, sums[0], sums[1]

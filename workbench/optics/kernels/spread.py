@@ -16,7 +16,6 @@ import numpy.typing as npt
 from workbench.arrays import AnyArray, Array
 from workbench.compiled import jit
 from workbench.optics.kernels.taps import FAST, Taps, fill_taps, make_taps
-from workbench.optics.receivers import Receiver
 from workbench.scene import Filter
 
 # Rays that are dealt with at a time: all arrays of a batch fit into the first-level cache.
@@ -24,26 +23,18 @@ BATCH = 256
 
 
 class Spread(NamedTuple):
-    """Screen and filter as the kernels want them; numbers in the trace's float type.
+    """Image and filter as the kernels want them; numbers in the trace's float type.
 
     Attributes
     ----------
-    column_0, per_x : floating
-        A hit at x is at column ``column_0 + per_x x`` of the image, see `Screen.to_pixels`.
-    row_0, per_y : floating
-        A hit at y is at row ``row_0 + per_y y``; ``per_y`` is negative.
     left, right, top, bottom : floating
-        Columns and rows between which a ray counts as one on the screen.
+        Columns and rows between which a ray counts as one on the receiver.
     pixels : tuple[int, int]
         (n_x, n_y).
     taps_x, taps_y : Taps
         The filter along x and y.
     """
 
-    column_0: np.floating[Any]
-    per_x: np.floating[Any]
-    row_0: np.floating[Any]
-    per_y: np.floating[Any]
     left: np.floating[Any]
     right: np.floating[Any]
     top: np.floating[Any]
@@ -75,47 +66,21 @@ _TAPS = np.uintp(BATCH * 8)
 _STEP = np.uintp(BATCH)
 
 
-def make_spread(receiver: Receiver, filter: Filter, kind: type[np.floating[Any]]) -> Spread:
+def make_spread(pixels: tuple[int, int], filter: Filter, kind: type[np.floating[Any]]) -> Spread:
     """Prepare an image and a filter for kernels of a float type.
 
     Parameters
     ----------
-    receiver : Receiver
-        Where the pixels are: a plane across the axis.
+    pixels : tuple[int, int]
+        (n_x, n_y).
     filter : BoxFilter or GaussianFilter
-        How a ray's flux is spread over them.
+        How the flux of a ray is spread over them.
     kind : type
         Float type of the kernels.
     """
-    plane = receiver.numbers()
-    (x, y, _), per_x, per_y = plane.point, plane.column[0], plane.row[1]
-    return make_image_spread(receiver.part.pixels, filter, kind)._replace(
-        column_0=kind(plane.column_0 - per_x * x),
-        per_x=kind(per_x),
-        row_0=kind(plane.row_0 - per_y * y),
-        per_y=kind(per_y),
-    )
-
-
-def make_image_spread(
-    pixels: tuple[int, int], filter: Filter, kind: type[np.floating[Any]]
-) -> Spread:
-    """The same for hits that are in columns and rows already."""
-    n_x, n_y = pixels
-    zero, one = kind(0), kind(1)
-    return Spread(
-        zero,
-        one,
-        zero,
-        one,
-        zero,
-        kind(n_x),
-        zero,
-        kind(n_y),
-        (n_x, n_y),
-        make_taps(filter.alpha, filter.size[0], kind),
-        make_taps(filter.alpha, filter.size[1], kind),
-    )
+    (n_x, n_y), zero = pixels, kind(0)
+    taps = (make_taps(filter.alpha, size, kind) for size in filter.size)
+    return Spread(zero, kind(n_x), zero, kind(n_y), (n_x, n_y), *taps)
 
 
 def make_canvases(spread: Spread, count: int) -> Array:
@@ -131,14 +96,14 @@ def add_up(spread: Spread, canvases: Array) -> AnyArray:
     """The image (n_y, n_x) of all canvases."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
     canvas = canvases[0] if len(canvases) == 1 else canvases.sum(axis=0)
-    image: AnyArray = canvas[m_y : m_y + n_y, m_x : m_x + n_x].astype(spread.per_x.dtype)
+    image: AnyArray = canvas[m_y : m_y + n_y, m_x : m_x + n_x].astype(spread.left.dtype)
     return image
 
 
 def pad(spread: Spread, cotangent: AnyArray) -> AnyArray:
     """A cotangent of the image (n_y, n_x) as a canvas for `gather`."""
     (n_x, n_y), (m_x, m_y) = spread.pixels, _margins(spread)
-    canvas = np.zeros((n_y + 2 * m_y, n_x + 2 * m_x), spread.per_x.dtype)
+    canvas = np.zeros((n_y + 2 * m_y, n_x + 2 * m_x), spread.left.dtype)
     canvas[m_y : m_y + n_y, m_x : m_x + n_x] = cotangent
     return canvas
 
@@ -161,7 +126,7 @@ def scatter(spread, column, row, weight, count, work, canvas):  # type: ignore[n
     Parameters
     ----------
     spread : Spread
-        Screen and filter.
+        Image and filter.
     column, row : array, shape (BATCH,)
         Hits in image coordinates; infinite or not a number for rays that go nowhere.
     weight : array, shape (BATCH,)

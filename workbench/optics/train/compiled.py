@@ -1,12 +1,13 @@
-"""A train traced by compiled loops: one tracer for all trains whose first freeform face is sampled.
+"""A train traced by compiled loops: one tracer for all trains.
 
 What a scene does not need is left out by what is in the list: light along the axis needs no
-directions before the first face, no sample searches for that face, and of a train that is a mirror
-image of itself one half, or one of two origins, is traced. Nothing but depths on further faces is
-kept for the way back: to trace a batch again costs less than memory.
+directions before the first face, no sample searches for that face, fixed faces before the first
+freeform one are passed once, and of a train that is a mirror image of itself one half, or one of
+two origins, is traced. Nothing but depths on further faces is kept for the way back: to trace a
+batch again costs less than memory.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -15,28 +16,21 @@ from torch import Tensor
 from torch.autograd.function import once_differentiable
 
 from workbench.arrays import AnyArray, Array
-from workbench.geometry.frames import Frame
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
-from workbench.optics.halves import Halves
 from workbench.optics.interfaces import Reflection, Refraction
 from workbench.optics.kernels import threads
 from workbench.optics.kernels.filtered import filtered
-from workbench.optics.kernels.function import as_array, check_size, kind_of
-from workbench.optics.kernels.grid import make_axis
+from workbench.optics.kernels.tensors import as_array, check_size
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
-from workbench.optics.sampled import SampledTrain, is_even
 from workbench.optics.samples import Corners
-from workbench.optics.sources.origins import Origins
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane
-from workbench.optics.train.elements import ABSORBED, MET_FLUX, STEEP_X, SUMS
-from workbench.optics.train.faces import FurtherFaces, first_face
-from workbench.optics.train.incident import NewtonSteps, incident_light, sample_lines
+from workbench.optics.train.elements import ABSORBED, MET_FLUX, RUNS, STEEP_X, SUMS
+from workbench.optics.train.entries import Last, entry_of, is_known
+from workbench.optics.train.faces import FurtherFaces
 from workbench.optics.train.landing import landing_of
 from workbench.optics.train.loops import back, land
-from workbench.optics.train.numbers import Light as IncidentLight
-from workbench.said import Said
 from workbench.scene import Filter, Scene
 
 # A scene whose trace compiles the loops.
@@ -44,16 +38,14 @@ _SMALL = {
     "format": "freeform-scene",
     "version": 1,
     "lens": {"half_width": [1.0, 1.0], "refractive_index": 1.5, "control_points": [4, 4]},
-    "source": {"kind": "collimated"},
+    "source": {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 16},
     "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [2, 2]},
     "target": {"builtin": "tophat"},
 }
-# Origins nearer to each other's mirror image than this part of their extent count as a pair.
-_SAME = 1e-9
 
 
 class CompiledTrain:
-    """Samples of the first freeform face, followed to the receiver.
+    """Rays followed from where they begin to the receiver.
 
     Parameters
     ----------
@@ -75,84 +67,43 @@ class CompiledTrain:
     @staticmethod
     def matches(path: Path) -> bool:
         """Whether it traces what the reference makes of a path."""
-        train = SampledTrain.of(path)
-        if train is None:
-            return False
-        steps = (train.first, *train.rest)
         known = all(
             isinstance(step.surface, Plane | Conic)
             or (isinstance(step.surface, BSplineSurface) and step.surface.subdivisions is None)
-            for step in steps
+            for step in path.shaped
         )
-        return known and all(isinstance(step.interface, Refraction | Reflection) for step in steps)
+        turn = all(isinstance(step.interface, Refraction | Reflection) for step in path.shaped)
+        return is_known(path) and known and turn
 
     def __init__(self, path: Path, mirrored: tuple[bool, bool] = (False, False)) -> None:
-        train = SampledTrain.of(path)
-        if train is None:
-            raise TypeError("the first freeform face of this path is not sampled")
-        self._path, self._even, kind = path, is_even(path), kind_of(path.dtype)
-        mirrored = _kept(mirrored, train.changes)
-        self._count, one = len(train.origins.flux), _on_axis(train.origins)
-        self._halves = Halves.of(train.samples, mirrored if one else (False, False))
-        origins, self.mirrored = train.origins, self._halves.mirrored
-        if not one:
-            origins, self.mirrored = halved(origins, mirrored)
-        self._whole = train
-        self._train = train = train._replace(
-            origins=origins,
-            glass=None if train.glass is None else train.glass._replace(origins=origins),
-        )
-        self._before = self._lost_before(path)
-        self._rest = FurtherFaces(train, path.dtype)
-        lines = sample_lines(train, self._halves, kind)
-        bases = tuple(
-            make_axis(train.net, axis, self._halves.first(line.part, axis), kind)
-            for axis, line in enumerate(train.lines)
-        )
-        self._light = incident_light(train, path, self._halves, self._even, kind)
-        self._first = first_face(train, self._even, kind)
-        self._landing = landing_of(path.receiver, self._rest.to_receiver, kind)
-        self._grid = bases, lines
-        self._newton = NewtonSteps.of(train, path.dtype)
-        columns, rows = (len(basis.place) for basis in bases)
-        self._shape = self._light.origins * rows, columns
-        self._bounds = threads.split(columns, self._shape[0] * columns)
-        # Where rays met further faces of the last train: there the search begins.
-        self._depths = np.full((len(train.rest), *self._shape), np.inf, kind)
+        self._path, self._entry = path, entry_of(path, mirrored)
+        entry, self.mirrored = self._entry, self._entry.mirrored
+        outline = None if entry.sampled is None else path.outline
+        self._rest = FurtherFaces(entry.rest, entry.changes, entry.z, outline, path.dtype)
+        surfaces = [step.surface for step in path.shaped]
+        self._splines = [each for each in surfaces if isinstance(each, BSplineSurface)]
+        self._landing = landing_of(path.receiver, self._rest.to_receiver, entry.kind)
+        self._last: Last | None = None
 
     @property
     def notes(self) -> list[str]:
         """See `workbench.optics.light.BeamTracer`."""
-        some, count = len(self._train.origins.flux), self._count
-        if self._even:
-            first = "collimated light: entrance refraction and intersection left out"
-            return [Said(first), *self._halves.notes]
-        if self._train.origins.infinite:
-            one, more = (
-                Said("1 direction of light"),
-                Said("{count} directions of light", count=count),
-            )
-        else:
-            one, more = Said("1 point of light"), Said("{count} points of light", count=count)
-        notes = [more if count > 1 else one, self._train.note, *self._halves.notes]
-        if some < count:
-            notes.append(Said("mirror symmetry: {some} of them are traced", some=some))
-        return notes
+        return self._entry.notes
 
     @property
     def splits(self) -> tuple[Array, Array]:
         """See `workbench.optics.light.BeamTracer`."""
-        return self._halves.splits(self._train.splits)
+        return self._entry.splits
 
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         accounts: list[Account] = []
         above = []
-        for surface in (self._train.surface, *self._rest.splines):
+        for surface in self._splines:
             check_size(heights[surface.name], surface.net)
             above.append((surface.own(heights) - surface.level).to(self._path.dtype))
         nodes, rims = _Trace.apply(self, accounts, *above)  # type: ignore[no-untyped-call]
-        return Nodes(nodes, accounts[0], rims if self._train.rest else None)
+        return Nodes(nodes, accounts[0], rims if self._entry.rims else None)
 
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
@@ -169,64 +120,52 @@ class CompiledTrain:
         self, heights: tuple[AnyArray, ...]
     ) -> tuple[AnyArray, AnyArray, Account, tuple[Any, ...]]:
         """Nodes, distances to rims, the account of a train, and what its way back takes."""
-        first, *others = heights
-        elements, table = self._rest.prepare(others)
-        depths = self._depths.copy()  # the way back of a train may come after another one
-        nodes, rims = np.empty((3, *self._shape), first.dtype), np.empty((0, 0), first.dtype)
-        if len(depths):
-            rims = np.empty(self._shape, first.dtype)
-        sums = np.zeros((len(self._bounds) - 1, len(depths) + 1, SUMS))
-        faces = (self._first, elements), self._landing, table, depths
-        known = first, *self._grid, self._light_of(first), *faces
-        self._run(lambda *span, part: land(*known, *span, nodes, rims, sums[part]))
-        self._depths, self._rest.steepest = depths, sums[:, 1:, STEEP_X:].max(axis=0)
-        return nodes, rims, self._account(2 ** sum(self.mirrored) * sums.sum(axis=0)), known
+        entry, kind = self._entry, self._entry.kind
+        samples, first, depths = entry.start(heights[0], self._last)
+        elements, table = self._rest.prepare(heights[len(heights) - len(self._rest.splines) :])
+        known = *samples, (first, elements), self._landing, table, depths
+        nodes = np.empty((3, *depths.shape[1:]), kind)
+        rims = np.empty(depths.shape[1:] if entry.rims else (0, 0), kind)
+        bounds = _bounds(depths)
+        sums = np.zeros((len(bounds) - 1, len(depths) + 1, SUMS))
+        _run(bounds, lambda *span, part: land(*known, *span, nodes, rims, sums[part]))
+        self._rest.steepest = sums[:, 1:, STEEP_X:RUNS].max(axis=0)
+        total = sums.sum(axis=0)
+        self._last = Last(depths, int(total[1:2, RUNS].sum()))
+        return nodes, rims, self._account(2 ** sum(self.mirrored) * total), known
 
     def backward(
         self, heights: tuple[AnyArray, ...], known: tuple[Any, ...], *cotangents: AnyArray
     ) -> tuple[AnyArray, ...]:
         """Cotangents of the heights from those of nodes and rims of one of the mirror images."""
-        first, *others = heights
-        parts, table = len(self._bounds) - 1, known[-2]
-        gradients, d_tables = np.zeros((parts, *first.shape)), np.zeros((parts, *table.shape))
-        self._run(
-            lambda *span, part: back(*known, *span, *cotangents, gradients[part], d_tables[part])
-        )
-        found = [gradients.sum(axis=0), *self._rest.cotangents(d_tables, others)]
+        sampled, depths = known[0], known[-1]
+        bounds = _bounds(depths)
+        parts = len(bounds) - 1
+        gradients = np.zeros((parts, *sampled.shape))
+        d_tables, touched = self._rest.no_cotangents(parts)
+
+        def work(*span: int, part: int) -> None:
+            back(*known, *span, *cotangents, gradients[part], d_tables[part], touched[part])
+
+        _run(bounds, work)
+        some = len(heights) - len(self._rest.splines)
+        of_rest = self._rest.cotangents(d_tables, touched, heights[some:])
+        found = [gradients.sum(axis=0)][:some] + of_rest
         for axis in (0, 1):
             if self.mirrored[axis]:  # the other half would have given the mirror image of this
                 found = [(each + np.flip(each, axis)) / 2 for each in found]
         return tuple(found)
 
-    def _light_of(self, heights: AnyArray) -> IncidentLight:
-        """The light for heights of the first face: how deep it is tells how long roots take."""
-        light = self._light
-        if self._newton is None:
-            return light
-        return light._replace(points=light.points._replace(steps=self._newton.steps(heights)))
-
-    def _run(self, work: Callable[..., None]) -> None:
-        bounds = self._bounds
-        threads.run(lambda k: work(bounds[k], bounds[k + 1], part=k), len(bounds) - 1)
-
-    def _lost_before(self, path: Path) -> dict[str, float]:
-        """Flux that is lost before the first face, by its names in the account."""
-        glass = self._train.glass
-        if not self._even:  # of all origins, traced or not
-            return {} if self._whole.glass is None else self._whole.glass.before()
-        beside = path.emitter.beside
-        if glass is None:
-            return {self._train.first.missed: beside}
-        entering = glass.law.at(1.0, 1.0)
-        return {glass.step.missed: beside, glass.reflected: (1 - entering) * (1 - beside)}
-
     def _account(self, sums: AnyArray) -> Account:
-        lost = dict(self._before)
+        entry = self._entry
+        lost = dict(entry.lost)
         arriving = 1 - sum(lost.values())
-        steps = (self._train.first, *self._train.rest)
-        if self._even:  # its samples stand for all light that comes
+        steps, rows = list(entry.rest), sums[1:]
+        if entry.sampled is not None:
+            steps, rows = [entry.sampled, *steps], sums
+        if entry.even:  # its samples stand for all light that comes
             arriving = float(sums[0, ABSORBED] + sums[0, MET_FLUX])
-        for step, (absorbed, met, passed, left, *_) in zip(steps, sums.tolist(), strict=True):
+        for step, (absorbed, met, passed, left, *_) in zip(steps, rows.tolist(), strict=True):
             parts = {step.missed: arriving - absorbed - met}
             match step.interface:
                 case Reflection(absorbed=name, reflectance=reflectance):
@@ -260,57 +199,22 @@ class _Trace(torch.autograd.Function):
         return None, None, *gradients
 
 
-def _kept(mirrored: tuple[bool, bool], changes: Sequence[Frame]) -> tuple[bool, bool]:
-    """The promise of mirror images, as far as tilted and shifted elements keep it."""
-    x, y = (
-        wanted and all(change.keeps_mirror_images(axis) for change in changes)
-        for axis, wanted in enumerate(mirrored)
-    )
-    return x, y
+def _bounds(depths: AnyArray) -> list[int]:
+    """Where the parts of the columns of rays begin that threads trace."""
+    _, rows, columns = depths.shape
+    return threads.split(columns, rows * columns)
 
 
-def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:
-    """Origins of which mirror images give all, and along which axes they do.
-
-    Parameters
-    ----------
-    origins : Origins
-        All of them.
-    wanted : tuple[bool, bool]
-        Along which axes to leave mirror images out, if there are any.
-    """
-    kept, done = origins, [False, False]
-    for axis in (0, 1):
-        side = kept.places[:, axis]
-        if wanted[axis] and (side != 0).any() and _paired(kept, axis):
-            share = np.where(side == 0, 0.5, 1.0)
-            some = side >= 0
-            kept = kept._replace(places=kept.places[some], flux=(kept.flux * share)[some])
-            done[axis] = True
-    return kept, (done[0], done[1])
-
-
-def _paired(origins: Origins, axis: int) -> bool:
-    """Whether each origin has a mirror image of the same flux."""
-    flipped = origins.places.copy()
-    flipped[:, axis] *= -1
-    size = np.ptp(origins.places, axis=0).max()
-    orders = (np.lexsort(np.round(p / (_SAME * size)).T) for p in (origins.places, flipped))
-    one, other = orders
-    same = np.abs(origins.places[one] - flipped[other]).max() <= 2 * _SAME * size
-    return bool(same) and np.allclose(origins.flux[one], origins.flux[other], rtol=1e-9)
-
-
-def _on_axis(origins: Origins) -> bool:
-    """Whether there is one origin, on the axis, whose light is its own mirror image."""
-    return len(origins.flux) == 1 and not origins.places[0, :2].any() and origins.pattern is None
+def _run(bounds: list[int], work: Callable[..., None]) -> None:
+    threads.run(lambda k: work(bounds[k], bounds[k + 1], part=k), len(bounds) - 1)
 
 
 def compile_for(dtype: torch.dtype) -> None:
-    """Compile the loops for a float type by tracing a few samples."""
+    """Compile the loops for a float type by tracing a few rays and a few samples."""
     scene = Scene.from_data(_SMALL)
-    path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=Corners(2, 2))
     heights = torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64, requires_grad=True)
-    with torch.enable_grad():  # whoever asks, the way back is compiled, too
-        light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
-        light.flux.sum().backward()  # type: ignore[no-untyped-call]
+    for samples in (None, Corners(2, 2)):
+        path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=samples)
+        with torch.enable_grad():  # whoever asks, the way back is compiled, too
+            light = CompiledTrain(path).image({scene.optic.face: heights}, scene.filter)
+            light.flux.sum().backward()  # type: ignore[no-untyped-call]

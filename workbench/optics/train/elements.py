@@ -10,8 +10,8 @@ moves.
 import numpy as np
 
 from workbench.compiled import jit
-from workbench.optics.kernels.point_meet import MET
-from workbench.optics.kernels.point_patches import (
+from workbench.optics.kernels.intersection import MET
+from workbench.optics.kernels.patches import (
     D_S,
     D_T,
     D_Z,
@@ -28,13 +28,14 @@ from workbench.optics.kernels.point_patches import (
     Y,
     at,
 )
-from workbench.optics.kernels.point_patches import (
+from workbench.optics.kernels.patches import (
     FLUX as ARRIVING,
 )
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 from workbench.optics.train.first_face import NO_RAY
 from workbench.optics.train.registers import (
+    ABSORBS,
     BLOCK,
     D_A,
     D_B,
@@ -52,27 +53,31 @@ from workbench.optics.train.registers import (
     D_Y,
     FADE,
     FLUX,
+    GOES,
+    MEETS,
     O_X,
     O_Y,
     O_Z,
     P_X,
     P_Y,
     P_Z,
+    PASSES,
     RIM,
     START,
+    total,
 )
 from workbench.optics.train.snell import snell, snell_back
 
 # A ray goes on to +z if it goes at least so far up.
 _ONWARD = 1e-6
 # Sums of an element: flux absorbed before it, that meets it, that is not totally reflected, that
-# goes on; and the steepest slopes of its rays.
-ABSORBED, MET_FLUX, PASSED, LEFT, STEEP_X, STEEP_Y = range(6)
-SUMS = 6
+# goes on; the steepest slopes of its rays; and the runs of rays that began in the same patch.
+ABSORBED, MET_FLUX, PASSED, LEFT, STEEP_X, STEEP_Y, RUNS = range(7)
+SUMS = 7
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
-def transfer(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
+def transfer(element, pair, lanes):  # type: ignore[no-untyped-def]
     """Rays of a batch as lines in the frame of an element.
 
     Parameters
@@ -83,16 +88,10 @@ def transfer(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
         Registers of the face before it, and behind them its own.
     lanes : int
         How many rays there are.
-    sums : array, shape (SUMS,)
-        Its sums; changed.
     """
-    zero = pair.dtype.type(0)
-    steep_x, steep_y = zero, zero
     if element.moves:
         for lane in range(np.uintp(lanes)):
-            ray = _moved(element.change, pair, lane)
-            a, b = _begin_line(pair, lane, ray)
-            steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
+            _begin_line(pair, lane, _moved(element.change, pair, lane))
     else:
         for lane in range(np.uintp(lanes)):
             start = pair[P_Z + lane] + element.change.z
@@ -100,8 +99,16 @@ def transfer(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
                 pair[P_X + lane], pair[P_Y + lane], start,
                 pair[O_X + lane], pair[O_Y + lane], pair[O_Z + lane],
             )  # fmt: skip
-            a, b = _begin_line(pair, lane, ray)
-            steep_x, steep_y = max(steep_x, abs(a)), max(steep_y, abs(b))
+            _begin_line(pair, lane, ray)
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def count_slopes(pair, lanes, sums):  # type: ignore[no-untyped-def]
+    """Keep the steepest slopes of rays before an element in its sums."""
+    steep_x = steep_y = pair.dtype.type(0)
+    for lane in range(np.uintp(lanes)):
+        steep_x = max(steep_x, abs(pair[BLOCK + at(SLOPE_X, lane)]))
+        steep_y = max(steep_y, abs(pair[BLOCK + at(SLOPE_Y, lane)]))
     sums[STEEP_X] = max(sums[STEEP_X], steep_x)
     sums[STEEP_Y] = max(sums[STEEP_Y], steep_y)
 
@@ -123,7 +130,7 @@ def _moved(change, pair, lane):  # type: ignore[no-untyped-def]
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
 def _begin_line(pair, lane, ray):  # type: ignore[no-untyped-def]
-    """The line of a ray in the frame of an element; its slopes."""
+    """The line of a ray in the frame of an element."""
     kind = pair.dtype.type
     zero, one = kind(0), kind(1)
     x, y, start, o_x, o_y, o_z = ray
@@ -131,13 +138,13 @@ def _begin_line(pair, lane, ray):  # type: ignore[no-untyped-def]
     by_z = one / (o_z if exists else one)
     a = o_x * by_z if exists else zero
     b = o_y * by_z if exists else zero
-    pair[BLOCK + at(X, lane)] = x - a * start
-    pair[BLOCK + at(Y, lane)] = y - b * start
+    # Of rays that do not exist, places may be no numbers: their search would never rest.
+    pair[BLOCK + at(X, lane)] = x - a * start if exists else zero
+    pair[BLOCK + at(Y, lane)] = y - b * start if exists else zero
     pair[BLOCK + START + lane] = start
     pair[BLOCK + at(SLOPE_X, lane)] = a
     pair[BLOCK + at(SLOPE_Y, lane)] = b
     pair[BLOCK + at(ARRIVING, lane)] = pair[FLUX + lane] if exists else kind(NO_RAY)
-    return a, b
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -230,11 +237,10 @@ def _fade(element, pair, lanes):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
-def cross(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
+def cross(element, pair, lanes):  # type: ignore[no-untyped-def]
     """Rays behind the face; see `transfer`."""
     kind = pair.dtype.type
     zero, one, two = kind(0), kind(1), kind(2)
-    absorbed, met_flux, passed, left = zero, zero, zero, zero
     n = element.law.ratio
     _fade(element, pair, lanes)
     for lane in range(np.uintp(lanes)):
@@ -259,14 +265,19 @@ def cross(element, pair, lanes, sums):  # type: ignore[no-untyped-def]
         pair[BLOCK + O_Z + lane] = o_z if passes else zero
         pair[BLOCK + FLUX + lane] = on if passes else kind(NO_RAY)
         pair[BLOCK + RIM + lane] = min(rim, before)
-        absorbed += flux - arriving
-        met_flux += arriving
-        passed += arriving if passes else zero
-        left += on if passes else zero
-    sums[ABSORBED] += absorbed
-    sums[MET_FLUX] += met_flux
-    sums[PASSED] += passed
-    sums[LEFT] += left
+        pair[BLOCK + ABSORBS + lane] = flux - arriving
+        pair[BLOCK + MEETS + lane] = arriving
+        pair[BLOCK + PASSES + lane] = arriving if passes else zero
+        pair[BLOCK + GOES + lane] = on if passes else zero
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def count_flux(pair, lanes, sums):  # type: ignore[no-untyped-def]
+    """Add the flux of a batch behind an element to its sums."""
+    sums[ABSORBED] += total(pair, BLOCK + ABSORBS, lanes)
+    sums[MET_FLUX] += total(pair, BLOCK + MEETS, lanes)
+    sums[PASSED] += total(pair, BLOCK + PASSES, lanes)
+    sums[LEFT] += total(pair, BLOCK + GOES, lanes)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")

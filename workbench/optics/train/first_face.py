@@ -11,6 +11,7 @@ from workbench.optics.kernels.taps import FAST
 from workbench.optics.kernels.transmittance import transmittance, transmittance_slopes
 from workbench.optics.train.registers import (
     ABSORBED,
+    ABSORBS,
     BRIGHT,
     BY_Z_X,
     BY_Z_Y,
@@ -24,9 +25,12 @@ from workbench.optics.train.registers import (
     D_S_Y,
     FLUX,
     GAMMA,
+    GOES,
+    MEETS,
     O_X,
     O_Y,
     O_Z,
+    PASSES,
     S_X,
     S_Y,
     SUM_Z,
@@ -35,6 +39,7 @@ from workbench.optics.train.registers import (
     Z_X,
     Z_Y,
     Q,
+    total,
 )
 from workbench.optics.train.snell import snell, snell_back
 
@@ -144,7 +149,6 @@ def _refract_straight_back(face, lanes, t):  # type: ignore[no-untyped-def]
 def _refract(face, lanes, t):  # type: ignore[no-untyped-def]
     kind = t.dtype.type
     zero, n = kind(0), face.law.ratio
-    absorbed, met_flux, passed, on = zero, zero, zero, zero
     for lane in range(np.uintp(lanes)):
         s_x, s_y, z_x, z_y = t[S_X + lane], t[S_Y + lane], t[Z_X + lane], t[Z_Y + lane]
         lean, q, gamma, by_both, passes = snell(
@@ -161,11 +165,12 @@ def _refract(face, lanes, t):  # type: ignore[no-untyped-def]
         t[Q + lane] = q
         t[GAMMA + lane] = gamma
         t[FLUX + lane] = weight if passes else kind(NO_RAY)
-        absorbed += t[ABSORBED + lane] * lean if met else zero
-        met_flux += flux
-        passed += flux if passes else zero
-        on += weight if passes else zero
-    return np.float64(absorbed), np.float64(met_flux), np.float64(passed), np.float64(on)
+        t[ABSORBS + lane] = t[ABSORBED + lane] * lean if met else zero
+        t[MEETS + lane] = flux
+        t[PASSES + lane] = flux if passes else zero
+        t[GOES + lane] = weight if passes else zero
+    absorbed, met_flux = total(t, ABSORBS, lanes), total(t, MEETS, lanes)
+    return absorbed, met_flux, total(t, PASSES, lanes), total(t, GOES, lanes)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 import torch
 
-from workbench.arrays import AnyArray, Array
+from workbench.arrays import AnyArray
 from workbench.optics.glass import FlatGlass
 from workbench.optics.glass_face import Glass
 from workbench.optics.halves import Halves
+from workbench.optics.kernels.grid import Axis
 from workbench.optics.path import Path
 from workbench.optics.patterns import pattern_numbers
 from workbench.optics.sampled import SampledTrain
@@ -19,10 +20,12 @@ from workbench.optics.train.free_light import FarLight, NearLight
 from workbench.optics.train.numbers import (
     EVEN,
     FAR,
+    LINES,
     NEAR,
     POINTS,
     SKY,
     EvenLight,
+    GivenRays,
     Light,
     OutlineNumbers,
     Points,
@@ -32,11 +35,10 @@ from workbench.optics.train.numbers import (
 from workbench.optics.transmittance import TransmittanceLaw
 
 Kind = type[np.floating[Any]]
+Samples = tuple[SampleLine, SampleLine, OutlineNumbers]
 
 
-def sample_lines(
-    train: SampledTrain, halves: Halves, kind: Kind
-) -> tuple[SampleLine, SampleLine, OutlineNumbers]:
+def sample_lines(train: SampledTrain, halves: Halves, kind: Kind) -> Samples:
     """Samples along x and y, and the outline of the faces."""
     whole = train.outline.whole
     across, up = (
@@ -46,7 +48,7 @@ def sample_lines(
     by_x2, by_y2 = (kind(1 / r**2) for r in train.half_width)
     inside = np.ones((1, len(across.place)), kind)
     if not whole:
-        inside = _halved(parts_inside(train.outline, *train.lines), halves).astype(kind)
+        inside = halves.rows(parts_inside(train.outline, *train.lines)).astype(kind)
     return across, up, OutlineNumbers(not whole, inside, by_x2, by_y2)
 
 
@@ -66,8 +68,8 @@ def incident_light(
     kind : type
         Float type of the loops.
     """
-    light = _no_light(len(train.origins.flux), kind)
-    counts = (len(line.part) for line in train.lines)
+    origins, counts = len(train.origins.flux), [len(line.part) for line in train.lines]
+    light = _no_light(len(halves.first(train.lines[1].part, 1)), origins, kind)
     shares = [halves.weighted(np.ones(count), axis) for axis, count in enumerate(counts)]
     if any(halves.mirrored):
         light = light._replace(share_x=shares[0].astype(kind), share_y=shares[1].astype(kind))
@@ -79,7 +81,7 @@ def incident_light(
         if infinite:
             return light._replace(kind=SKY, sky=_sky(train.glass, kind))
         return light._replace(kind=POINTS, points=_points(train.glass, kind))
-    areas = np.ascontiguousarray(_halved(train.areas, halves), kind)
+    areas = np.ascontiguousarray(halves.rows(train.areas), kind)
     light = light._replace(aperture=_aperture(train, halves, kind), areas=areas)
     if infinite:
         return light._replace(kind=FAR, far=_far(train, kind))
@@ -91,7 +93,7 @@ def _even_light(train: SampledTrain, emitter: Any, halves: Halves, kind: Kind) -
     flux = 1.0 if train.glass is None else train.glass.law.at(1.0, 1.0)
     inside = np.ones((1, len(across)), kind)
     if emitter.inside is not None:
-        inside = np.ascontiguousarray(_halved(emitter.inside, halves), kind)
+        inside = np.ascontiguousarray(halves.rows(emitter.inside), kind)
     return EvenLight(across, up, inside, kind(flux / cells(emitter.samples)))
 
 
@@ -191,17 +193,25 @@ def _line(line: Places, half_width: float, whole: bool, kind: Kind) -> SampleLin
     return SampleLine(place, low, high, kind(half_width if whole else math.inf))
 
 
-def _halved(values: Array, halves: Halves) -> Array:
-    """Values (m_x, m_y) of all samples for those that are traced, shape (m_y, m_x)."""
-    rows = halves.first(values, 0)
-    return np.ascontiguousarray(halves.first(np.ascontiguousarray(rows.T), 1))
-
-
 def _none(kind: Kind) -> AnyArray:
     return np.zeros(0, kind)
 
 
-def _no_light(origins: int, kind: Kind) -> Light:
+def given_light(values: AnyArray, rims: AnyArray) -> Light:
+    """Light of rays that were followed up to the first freeform face; see `GivenRays`."""
+    light = _no_light(values.shape[1], 1, values.dtype.type)
+    return light._replace(kind=LINES, given=GivenRays(values, rims))
+
+
+def no_samples(kind: Kind) -> tuple[AnyArray, tuple[Axis, Axis], Samples]:
+    """Heights, basis and samples of a first face where none is sampled."""
+    none, square = _none(kind), np.zeros((0, 0), kind)
+    axis = Axis(np.zeros(0), np.zeros(0, np.uintp), square, square, none)
+    line = SampleLine(none, none, none, kind(0))
+    return square, (axis, axis), (line, line, OutlineNumbers(False, square, kind(0), kind(0)))
+
+
+def _no_light(rows: int, origins: int, kind: Kind) -> Light:
     none, zero, law = _none(kind), kind(0), TransmittanceLaw.constant(1.0, 0.0).cast(kind)
     table, square = pattern_numbers(None, kind), np.zeros((0, 0), kind)
     return Light(
@@ -211,9 +221,11 @@ def _no_light(origins: int, kind: Kind) -> Light:
         Points(none, none, none, zero, zero, zero, *table, 0, law),
         FarLight(none, none, none, none, zero, zero),
         NearLight(none, none, none, none, none, zero, *table),
+        GivenRays(np.zeros((6, 0, 0), kind), square),
         Aperture(True, zero, zero, zero, False, zero, zero, none, none, none, none),
         square,
         none,
         none,
+        rows,
         origins,
     )

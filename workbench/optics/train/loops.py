@@ -4,27 +4,33 @@ A batch is up to ``BATCH`` samples with one v and neighbouring u. For a block of
 control heights are contracted with the basis along x once, into rows that lie side by side; each v
 then blends q + 1 of these rows. So loops run along u over neighbouring numbers, and vectorise. What
 a batch sees of the first face is evaluated once, whatever the number of origins.
+
+Of rays that were followed up to the first freeform face, a batch is up to ``BATCH`` of one row; all
+freeform faces are then further elements.
 """
 
 import numpy as np
 
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import blend, blend_back, contract, contract_back, make_rows
-from workbench.optics.kernels.point_patches import make_columns
+from workbench.optics.kernels.patches import make_columns
 from workbench.optics.kernels.spread import BATCH
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.train.elements import (
-    SUMS,
+    RUNS,
+    count_flux,
+    count_slopes,
     cross,
     cross_back,
     transfer,
     transfer_back,
 )
 from workbench.optics.train.first_face import pass_first, pass_first_back
+from workbench.optics.train.given import begin_given
 from workbench.optics.train.landing import receive, receive_back
 from workbench.optics.train.light import shine
 from workbench.optics.train.meeting import face_back, search, search_again
-from workbench.optics.train.numbers import element_of
+from workbench.optics.train.numbers import LINES, element_of
 from workbench.optics.train.registers import (
     BLOCK,
     COLUMN,
@@ -61,7 +67,7 @@ def land(  # type: ignore[no-untyped-def]
     Parameters
     ----------
     heights : array, shape (n_u, n_v)
-        Of the first face, above its level.
+        Of the first face, above its level; as all of it, unused where rays are given.
     bases : tuple of two Axis
         Basis functions at the samples along x and y.
     samples, light
@@ -72,14 +78,15 @@ def land(  # type: ignore[no-untyped-def]
         The receiver.
     table : array, shape (patches, p, q)
         Patches of all further B-splines.
-    depths : array, shape (elements, origins × samples along y, samples along x)
-        Where rays met the elements of the last train; changed.
+    depths : array, shape (elements, rows, columns)
+        Where rays met the elements of the last train; changed. Rows are origins × samples along y,
+        columns samples along x; or those of given rays.
     begin, end : int
-        Which samples along x to trace.
-    nodes : array, shape (3, origins × samples along y, samples along x)
+        Which columns to trace.
+    nodes : array, shape (3, rows, columns)
         Columns, rows and flux at the receiver; changed.
-    rims : array, shape (origins × samples along y, samples along x)
-        Distances to the rims of the elements, if there are any; changed.
+    rims : array, shape (rows, columns)
+        Distances to the rims of the elements, if they are wanted; changed.
     sums : array of float64, shape (elements + 1, SUMS)
         Sums of the faces, see `FIRST_SUMS` and `workbench.optics.train.elements`; changed.
     """
@@ -88,39 +95,46 @@ def land(  # type: ignore[no-untyped-def]
     t = make_registers(count, heights)
     columns, tables = make_columns(table), (table, elements.coefficients)
     patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
-    lines = len(up.first)
+    lines, sampled = light.rows, light.kind != LINES
     blocks = (end - begin + BATCH - 1) // BATCH
     for part in range(blocks):
         i = begin + (end - begin) * part // blocks
         lanes = begin + (end - begin) * (part + 1) // blocks - i
-        contract(heights, across, i, lanes, rows)
+        if sampled:
+            contract(heights, across, i, lanes, rows)
         for j in range(lines):
-            blend(rows, up, j, lanes, t)
-            _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
+            if sampled:
+                blend(rows, up, j, lanes, t)
+                _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
             for k in range(light.origins):
                 row = k * lines + j
-                shine(light, k, samples, i, j, face, lanes, t)
-                found = pass_first(face, lanes, t)
-                for number in range(FIRST_SUMS):
-                    sums[0, number] += found[number]
+                if sampled:
+                    shine(light, k, samples, i, j, face, lanes, t)
+                    found = pass_first(face, lanes, t)
+                    for number in range(FIRST_SUMS):
+                        sums[0, number] += found[number]
+                else:
+                    begin_given(light.given, row, i, lanes, t)
                 for e in range(count):
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
-                    w = pair[BLOCK:]
-                    transfer(element, pair, lanes, sums[e + 1])
-                    depth = depths[e, row, i:]
-                    search(element, tables, e, w, depth, lanes, patch, before, columns)
-                    cross(element, pair, lanes, sums[e + 1])
+                    w, depth = pair[BLOCK:], depths[e, row, i:]
+                    transfer(element, pair, lanes)
+                    count_slopes(pair, lanes, sums[e + 1])
+                    runs = search(element, tables, e, w, depth, lanes, patch, before, columns)
+                    sums[e + 1, RUNS] += runs
+                    cross(element, pair, lanes)
+                    count_flux(pair, lanes, sums[e + 1])
                 w = t[np.uintp(count) * BLOCK :]
                 receive(landing, w, lanes, t)
                 _put(t, i, row, lanes, nodes)
-                if count > 0:
+                if len(rims):
                     _put_rims(w, i, row, lanes, rims)
 
 
 @jit(name="train_back", fastmath=FAST, error_model="numpy")
 def back(  # type: ignore[no-untyped-def]
     heights, bases, samples, light, train, landing, table, depths, begin, end,
-    d_nodes, d_rims, gradient, d_table,
+    d_nodes, d_rims, gradient, d_table, touched,
 ):  # fmt: skip
     """Adjoint of `land`.
 
@@ -136,54 +150,65 @@ def back(  # type: ignore[no-untyped-def]
         Of the heights; changed.
     d_table : array of float64, shape (patches, p, q)
         Of the patches; changed.
+    touched : array of int64, shape (elements, 2)
+        The first and the last patch of each element that was changed; changed.
     """
     (across, up), (face, elements) = bases, train
     kind, count = heights.dtype.type, len(elements.kind)
     rows, d_rows = make_rows(heights), make_rows(heights)
     t = make_registers(count, heights)
     columns, tables = make_columns(table), (table, elements.coefficients)
-    patches, sums = np.zeros((count, BATCH), np.int32), np.zeros((count, SUMS))
-    lines = len(up.first)
+    patches = np.zeros((count, BATCH), np.int32)
+    lines, sampled = light.rows, light.kind != LINES
     blocks = (end - begin + BATCH - 1) // BATCH
     for part in range(blocks):
         i = begin + (end - begin) * part // blocks
         lanes = begin + (end - begin) * (part + 1) // blocks - i
-        contract(heights, across, i, lanes, rows)
-        d_rows[:] = kind(0)
+        if sampled:
+            contract(heights, across, i, lanes, rows)
+            d_rows[:] = kind(0)
         for j in range(lines):
-            blend(rows, up, j, lanes, t)
-            _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
-            for lane in range(np.uintp(lanes)):
-                t[SUM_Z + lane] = kind(0)
-                t[SUM_Z_X + lane] = kind(0)
-                t[SUM_Z_Y + lane] = kind(0)
+            if sampled:
+                blend(rows, up, j, lanes, t)
+                _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
+                for lane in range(np.uintp(lanes)):
+                    t[SUM_Z + lane] = kind(0)
+                    t[SUM_Z_X + lane] = kind(0)
+                    t[SUM_Z_Y + lane] = kind(0)
             for k in range(light.origins):
                 row = k * lines + j
-                shine(light, k, samples, i, j, face, lanes, t)
-                pass_first(face, lanes, t)
+                if sampled:
+                    shine(light, k, samples, i, j, face, lanes, t)
+                    pass_first(face, lanes, t)
+                else:
+                    begin_given(light.given, row, i, lanes, t)
                 for e in range(count):
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
-                    transfer(element, pair, lanes, sums[e])
+                    transfer(element, pair, lanes)
                     depth, w = depths[e, row, i:], pair[BLOCK:]
                     search_again(element, tables, e, w, depth, lanes, patches[e], columns)
-                    cross(element, pair, lanes, sums[e])
+                    cross(element, pair, lanes)
                 w = t[np.uintp(count) * BLOCK :]
                 _take(d_nodes, i, row, lanes, t)
                 receive_back(landing, w, lanes, t)
-                if count > 0:
+                if len(d_rims):
                     _take_rims(d_rims, i, row, lanes, w)
                 for e in range(count - 1, -1, -1):
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
+                    w = pair[BLOCK:]
                     cross_back(element, pair, lanes)
-                    face_back(element, pair[BLOCK:], lanes, patches[e], columns, d_table)
+                    face_back(element, w, lanes, patches[e], columns, d_table, touched[e])
                     transfer_back(element, pair, lanes)
-                pass_first_back(face, lanes, t)
-            for lane in range(np.uintp(lanes)):
-                t[Z + lane] = t[SUM_Z + lane]
-                t[Z_X + lane] = t[SUM_Z_X + lane]
-                t[Z_Y + lane] = t[SUM_Z_Y + lane]
-            blend_back(d_rows, up, j, lanes, t)
-        contract_back(d_rows, across, i, lanes, gradient)
+                if sampled:
+                    pass_first_back(face, lanes, t)
+            if sampled:
+                for lane in range(np.uintp(lanes)):
+                    t[Z + lane] = t[SUM_Z + lane]
+                    t[Z_X + lane] = t[SUM_Z_X + lane]
+                    t[Z_Y + lane] = t[SUM_Z_Y + lane]
+                blend_back(d_rows, up, j, lanes, t)
+        if sampled:
+            contract_back(d_rows, across, i, lanes, gradient)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

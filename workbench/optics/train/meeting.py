@@ -3,10 +3,11 @@
 import numpy as np
 
 from workbench.compiled import jit
-from workbench.optics.kernels.point_meet import MET, meet
-from workbench.optics.kernels.point_patches import (
+from workbench.optics.kernels.intersection import MET, meet, polish
+from workbench.optics.kernels.patches import (
     DEPTH,
     HIGH,
+    LOW,
     SLOPE_X,
     SLOPE_Y,
     STATE,
@@ -26,15 +27,14 @@ from workbench.optics.kernels.point_patches import (
     fill,
     place,
 )
-from workbench.optics.kernels.point_trace import polish
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.train.numbers import ASPHERE, BSPLINE
 
 # Steps to an asphere: of Newton's method, and then of bisection.
 _NEWTON_STEPS, _BISECTIONS = 20, 60
 # Rows of the search for an asphere, which those of B-splines are free for: r², the polynomial
-# q = a₄ + a₆ r² + … with its derivatives by r², and the lower end of the bracket.
-R2, Q, Q_1, Q_2, LOW = S, T, Z, Z_SS, Z_TT
+# q = a₄ + a₆ r² + … with its derivatives by r².
+R2, Q, Q_1, Q_2 = S, T, Z, Z_SS
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -55,13 +55,18 @@ def search(element, tables, e, w, depths, lanes, patch, before, columns):  # typ
     lanes : int
         How many rays there are.
     patch, before, columns
-        See `workbench.optics.kernels.point_meet.meet`.
+        See `workbench.optics.kernels.intersection.meet`.
+
+    Returns
+    -------
+    int
+        How many runs of rays there were that began in the same patch of a B-spline.
     """
-    kind, (table, coefficients) = w.dtype.type, tables
+    kind, (table, coefficients), runs = w.dtype.type, tables, 0
     if element.kind == BSPLINE:
         for lane in range(lanes):
             w[at(DEPTH, lane)] = depths[lane]
-        meet(element.net, element.bounds, table, w, lanes, patch, before, columns)
+        runs = meet(element.net, element.bounds, table, w, lanes, patch, before, columns)
         polish(element.net, w, lanes)
         for lane in range(lanes):
             met = w[at(STATE, lane)] == kind(MET)
@@ -72,6 +77,7 @@ def search(element, tables, e, w, depths, lanes, patch, before, columns):  # typ
             _meet_asphere(element, coefficients, e, w, lanes)
             for lane in range(lanes):
                 depths[lane] = w[at(DEPTH, lane)]
+    return runs
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -83,6 +89,9 @@ def search_again(element, tables, e, w, depths, lanes, patch, columns):  # type:
             met = depths[lane] < kind(np.inf)
             w[at(DEPTH, lane)] = depths[lane] if met else kind(0)
             w[at(STATE, lane)] = kind(MET) if met else kind(MET - 1)
+            # Far beside the face polynomials overflow.
+            w[at(X, lane)] = w[at(X, lane)] if met else kind(0)
+            w[at(Y, lane)] = w[at(Y, lane)] if met else kind(0)
         place(element.net, w, lanes, patch)
         fill(table, patch, lanes, columns)
         evaluate_to_second_order(columns, w, lanes)
@@ -236,7 +245,22 @@ def _at_asphere(element, w, lanes):  # type: ignore[no-untyped-def]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
-def face_back(element, w, lanes, patch, columns, d_table):  # type: ignore[no-untyped-def]
-    """Add the cotangents of a B-spline to those of its patches."""
+def face_back(element, w, lanes, patch, columns, d_table, touched):  # type: ignore[no-untyped-def]
+    """Add the cotangents of a B-spline to those of its patches.
+
+    Parameters
+    ----------
+    element, w, lanes, patch, columns
+        As for `search`.
+    d_table : array of float64, shape (patches, p, q)
+        Cotangents of the patches; changed.
+    touched : array of int64, shape (2,)
+        The first and the last patch of this element that was changed so far; changed.
+    """
     if element.kind == BSPLINE:
         collect(w, lanes, patch, columns, d_table)
+        first, last = patch[0], patch[0]
+        for lane in range(lanes):
+            first, last = min(first, patch[lane]), max(last, patch[lane])
+        touched[0] = min(touched[0], first)
+        touched[1] = max(touched[1], last)

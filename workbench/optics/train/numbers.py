@@ -7,8 +7,8 @@ import numpy.typing as npt
 
 from workbench.arrays import AnyArray
 from workbench.compiled import jit
-from workbench.optics.kernels.point_face import Bounds
-from workbench.optics.kernels.point_patches import Net
+from workbench.optics.kernels.patches import Net
+from workbench.optics.kernels.spline import Bounds
 from workbench.optics.train.aperture import Aperture
 from workbench.optics.train.free_light import FarLight, NearLight
 from workbench.optics.transmittance import TransmittanceLaw
@@ -137,13 +137,29 @@ class EvenLight(NamedTuple):
     flux: Number
 
 
-EVEN, SKY, POINTS, FAR, NEAR = range(5)
+class GivenRays(NamedTuple):
+    """Rays that were followed up to the first freeform face; they search for it.
+
+    Attributes
+    ----------
+    values : ndarray, shape (6, rows, columns)
+        x, y, z of places on the rays, z counted from the level of that face; slopes; and flux,
+        below 0 of rays that are lost. Light is absorbed from these places on.
+    rims : ndarray, shape (rows, columns)
+        Distances to the rims of the faces before; none where those of the faces do not matter.
+    """
+
+    values: AnyArray
+    rims: AnyArray
+
+
+EVEN, SKY, POINTS, FAR, NEAR, LINES = range(6)
 """Kinds of light: along the axis; behind a plane entrance face, of directions or of points; the
-same two before the first face."""
+same two before the first face; rays that were followed up to the first freeform face."""
 
 
 class Light(NamedTuple):
-    """Light at samples of the first face of the train.
+    """Light at samples of the first face of the train, or on its way to it.
 
     Attributes
     ----------
@@ -154,6 +170,7 @@ class Light(NamedTuple):
     points : Points
     far : workbench.optics.train.free_light.FarLight
     near : workbench.optics.train.free_light.NearLight
+    given : GivenRays
     aperture : Aperture
         Before a face that light meets from outside.
     areas : ndarray, shape (samples along y, samples along x)
@@ -161,8 +178,10 @@ class Light(NamedTuple):
     share_x, share_y : ndarray
         Factors of the flux of samples along x and y: which of them belong to a half that is traced
         alone. None where all are traced.
+    rows : int
+        Samples along y, or rows of rays.
     origins : int
-        How many directions or points there are.
+        How many directions or points there are; 1 of given rays.
     """
 
     kind: int
@@ -171,10 +190,12 @@ class Light(NamedTuple):
     points: Points
     far: FarLight
     near: NearLight
+    given: GivenRays
     aperture: Aperture
     areas: AnyArray
     share_x: AnyArray
     share_y: AnyArray
+    rows: int
     origins: int
 
 
@@ -230,7 +251,7 @@ class Elements(NamedTuple):
     coefficients : ndarray, shape (n, m)
         a₄, a₆, … of aspheres.
     bounds : ndarray, shape (n, 9)
-        `workbench.optics.kernels.point_face.Bounds` of B-splines.
+        `workbench.optics.kernels.spline.Bounds` of B-splines.
     spans : ndarray of int64, shape (n, 3)
         Numbers of knot spans of B-splines, and where their patches begin in the table of all.
     """

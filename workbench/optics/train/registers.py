@@ -2,7 +2,7 @@
 
 Row k of a block begins at k BATCH. Distances between rows that the compiler knows let it vectorise
 loops over rays without checks. Block 0 belongs to the first face, where rays begin; block e to the
-e-th further element, whose first rows are those of `workbench.optics.kernels.point_patches`. Rays
+e-th further element, whose first rows are those of `workbench.optics.kernels.patches`. Rays
 that leave a face are in the same rows of every block.
 """
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from workbench.compiled import jit
 from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.taps import FAST
 
 # The first face: height and slopes (as in `workbench.optics.kernels.grid`).
 Z, Z_X, Z_Y = (np.uintp(BATCH * k) for k in range(3))
@@ -25,19 +26,21 @@ BY_WAY, NARROWED, BY_Z_X, BY_Z_Y = (np.uintp(BATCH * k) for k in range(16, 20))
 Q, GAMMA = (np.uintp(BATCH * k) for k in range(20, 22))
 # Sums over origins of the cotangents of height and slopes.
 SUM_Z, SUM_Z_X, SUM_Z_Y = (np.uintp(BATCH * k) for k in range(22, 25))
-SUMS_END = np.uintp(BATCH * 25)
 
 # An element: transmittance of the medium before it, cotangents of the line in the element's frame,
 # of its slopes, of where it begins and of its flux. Then where it begins along z of that frame.
-FADE, D_X, D_Y, D_A, D_B, D_START, D_FLUX = (np.uintp(BATCH * k) for k in range(32, 39))
-START = np.uintp(BATCH * 39)
+FADE, D_X, D_Y, D_A, D_B, D_START, D_FLUX = (np.uintp(BATCH * k) for k in range(26, 33))
+START = np.uintp(BATCH * 33)
+# Flux of rays that meet a face: what the medium before it absorbs, what is left there, of that what
+# is not totally reflected, and what goes on. On the way back other numbers take their place.
+ABSORBS, MEETS, PASSES, GOES = D_X, D_Y, D_A, D_B
 # Rays behind a face: position, direction of any length, flux (below 0: no ray), and distance
 # within the rims of the elements so far; then the cotangents.
-P_X, P_Y, P_Z, O_X, O_Y, O_Z, FLUX, RIM = (np.uintp(BATCH * k) for k in range(40, 48))
+P_X, P_Y, P_Z, O_X, O_Y, O_Z, FLUX, RIM = (np.uintp(BATCH * k) for k in range(34, 42))
 D_P_X, D_P_Y, D_P_Z, D_O_X, D_O_Y, D_O_Z, D_OUT, D_RIM = (
-    np.uintp(BATCH * k) for k in range(48, 56)
+    np.uintp(BATCH * k) for k in range(42, 50)
 )
-BLOCK = np.uintp(BATCH * 56)
+BLOCK = np.uintp(BATCH * 50)
 """Length of a block."""
 
 
@@ -48,3 +51,12 @@ def make_registers(elements, like):  # type: ignore[no-untyped-def]
     for lane in range(np.uintp(BATCH)):
         t[RIM + lane] = like.dtype.type(np.inf)
     return t
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def total(t, row, lanes):  # type: ignore[no-untyped-def]
+    """Sum of a row. A loop that chooses what it adds does not vectorise, one of a row does."""
+    found = t.dtype.type(0)
+    for lane in range(np.uintp(lanes)):
+        found += t[row + lane]
+    return np.float64(found)

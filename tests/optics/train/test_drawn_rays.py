@@ -1,15 +1,17 @@
-"""The fused trace of light of points against its twin, the torch reference."""
+"""Drawn rays through the compiled train, against the torch reference."""
 
 import numpy as np
 import pytest
 import torch
 
 from tests.optics.kernels.twins import account
-from workbench.geometry.surface import ControlNet
-from workbench.optics.kernels.point import FusedPointRays
+from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
 from workbench.optics.reference import Reference
+from workbench.optics.train.compiled import CompiledTrain
+from workbench.optics.train.entries import in_numbers
+from workbench.scene import Scene
 
 POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 6000}
 ASIDE = POINT | {"position": [0.6, -0.4, -2.0], "emission": "lambertian"}
@@ -24,7 +26,7 @@ GRADIENT = {torch.float64: 1e-10, torch.float32: 1e-3}
 
 def twins(scene, dtype=torch.float64):
     path = Path.of(scene, ControlNet.of(scene.lens), dtype)
-    return Reference(path), FusedPointRays(path)
+    return Reference(path), CompiledTrain(path)
 
 
 def differences(scene, tracers, heights, rng):
@@ -139,19 +141,84 @@ def test_warm_starts_while_rays_move_from_patch_to_patch(make_scene, rng, dtype)
         same(scene, tracers, torch.lerp(start, end, float(share)), rng, dtype)
 
 
-def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene, rng):
+def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene):
     scene = make_scene({"source": ASIDE, "lens.control_points": [40, 32]})
     _, fused = twins(scene)
-    drawn = fused._path.lines
+    rays = fused._path.begin()
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)
         fused.image({"exit": height}, scene.filter)
-        orders.append(fused._sorted.bundle)
+        orders.append(fused._entry._values)
     assert len({id(order) for order in orders}) > 1
+    expected = in_numbers(rays, scene.lens.base.height - fused._path.datum)
     for order in (orders[0], orders[-1]):
-        expected = np.stack([part.numpy() for part in drawn])
         assert np.array_equal(order[:, np.lexsort(order)], expected[:, np.lexsort(expected)])
+
+
+LENS = {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [12, 10]}
+MIRROR = {"half_width": [1, 1], "control_points": [12, 10], "reflectance": 0.9}
+FACING = {"shape": "freeform", "control_points": [9, 8]}
+SCREEN = {"z": 5, "half_width": [2, 2], "pixels": [16, 12]}
+BACK = SCREEN | {"z": -4}
+FAR = {"half_angle": [40, 30], "pixels": [16, 12]}
+SUN = {"kind": "collimated", "direction": [5, -3], "angular_diameter": 1, "rays": [40, 40]}
+LED = {"kind": "area", "center": [0.1, 0, -2], "half_width": [0.2, 0.1], "rays": 4000}
+TRAINS = {
+    "tilted receiver": {"lens": LENS, "screen": SCREEN | {"tilt": [20, -10], "center": [0.3, 0]}},
+    "far field": {"lens": LENS, "far_field": FAR},
+    "elliptic lens": {"lens": LENS | {"outline": "ellipse"}, "screen": SCREEN},
+    "mirror": {"mirror": MIRROR, "screen": BACK},
+    "elliptic mirror": {"mirror": MIRROR | {"outline": "ellipse"}, "far_field": FAR},
+    "freeform entrance": {"lens": LENS | {"entrance": FACING, "absorption": 0.4}, "screen": SCREEN},
+}
+
+
+@pytest.mark.parametrize("source", [ASIDE, SUN, LED], ids=["point", "sun", "LED"])
+@pytest.mark.parametrize("train", TRAINS.values(), ids=TRAINS)
+def test_drawn_rays_through_any_train(train, source, rng):
+    some = {"format": "freeform-scene", "version": 2, "filter": SMOOTH, "source": source}
+    scene = Scene.from_data(some | train | {"target": {"builtin": "tophat"}})
+    net = ControlNet.of(scene.optic)
+    path = Path.of(scene, net, torch.float64)
+    levels = {"exit": 0.5, "entrance": 0.0, "mirror": 0.0}
+    heights = {
+        name: levels[name] + 0.02 * torch.as_tensor(rng.normal(size=each.shape))
+        for name, each in freeform_nets(scene.optic).items()
+    }
+    assert CompiledTrain.matches(path)
+    tracers = Reference(path), CompiledTrain(path)
+    cotangent = torch.as_tensor(rng.normal(size=scene.receiver.pixels[::-1]))
+    lights, gradients = [], []
+    for tracer in tracers:
+        leaves = [each.clone().requires_grad_() for each in heights.values()]
+        light = tracer.image(dict(zip(heights, leaves, strict=True)), scene.filter)
+        gradients.append(torch.autograd.grad((light.flux * cotangent).sum(), leaves))
+        lights.append(light)
+    one, other = (light.flux.detach() for light in lights)
+    assert one.sum() > 0.01
+    assert (other - one).norm() < 1e-9 * one.norm()
+    assert account(lights[1]) == pytest.approx(account(lights[0]), abs=1e-12)
+    assert sum(account(lights[1]).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
+    for mine, theirs in zip(gradients[1], gradients[0], strict=True):
+        assert (mine - theirs).norm() < 1e-8 * theirs.norm()
+
+
+def test_gradients_are_those_of_central_differences(make_scene, rng):
+    scene = make_scene({"source": ASIDE | {"rays": 2000}, "filter": SMOOTH, "lens.absorption": 0.3})
+    _, fused = twins(scene)
+    heights, step = face(scene, "wavy", rng), 1e-6
+    cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
+
+    def value(each):
+        return (fused.image({"exit": each}, scene.filter).flux * cotangent).sum()
+
+    leaf = heights.clone().requires_grad_()
+    (gradient,) = torch.autograd.grad(value(leaf), leaf)
+    for _ in range(3):
+        way = torch.as_tensor(rng.normal(size=heights.shape))
+        expected = (value(heights + step * way) - value(heights - step * way)) / (2 * step)
+        assert (gradient * way).sum().item() == pytest.approx(expected.item(), rel=1e-5)
 
 
 def test_fresh_rays(make_scene, rng):
@@ -166,10 +233,10 @@ def test_fresh_rays(make_scene, rng):
     assert not torch.allclose(images[0], images[1])
 
 
-def test_one_thread_gives_what_two_give(make_scene, rng):
+def test_one_thread_gives_bit_for_bit_what_two_give(make_scene, rng):
     scene = make_scene({"source": POINT | {"rays": 40_000}})
     heights, threads = face(scene, "wavy", rng), torch.get_num_threads()
-    gradients = []
+    gradients, images = [], []
     try:
         for number in (1, 2, 2):
             torch.set_num_threads(number)
@@ -177,10 +244,12 @@ def test_one_thread_gives_what_two_give(make_scene, rng):
             variable = heights.clone().requires_grad_()
             flux = fused.image({"exit": variable}, scene.filter).flux
             gradients.append(torch.autograd.grad(flux.square().sum(), variable)[0])
+            images.append(flux.detach())
     finally:
         torch.set_num_threads(threads)
-    assert torch.equal(gradients[1], gradients[2])
-    assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
+    for many in (1, 2):
+        assert torch.equal(images[0], images[many])
+        assert torch.equal(gradients[0], gradients[many])
 
 
 def test_the_gradient_belongs_to_the_lens_of_its_own_trace(make_scene, rng):

@@ -1,9 +1,11 @@
-"""Where a batch of rays meets the exit face, `optics.intersection`'s twin.
+"""Where a batch of rays meets a B-spline face, `optics.intersection`'s twin.
 
 Where f(t) = Z(x(t), y(t)) − z_in − t can only fall, all rays of a batch take steps of Newton's
 method together, from the roots of the last lens, until the last one rests; few do not after some
 steps and go on alone, safeguarded. Rays with several roots go alone from the start: they walk up
-to the first, in steps proven not to pass it. Bounds, tolerances and results are the reference's.
+to the first, in steps proven not to pass it. Rays that come in over the rim behind the face there,
+and rays that are nowhere over it, do not meet it. Bounds, tolerances and results are the
+reference's.
 """
 
 import math
@@ -11,10 +13,11 @@ import math
 import numpy as np
 
 from workbench.compiled import jit
-from workbench.optics.kernels.point_patches import (
+from workbench.optics.kernels.patches import (
     BUSY,
     DEPTH,
     HIGH,
+    LOW,
     SLOPE_X,
     SLOPE_Y,
     STATE,
@@ -37,7 +40,8 @@ _TOGETHER = 8
 _NEWTON_STEPS, _BISECTIONS, _WALK_STEPS = 20, 60, 2000
 # f counts as falling where it surely falls at least this fast.
 FALLS_BY = 0.1
-# States of a ray: on its way to the root that it surely has, met, left through the side.
+# States of a ray: on its way to the one root that it may have, met, does not meet the face. Before
+# the search, `MET` are those that may have several roots.
 FALLS, MET, LEFT = 1, 0, -1
 
 
@@ -66,7 +70,7 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
     alone = _bracket(net, bounds, w, count)
     if alone > 0:
         for ray in range(count):
-            if w[at(STATE, ray)] != FALLS:
+            if w[at(STATE, ray)] == MET:
                 _walk(net, bounds, table, w, ray)
     place(net, w, count, patch)
     for ray in range(count):
@@ -89,29 +93,38 @@ def meet(net, bounds, table, w, count, patch, before, columns):  # type: ignore[
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
 def _bracket(net, bounds, w, count):  # type: ignore[no-untyped-def]
-    """How deep the rays are at most, where they start, and how many may have several roots."""
+    """Ends of what is searched, where rays start, and how many may have several roots."""
     kind = w.dtype.type
-    falling = kind(0)
+    several = kind(0)
     for ray in range(count):
         x, slope = w[at(X, ray)], w[at(SLOPE_X, ray)]
         y, rise = w[at(Y, ray)], w[at(SLOPE_Y, ray)]
-        high = min(depth_of_side(net, x, y, slope, rise), bounds.high)
+        enters, leaves = depths_of_side(net, x, y, slope, rise)
+        low, high = max(enters, bounds.low), min(leaves, bounds.high)
+        over = low <= high
+        low, high = low if over else bounds.low, high if over else bounds.low
+        w[at(LOW, ray)] = low
         w[at(HIGH, ray)] = high
-        w[at(DEPTH, ray)] = min(max(w[at(DEPTH, ray)], bounds.low), high)
+        w[at(DEPTH, ray)] = min(max(w[at(DEPTH, ray)], low), high)
         steep = bounds.slope_x * abs(slope) + bounds.slope_y * abs(rise)
-        state = kind(FALLS) if steep < kind(1 - FALLS_BY) else kind(MET)
-        w[at(STATE, ray)] = state
-        falling += state
-    return kind(count) - falling
+        falls = steep < kind(1 - FALLS_BY)
+        state = kind(FALLS) if falls else kind(MET)
+        w[at(STATE, ray)] = state if over else kind(LEFT)
+        several += kind(0) if falls else kind(1)
+    return several
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
-def depth_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
-    """Depth at which a ray leaves the aperture; infinite for one along the axis."""
+def depths_of_side(net, x, y, slope_x, slope_y):  # type: ignore[no-untyped-def]
+    """Depths at which a ray comes in over the aperture, and leaves it.
+
+    Infinite for one along the axis; one that is never over it leaves before it comes in.
+    """
     # Start on the right in a mirror where the ray goes left.
-    room_x = net.rim_x - math.copysign(x, x * slope_x)
-    room_y = net.rim_y - math.copysign(y, y * slope_y)
-    return min(room_x / abs(slope_x), room_y / abs(slope_y))
+    along_x, along_y = math.copysign(x, x * slope_x), math.copysign(y, y * slope_y)
+    steep_x, steep_y = abs(slope_x), abs(slope_y)
+    enters = max((-net.rim_x - along_x) / steep_x, (-net.rim_y - along_y) / steep_y)
+    return enters, min((net.rim_x - along_x) / steep_x, (net.rim_y - along_y) / steep_y)
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")
@@ -128,16 +141,17 @@ def _step(net, bounds, w, count):  # type: ignore[no-untyped-def]
     kind = w.dtype.type
     busy = kind(0)
     for ray in range(count):
-        depth, high = w[at(DEPTH, ray)], w[at(HIGH, ray)]
+        depth, low, high = w[at(DEPTH, ray)], w[at(LOW, ray)], w[at(HIGH, ray)]
         f = w[at(Z, ray)] - depth
         slope = w[at(Z_S, ray)] * net.per_x * w[at(SLOPE_X, ray)]
         slope += w[at(Z_T, ray)] * net.per_y * w[at(SLOPE_Y, ray)] - kind(1)
         step = f / slope
-        # At the upper end f is positive only where the side cuts the ray off.
+        # At the ends f has another sign than there only where the side cuts the ray off.
         beyond = (depth >= high) & (high < bounds.high) & (f > 0)
+        behind = (depth <= low) & (low > bounds.lowest) & (f <= 0)
         alone = w[at(STATE, ray)] != kind(FALLS)
-        rests = (abs(step) <= bounds.tolerance) | beyond | alone
-        w[at(DEPTH, ray)] = depth if rests else min(max(depth - step, bounds.low), high)
+        rests = (abs(step) <= bounds.tolerance) | beyond | behind | alone
+        w[at(DEPTH, ray)] = depth if rests else min(max(depth - step, low), high)
         w[at(BUSY, ray)] = kind(0) if rests else kind(1)
         busy += kind(0) if rests else kind(1)
     return busy
@@ -148,10 +162,23 @@ def _settle(bounds, w, count):  # type: ignore[no-untyped-def]
     """Tell rays that met the face from those that the side cut off."""
     kind = w.dtype.type
     for ray in range(count):
-        depth, high, state = w[at(DEPTH, ray)], w[at(HIGH, ray)], w[at(STATE, ray)]
-        beyond = (depth >= high) & (high < bounds.high) & (w[at(Z, ray)] > depth)
-        settled = kind(LEFT) if beyond else kind(MET)
+        depth, state = w[at(DEPTH, ray)], w[at(STATE, ray)]
+        low, high, z = w[at(LOW, ray)], w[at(HIGH, ray)], w[at(Z, ray)]
+        beyond = (depth >= high) & (high < bounds.high) & (z > depth)
+        behind = (depth <= low) & (low > bounds.lowest) & (z <= depth)
+        settled = kind(LEFT) if beyond | behind else kind(MET)
         w[at(STATE, ray)] = settled if state == kind(FALLS) else state
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy")
+def polish(net, w, count):  # type: ignore[no-untyped-def]
+    """One more step, as the reference makes it: it moves the depth by rounding at most."""
+    kind = w.dtype.type
+    for ray in range(count):
+        slope = w[at(Z_S, ray)] * net.per_x * w[at(SLOPE_X, ray)]
+        slope += w[at(Z_T, ray)] * net.per_y * w[at(SLOPE_Y, ray)] - kind(1)
+        step = (w[at(Z, ray)] - w[at(DEPTH, ray)]) / min(slope, kind(-1e-3))
+        w[at(DEPTH, ray)] -= step if w[at(STATE, ray)] == kind(MET) else kind(0)
 
 
 @jit(allocates=False, error_model="numpy")
@@ -182,9 +209,11 @@ def _f(net, table, w, ray, depth):  # type: ignore[no-untyped-def]
 def _newton(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     """The root of one ray whose f falls, safeguarded by the bracket."""
     kind = w.dtype.type
-    low, high = bounds.low, w[at(HIGH, ray)]
+    low, high = w[at(LOW, ray)], w[at(HIGH, ray)]
     depth = high
-    if high == bounds.high or _f(net, table, w, ray, high)[0] <= 0:
+    if low > bounds.lowest and _f(net, table, w, ray, low)[0] <= 0:
+        depth = low
+    elif high == bounds.high or _f(net, table, w, ray, high)[0] <= 0:
         depth = (low + high) * kind(0.5)
         for number in range(_NEWTON_STEPS + _BISECTIONS):
             f, slope = _f(net, table, w, ray, depth)
@@ -211,16 +240,17 @@ def _walk(net, bounds, table, w, ray):  # type: ignore[no-untyped-def]
     f + f' δ − M δ² / 2 does.
     """
     kind = w.dtype.type
-    high = w[at(HIGH, ray)]
+    low, high = w[at(LOW, ray)], w[at(HIGH, ray)]
     eps = kind(np.finfo(w.dtype).eps)  # keeps a product with an infinite bound infinite
     across = max(abs(w[at(SLOPE_X, ray)]), eps)
     up = max(abs(w[at(SLOPE_Y, ray)]), eps)
     steepest = kind(1) + bounds.slope_x * across + bounds.slope_y * up
     curvature = bounds.curvature_xx * across * across + bounds.curvature_yy * up * up
     curvature += kind(2) * bounds.curvature_xy * across * up
-    depth = min(bounds.low, high)
+    depth = low
     state = LEFT
-    if high >= bounds.lowest:
+    late = low > bounds.lowest and _f(net, table, w, ray, low)[0] <= 0
+    if high >= bounds.lowest and not late:
         for _ in range(_WALK_STEPS):
             f, slope = _f(net, table, w, ray, depth)
             if f <= 0:

@@ -1,4 +1,4 @@
-"""Patches of the exit face for batches of rays, `geometry.patches`' twin.
+"""Patches of B-spline faces for batches of rays, `geometry.patches`' twin.
 
 Each ray of a batch has the coefficients of its patch in a column of its own, where the steps of
 Newton's method find them without an index. Rays are kept sorted by patch, so that a column is one
@@ -26,15 +26,13 @@ _SHORT_RUN = 10
 X, Y, SLOPE_X, SLOPE_Y, FLUX, DEPTH = 0, 1, 2, 3, 4, 5
 # Local coordinates in their patches, the face there and its derivatives, in local coordinates too.
 S, T, Z, Z_S, Z_T, Z_SS, Z_ST, Z_TT = 6, 7, 8, 9, 10, 11, 12, 13
-# Search: upper end of the bracket, state, and whether the ray is still on its way.
-HIGH, STATE, BUSY = 14, 15, 16
-# Hits on the screen, and their cotangents.
-COLUMN, ROW, WEIGHT, D_COLUMN, D_ROW, D_WEIGHT = 17, 18, 19, 20, 21, 22
-# Whether light passes the face; cotangents of height and slopes.
-PASSES, D_Z, D_S, D_T = 23, 24, 25, 26
+# Search: ends of the bracket, state, and whether the ray is still on its way.
+LOW, HIGH, STATE, BUSY = 14, 15, 16, 17
+# Cotangents of height and slopes.
+D_Z, D_S, D_T = 18, 19, 20
 # A polynomial of t and its derivatives, and a power of s with its derivative.
-_INNER, _INNER_T, _INNER_TT, _POWER, _POWER_S = 27, 28, 29, 30, 31
-ROWS = 32
+_INNER, _INNER_T, _INNER_TT, _POWER, _POWER_S = 21, 22, 23, 24, 25
+ROWS = 26
 
 
 class Net(NamedTuple):

@@ -1,9 +1,10 @@
-"""What a kernel needs to know of an exit face: its table of patches, with adjoint, and bounds."""
+"""B-spline faces for kernels: the table of their patches, with its adjoint, and their bounds."""
 
 import math
 from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 import torch
 
 from workbench.arrays import AnyArray, Array
@@ -11,10 +12,10 @@ from workbench.compiled import jit
 from workbench.geometry.patches import Patches
 from workbench.geometry.surface import ControlNet
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.function import kind_of
-from workbench.optics.kernels.point_meet import FALLS_BY
-from workbench.optics.kernels.point_patches import make_net
+from workbench.optics.kernels.intersection import FALLS_BY
+from workbench.optics.kernels.patches import make_net
 from workbench.optics.kernels.taps import FAST
+from workbench.optics.kernels.tensors import kind_of
 
 
 class Bounds(NamedTuple):
@@ -102,7 +103,10 @@ def make_table(heights: AnyArray, powers: tuple[AnyArray, AnyArray]) -> AnyArray
 
 
 def heights_cotangent(
-    d_tables: AnyArray, shape: tuple[int, int], powers: tuple[AnyArray, AnyArray]
+    d_tables: AnyArray,
+    touched: npt.NDArray[np.int64],
+    shape: tuple[int, int],
+    powers: tuple[AnyArray, AnyArray],
 ) -> Array:
     """Cotangent of the control heights from those of tables, the adjoint of `make_table`.
 
@@ -110,6 +114,8 @@ def heights_cotangent(
     ----------
     d_tables : array, shape (parts, patches, p + 1, q + 1)
         Cotangents that are to be added up.
+    touched : array, shape (parts, 2)
+        First and last patch of each part whose cotangents are not 0.
     shape : tuple[int, int]
         Numbers of control points.
     powers
@@ -119,7 +125,8 @@ def heights_cotangent(
     parts = threads.parts(across * up)
     ends = threads.bounds(across, parts)
     shares = np.zeros((parts, *shape))
-    threads.run(lambda k: _adjoint(d_tables, *powers, ends[k], ends[k + 1], shares[k]), parts)
+    known = d_tables, touched, *powers
+    threads.run(lambda k: _adjoint(*known, ends[k], ends[k + 1], shares[k]), parts)
     return np.asarray(shares.sum(axis=0))
 
 
@@ -141,20 +148,24 @@ def _table(heights, powers_x, powers_y, first, last, table):  # type: ignore[no-
 
 
 @jit(fastmath=FAST)
-def _adjoint(d_tables, powers_x, powers_y, first, last, d_heights):  # type: ignore[no-untyped-def]
+def _adjoint(d_tables, touched, powers_x, powers_y, first, last, d_heights):  # type: ignore[no-untyped-def]
     (n_b, _, up), n_a = powers_y.shape, len(powers_x)
-    row, total = np.empty(d_heights.shape[1]), np.empty(up)
+    terms = n_a * n_b
+    row, patches, column = np.empty(d_heights.shape[1]), np.empty(up * terms), np.empty((terms, up))
+    lines = d_tables.reshape(len(d_tables), -1, up * terms)
     for k in range(first, last):
+        patches[:] = 0
+        for part in range(len(lines)):
+            if touched[part, 0] < (k + 1) * up and touched[part, 1] >= k * up:
+                _add(patches, 1.0, lines[part, k])
+        for m in range(up):  # columns of a term are summed up faster than terms of a patch
+            for term in range(terms):
+                column[term, m] = patches[m * terms + term]
         for a in range(n_a):
             row[:] = 0
             for b in range(n_b):
-                for m in range(up):
-                    total[m] = d_tables[0, k * up + m, a, b]
-                for part in range(1, len(d_tables)):
-                    for m in range(up):
-                        total[m] += d_tables[part, k * up + m, a, b]
                 for j in range(n_b):
-                    _add_products(row[j:], powers_y[j, b], total)
+                    _add_products(row[j:], powers_y[j, b], column[a * n_b + b])
             for i in range(n_a):
                 _add(d_heights[k + i], powers_x[i, a, k], row)
 
