@@ -66,7 +66,7 @@ def make(folder: Path) -> None:
 
 def target_image(name: str, size: int) -> Image.Image:
     """Draw a built-in shape as a square 8-bit grey image of ``size`` pixels a side."""
-    screen = Screen(z=1.0, half_width=(1.0, 1.0), pixels=(size, size))
+    screen = Screen(position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(size, size))
     return _grey_image(draw(SHAPES[name], screen, 1.0))
 
 
