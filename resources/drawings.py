@@ -86,7 +86,9 @@ def letter(size: int) -> Array:
     body, hole = sorted(
         ((polygon - (low + high) / 2) * scale for polygon in polygons), key=np.ptp, reverse=True
     )
-    screen = Screen(position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(size, size))
+    screen = Screen(
+        kind="plane", position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(size, size)
+    )
     return paint([(body, 1.0), (hole, -1.0)], screen)
 
 

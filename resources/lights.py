@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from resources.parts import bspline, in_mm, lens, screen, shown
 from workbench.measured.rays.tm25 import HEADER, VERSION
 
 _RAYS = 9_000
@@ -14,28 +15,20 @@ _DATE = b"2025-01-01T00:00:00+00:00"
 
 def _scene(
     half_width: list[float],
-    height: float,
+    thickness: float,
     source: dict[str, Any],
-    screen: dict[str, Any],
+    receiver: dict[str, Any],
     image: str,
     material: str = "PMMA",
     viewer: str | None = "front",
 ) -> dict[str, Any]:
-    """Scene in millimetres with a flat lens of a plastic, whose light is viewed on a wall."""
-    return {
-        "version": 2,
-        "unit": "mm",
-        "lens": {
-            "half_width": half_width,
-            "refractive_index": material,
-            "wavelength_um": 0.55,
-            "control_points": [64, 64] if source["kind"] == "area" else "auto",
-            "base": {"shape": "flat", "height": height},
-        },
-        "source": source,
-        "screen": screen,
-        "target": {"image": f"../targets/{image}.png", "viewed_from": viewer},
-    }
+    """Scene with a flat lens of a plastic, whose light is viewed on a wall."""
+    back = bspline([64, 64] if source["kind"] == "area" else "auto")
+    return in_mm(
+        source | {"wavelength_um": 0.55},
+        lens(half_width, thickness, material, back),
+        shown(image, receiver, viewed_from=viewer),
+    )
 
 
 SCENES = {
@@ -43,22 +36,22 @@ SCENES = {
         [50, 50],
         8,
         {"kind": "collimated", "angular_diameter": 0.533},
-        {"z": 500, "half_width": [100, 100], "pixels": [256, 256]},
+        screen(500, [100, 100]),
         "photo-256",
     ),
     "phone-torch": _scene(
         [20, 20],
         8,
-        {"kind": "area", "center": [0, 0, -30], "half_width": [0.75, 0.75]},
-        {"z": 200, "half_width": [80, 80], "pixels": [256, 256]},
+        {"kind": "area", "position": [0, 0, -30], "half_width": [0.75, 0.75]},
+        screen(200, [80, 80]),
         "letter-256",
     ),
     # Light has to be bent to 68 degrees on a single face: wide lenses bend it less.
     "led-rectangle": _scene(
         [60, 30],
         6,
-        {"kind": "area", "center": [0, 0, -10], "half_width": [1, 1]},
-        {"z": 106, "half_width": [290, 140], "pixels": [145, 70]},
+        {"kind": "area", "position": [0, 0, -10], "half_width": [1, 1]},
+        screen(106, [290, 140], [145, 70]),
         "rectangle-125x50",
         "PC",
     ),
@@ -66,7 +59,7 @@ SCENES = {
         [8, 8],
         4,
         {"kind": "collimated", "profile": {"kind": "gaussian", "radius": 3}},
-        {"z": 200, "half_width": [10, 10], "pixels": [256, 256]},
+        screen(200, [10, 10]),
         "tophat-256",
         viewer=None,
     ),
@@ -74,7 +67,7 @@ SCENES = {
         [15, 15],
         6,
         {"kind": "ray_file", "file": "../lights/led.tm25ray", "position": [0, 0, -15]},
-        {"z": 150, "half_width": [100, 100], "pixels": [40, 40]},
+        screen(150, [100, 100], [40, 40]),
         "rectangle-20x20",
     ),
 }

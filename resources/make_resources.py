@@ -16,6 +16,7 @@ from PIL import Image
 import resources
 from resources import drawings, lights, receivers, two_faces
 from resources.fields_page import fields_page
+from resources.parts import bspline, lens, screen, shown
 from workbench.arrays import Array
 from workbench.scene import BallTarget, FlameTarget, Scene, Screen, TopHatTarget
 from workbench.targets.shapes import draw
@@ -33,7 +34,7 @@ _SOURCES = {
     "point": {"kind": "point", "position": [0.0, 0.0, -5.0], "rays": 500_000},
     "grid": {
         "kind": "grid",
-        "center": [0.0, 0.0, -5.0],
+        "position": [0.0, 0.0, -5.0],
         "half_width": [1.0, 1.0],
         "points": [25, 25],
         "rays": 1000,
@@ -66,8 +67,10 @@ def make(folder: Path) -> None:
 
 def target_image(name: str, size: int) -> Image.Image:
     """Draw a built-in shape as a square 8-bit grey image of ``size`` pixels a side."""
-    screen = Screen(position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(size, size))
-    return _grey_image(draw(SHAPES[name], screen, 1.0))
+    square = Screen(
+        kind="plane", position=(0.0, 0.0, 1.0), half_width=(1.0, 1.0), pixels=(size, size)
+    )
+    return _grey_image(draw(SHAPES[name], square, 1.0))
 
 
 def drawing(name: str) -> Image.Image:
@@ -101,43 +104,43 @@ def example(name: str) -> Scene:
 def _fine(shape: str, fineness: int) -> dict[str, Any]:
     """A net as fine as the target is worth; on twice as many pixels one that begins soon."""
     data = _first(shape, fineness)
-    if fineness == 1:
-        return _in_version_2(data)
-    data["lens"]["control_points"] = [192, 192]
-    return data
+    return _exact(data) if fineness == 1 else _shaped(data, control_points=[192, 192])
 
 
-def _in_version_2(data: dict[str, Any]) -> dict[str, Any]:
+def _exact(data: dict[str, Any]) -> dict[str, Any]:
     """With a net that the program chooses, and exact reflections."""
-    return data | {"version": 2, "lens": data["lens"] | {"control_points": "auto"}}
+    return _shaped(_formed(data, reflection="fresnel"), control_points="auto")
 
 
 def _first(shape: str, fineness: int = 1) -> dict[str, Any]:
     pixels, rays, control_points = 256 * fineness, 512 * fineness, 64 * fineness
+    back = bspline([control_points, control_points], degree=[3, 3], height_range=[-0.3, 0.3])
     return {
+        "version": 3,
         "unit": "cm",
-        "lens": {
-            "half_width": [1.0, 1.0],
-            "entrance_z": 0.0,
-            "refractive_index": 1.5,
-            "degree": [3, 3],
-            "control_points": [control_points, control_points],
-            "base": {"shape": "flat", "height": 0.5},
-            "height_range": [-0.3, 0.3],
-            "min_thickness": 0.05,
-        },
         "source": {"kind": "collimated", "rays": [rays, rays]},
-        "screen": {"z": 5.0, "half_width": [1.0, 1.0], "pixels": [pixels, pixels]},
+        "elements": [lens([1.0, 1.0], 0.5, 1.5, back, min_thickness=0.05, reflection="schlick")],
+        "images": [shown(f"{shape}-{pixels}", screen(5.0, [1.0, 1.0], [pixels, pixels]))],
         "filter": {"kind": "gaussian", "size": [3, 3], "alpha": 1.0},
-        "target": {"image": f"../targets/{shape}-{pixels}.png"},
         "run": {"method": "auto", "iterations": 300, "seed": 0},
     }
 
 
+def _formed(data: dict[str, Any], **fields: Any) -> dict[str, Any]:
+    """The scene with other fields of its lens."""
+    (element,) = data["elements"]
+    return data | {"elements": [element | fields]}
+
+
+def _shaped(data: dict[str, Any], **fields: Any) -> dict[str, Any]:
+    """The scene with other fields of the designed face."""
+    front, back = data["elements"][0]["faces"]
+    return _formed(data, faces=[front, back | fields])
+
+
 def _network(parametrisation: str, start: str) -> dict[str, Any]:
     """Top hat by the paper's method; a net small enough for a dense network."""
-    data = _first("tophat")
-    data["lens"]["control_points"] = [32, 32]
+    data = _shaped(_first("tophat"), control_points=[32, 32])
     data["run"] = {
         "method": "paper",
         "parametrisation": parametrisation,
@@ -153,22 +156,20 @@ def _magnified(shape: str, magnification: int) -> dict[str, Any]:
 
     The focal lengths -16 and -8 of its bases then just fill the screens.
     """
-    data = _first(shape)
-    base = {"shape": "flat", "height": 0.5}
+    base: dict[str, Any] = {"shape": "flat"}
     if magnification > 1:
-        base = {"shape": "sphere", "height": 0.5, "radius": _RADII[magnification]}
+        base = {"shape": "sphere", "radius": _RADII[magnification]}
     half_width = round(0.64 * magnification, 2)
-    data["lens"] |= {"half_width": [0.64, 0.64], "base": base, "height_range": [-0.05, 0.05]}
-    data["screen"] |= {"z": 32.5, "half_width": [half_width, half_width]}
-    return data
+    data = _shaped(_first(shape), base=base, height_range=[-0.05, 0.05])
+    data["images"] = [shown(f"{shape}-256", screen(32.5, [half_width, half_width]))]
+    return _formed(data, half_width=[0.64, 0.64])
 
 
 def _lit_from(source: dict[str, Any]) -> dict[str, Any]:
     """The lens has to collect the light first: it needs more room for its heights."""
-    data = _first("flame")
-    data["lens"] |= {"base": {"shape": "flat", "height": 0.6}, "height_range": [-0.4, 0.4]}
+    data = _formed(_shaped(_first("flame"), height_range=[-0.4, 0.4]), thickness=0.6)
     data["source"] = source
-    return _in_version_2(data) if source["kind"] == "point" else data
+    return _exact(data) if source["kind"] == "point" else data
 
 
 def _first_from_a_point() -> dict[str, Any]:
@@ -180,8 +181,7 @@ def _first_from_a_point() -> dict[str, Any]:
 
 def _influence(degree: int, size: int) -> dict[str, Any]:
     """A case of the paper's derivative maps; its net is coarse, so that a map fills the screen."""
-    data = _first("tophat")
-    data["lens"] |= {"degree": [degree, 3], "control_points": [9, 9]}
+    data = _shaped(_first("tophat"), degree=[degree, 3], control_points=[9, 9])
     # Wide filters fall slowly, or they would be as narrow as small ones.
     data["filter"] |= {"size": [size, size], "alpha": round(9 / size**2, 2)}
     return data

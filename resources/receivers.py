@@ -4,66 +4,50 @@ from typing import Any
 
 import numpy as np
 
+from resources.parts import bspline, in_mm, lens, screen, shown
+
 _FLUX = 100  # lumens
 _POWER = 1.5  # of the cosine; 1 is Lambert's law
 
 
-def _scene(source: dict[str, Any], receiver: dict[str, Any], image: str) -> dict[str, Any]:
-    """Scene in millimetres with a lens of acrylic, 30 mm wide."""
-    return {
-        "version": 2,
-        "unit": "mm",
-        "lens": {
-            "half_width": [15, 15],
-            "refractive_index": 1.49,
-            "control_points": "auto",
-            "base": {"shape": "flat", "height": 6},
-        },
-        "source": source,
-        **receiver,
-        "target": {"image": f"../targets/{image}.png", "viewed_from": "front"},
-    }
+def _scene(
+    source: dict[str, Any], element: dict[str, Any], receiver: dict[str, Any], image: str
+) -> dict[str, Any]:
+    """Scene whose light is viewed from its own side."""
+    return in_mm(source, element, shown(image, receiver, viewed_from="front"))
 
 
-def _mirror(source: dict[str, Any], screen: dict[str, Any], image: str) -> dict[str, Any]:
-    """Scene in millimetres with a mirror of aluminium, 30 mm wide."""
-    return {
-        "version": 2,
-        "unit": "mm",
-        "mirror": {"half_width": [15, 15], "control_points": "auto", "reflectance": 0.9},
-        "source": source,
-        "screen": screen | {"pixels": [256, 256]},
-        "target": {"image": f"../targets/{image}.png", "viewed_from": "front"},
-    }
-
-
+_ACRYLIC = lens([15, 15], 6, 1.49, bspline())
+_ALUMINIUM = {
+    "kind": "mirror",
+    "name": "mirror",
+    "half_width": [15, 15],
+    "reflectance": 0.9,
+    "face": bspline(),
+}
 SCENES = {
     "wall-washer": _scene(
         {"kind": "point", "position": [0, 0, -100]},
-        {
-            "screen": {
-                "z": 400,
-                "center": [0, 100],
-                "tilt": [30, 0],
-                "half_width": [120, 120],
-                "pixels": [256, 256],
-            }
-        },
+        _ACRYLIC,
+        screen(400, [120, 120], center=[0, 100], tilt=[30, 0, 0]),
         "photo-256",
     ),
     "street-light": _scene(
         {"kind": "photometric", "file": "../lights/led.ies", "position": [0, 0, -20]},
-        {"far_field": {"half_angle": [40, 40], "pixels": [256, 256]}},
+        _ACRYLIC,
+        {"kind": "far_field", "half_angle": [40, 40], "pixels": [256, 256]},
         "street-256",
     ),
-    "mirror-letter": _mirror(
+    "mirror-letter": _scene(
         {"kind": "collimated"},
-        {"z": -60, "center": [60, 0], "tilt": [0, -45], "half_width": [20, 20]},
+        _ALUMINIUM,
+        screen(-60, [20, 20], center=[60, 0], tilt=[0, -45, 0]),
         "letter-256",
     ),
-    "mirror-photo": _mirror(
+    "mirror-photo": _scene(
         {"kind": "point", "position": [-20, 0, -80]},
-        {"z": -100, "center": [40, 0], "half_width": [20, 20]},
+        _ALUMINIUM,
+        screen(-100, [20, 20], center=[40, 0]),
         "photo-256",
     ),
 }

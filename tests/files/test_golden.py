@@ -1,6 +1,7 @@
 """Files that earlier programs wrote open for ever; see `golden`.
 
 ``first`` is by the first program that wrote sessions, ``staged`` by the first that ran in stages;
+``scenes`` holds examples as earlier programs wrote them, in versions 1 and 2.
 ``compared`` has locks, kept runs and a view, ``checked`` a run whose error is verified, ``started``
 a lens of another task, ``drawn`` the picture of its target. ``mirror`` and ``two-faces`` are of
 version 2.
@@ -14,12 +15,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import resources
 from workbench.analysis.validation import validate
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import NO_LOCKS
+from workbench.scene import Scene
 
 GOLDEN = Path(__file__).parent / "golden"
-NAMES = sorted(path.name for path in GOLDEN.iterdir())
+NAMES = sorted(path.name for path in GOLDEN.glob("*.freeform"))
+SCENES = sorted((GOLDEN / "scenes").iterdir())
 NEWER = ("mirror.freeform", "two-faces.freeform")
 
 
@@ -49,6 +53,13 @@ def assert_result(result, figures, arrays):
         assert getattr(result, name) == figures[name]
     message = result.state.account.to_data()
     assert {name: message[name] for name in figures["ledger"]} == figures["ledger"]
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_scene_files_of_earlier_versions_mean_the_same(path):
+    assert json.loads(path.read_bytes())["version"] < 3
+    today = resources.path("examples", path.name)
+    assert Scene.from_json(path.read_bytes()) == Scene.from_json(today.read_bytes())
 
 
 @pytest.mark.parametrize("name", NAMES)

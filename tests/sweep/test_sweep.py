@@ -78,7 +78,7 @@ def rows(found, store, workers):
 
 class TestPoints:
     def test_the_last_field_changes_first(self, scene_file):
-        vary = [Variation("run.seed", (0, 1)), Variation("screen.z", (5, 6))]
+        vary = [Variation("run.seed", (0, 1)), Variation("images[0].receiver.position[2]", (5, 6))]
         found = points([scene_file], vary)
         assert [(p.scene.run.seed, p.scene.receiver.z) for p in found] == [
             (0, 5),
@@ -86,11 +86,11 @@ class TestPoints:
             (1, 5),
             (1, 6),
         ]
-        assert found[3].name == "hat run.seed=1 screen.z=6"
+        assert found[3].name == "hat run.seed=1 images[0].receiver.position[2]=6"
 
     def test_an_impossible_point_is_kept_with_its_refusal(self, scene_file):
-        bad, good = points([scene_file], [Variation("lens.control_points", (3, 12))])
-        assert str(bad.scene).startswith("lens.control_points[0]: 3 is too few")
+        bad, good = points([scene_file], [Variation("lens.back.control_points", (3, 12))])
+        assert str(bad.scene).startswith("elements[0].faces[1].control_points[0]: 3 is too few")
         assert good.scene.optic.control_points == (12, 12)
 
     def test_keys_tell_what_a_result_depends_on(self, make_scene):

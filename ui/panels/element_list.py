@@ -29,10 +29,10 @@ class ElementListRow(PartListRow[AnyElement]):
             (
                 tr("Add a plano-convex lens of fixed shape behind the last element"),
                 tr("Add a plane mirror behind the last element"),
-                tr("Add a copy of the chosen element behind it"),
+                tr("Add a copy of the chosen element behind the last element"),
                 tr("Remove the chosen element"),
-                tr("Light meets the chosen element sooner; its position stays"),
-                tr("Light meets the chosen element later; its position stays"),
+                tr("Exchange the chosen element with the one before it, along z too"),
+                tr("Exchange the chosen element with the one behind it, along z too"),
             ),
             (tr("Add lens"), tr("Add mirror")),
         )
@@ -54,8 +54,16 @@ class ElementListRow(PartListRow[AnyElement]):
 
     def _copy(self, part: AnyElement) -> AnyElement:
         return part.model_copy(
-            update={"name": self._free_name(part.name), "position": _behind(part)}
+            update={"name": self._free_name(part.name), "position": _behind(self._parts[-1])}
         )
+
+    def _place_of_copy(self) -> int:
+        return len(self._parts)
+
+    def _exchanged(self, first: AnyElement, second: AnyElement) -> tuple[AnyElement, AnyElement]:
+        """Both together take the same length along z as before."""
+        to_front, to_end = first.front_z - second.front_z, second.highest - first.highest
+        return _shifted(second, to_front), _shifted(first, to_end)
 
     def _chosen_among(self, parts: tuple[AnyElement, ...]) -> int:
         """The one of the same name, or at the same place of as many; else the designed one."""
@@ -101,10 +109,15 @@ def _element(
 
 def _behind(element: AnyElement) -> tuple[float, float, float]:
     """Where the next element may stand: a gap behind it, the way that light goes on."""
-    x, y, z = element.position
+    x, y, _ = element.position
     gap = _GAP * max(element.half_width)
-    depth = element.thickness + gap if element.onwards > 0 else -gap
-    return x, y, float(f"{z + depth:.6g}")
+    z = element.highest + gap if element.onwards > 0 else element.lowest - gap
+    return x, y, float(f"{z:.6g}")
+
+
+def _shifted(element: AnyElement, by: float) -> AnyElement:
+    x, y, z = element.position
+    return element.model_copy(update={"position": (x, y, float(f"{z + by:.12g}"))})
 
 
 def _rounded(length: float) -> float:

@@ -130,6 +130,14 @@ class PartListRow(Row, Generic[AnyPart]):
         """What is put behind a part as its duplicate."""
         return part
 
+    def _place_of_copy(self) -> int:
+        """Where a duplicate of the chosen part is put."""
+        return self.current + 1
+
+    def _exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
+        """Two neighbours in their new order."""
+        return second, first
+
     def _chosen_among(self, parts: tuple[AnyPart, ...]) -> int:
         """Which of other parts is to be chosen; −1 where there are none."""
         return min(max(self.current, 0), len(parts) - 1)
@@ -151,11 +159,12 @@ class PartListRow(Row, Generic[AnyPart]):
 
     def _duplicate(self) -> None:
         current, parts = self.current, list(self._parts)
-        parts.insert(current + 1, self._copy(parts[current]))
+        place = self._place_of_copy()
+        parts.insert(place, self._copy(parts[current]))
         self._put(
             parts,
             tr("copy of {part} {number}").format(part=self._called, number=current + 1),
-            current + 1,
+            place,
         )
 
     def _drop(self) -> None:
@@ -169,7 +178,8 @@ class PartListRow(Row, Generic[AnyPart]):
 
     def _move(self, step: int) -> None:
         current, parts = self.current, list(self._parts)
-        parts.insert(current + step, parts.pop(current))
+        first = min(current, current + step)
+        parts[first : first + 2] = self._exchanged(*parts[first : first + 2])
         self._put(
             parts,
             tr("move of {part} {number}").format(part=self._called, number=current + 1),

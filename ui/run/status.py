@@ -233,7 +233,8 @@ def _errors(frame: "Frame") -> list[str]:
     from workbench.design.loss import relative_error  # late: takes long to import
     from workbench.extended.bound import percent
 
-    alone = [frame.of_image(number) for number in range(len(frame.session.scene.images))]
+    count = len(frame.session.scene.images)
+    alone = [frame.of_image(number) for number in range(count)] if count > 1 else [frame]
     return [percent(relative_error(each.snapshot.state, each.session.target)) for each in alone]
 
 

@@ -66,6 +66,7 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
     fixed : mapping of str to ndarray, shape (n_u, n_v)
         As for `first_of`.
     """
+    scene = scene.alone
     if len(scene.images) > 1:
         return first_of_several(
             scene, target, lambda image: first_lens(image.scene, image.target, fixed), fixed

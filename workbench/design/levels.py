@@ -251,6 +251,7 @@ def _image_of(
 
 def _origins(scene: Scene) -> int:
     """Origins that stand for a source of some size, as many as its blur on the receiver needs."""
+    scene = scene.alone
     source, receiver = of_known_size(scene.source, scene.optic), scene.receiver
     if not source.continuous:
         return 1
@@ -281,7 +282,7 @@ def asked_light_of(scene: Scene, heights: Mapping[str, Tensor]) -> float | None:
     that is compared with as much light as arrives gets better by losing what is hard to place.
     """
     optic = scene.optic
-    near = optic.front_z - scene.source.nearest_z < max(optic.half_width)
+    near = optic.front_z - scene.alone.source.nearest_z < max(optic.half_width)
     if len(heights) == 1 or not near:
         return None
     with torch.no_grad():

@@ -155,7 +155,7 @@ CLOSEST = 0.95
 
 def bounded(scene: Scene, part: float = _USUAL) -> Element:
     """Return the optic of a scene with all that limits its heights; see `Element.bounded`."""
-    optic = scene.optic
+    scene, optic = scene.alone, scene.optic
     ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
     nearest = min(ends, key=lambda z: optic.onwards * z)
     return optic.bounded(scene.source.nearest_z, nearest, len(scene.images) > 1, part)

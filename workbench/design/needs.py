@@ -101,7 +101,7 @@ def _check_lit(part: Scene) -> None:
     places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
     r_x, r_y = part.optic.half_width
     x, y = torch.cartesian_prod(r_x * places, r_y * places).T
-    if not emitter_of(part.source, part.optic).towards(x, y).flux.any():
+    if not emitter_of(part.source, part.first).towards(x, y).flux.any():
         raise Refused(
             "source",
             Said("none of its light goes to the {optic}; turn or move it", optic=part.optic.called),

@@ -91,6 +91,7 @@ def _chosen(scene: Scene, target: Array) -> tuple[int, int]:
     if scene.run.usual_net is not None:
         n_u, n_v = (max(scene.run.usual_net, degree + 1) for degree in scene.optic.degree)
         return n_u, n_v
+    scene = scene.alone
     source = of_known_size(scene.source, scene.optic)
     per_blur = _PER_FAR_BLUR if source.place is None else _PER_BLUR
     across, up = (

@@ -74,6 +74,7 @@ class Blur:
             Where the exit face is, scene units; where that of the undesigned lens is nearest to
             the receiver by default.
         """
+        scene = scene.alone
         source, receiver = of_known_size(scene.source, scene.optic), scene.receiver
         nearer = _nearer(scene, source.place, exit_z)
         x, y = (
@@ -267,6 +268,7 @@ def one_over_the_lens(scene: Scene) -> bool:
     allowed no less than 12.6 %, and where a design took it for the same everywhere, an LED one
     half-width away made a rectangle that was 4.8 % off in place of 2.1 %.
     """
+    scene = scene.alone
     optic = scene.optic
     place = of_known_size(scene.source, optic).place
     return place is None or abs(optic.datum - place[2]) >= _FAR * max(optic.half_width)

@@ -112,9 +112,10 @@ class Bound:
         """Whether the source's size sets a bound at all; without one there is nothing to find.
 
         Of several images, each may be worse than alone: none is known of them together; nor of
-        rays of a file, whose blur need not be even.
+        rays of a file, whose blur need not be even; nor of a train of several elements.
         """
-        none = len(self.scene.images) > 1 or self._measured or self.blur.within_a_pixel
+        several = len(self.scene.images) > 1 or len(self.scene.elements) > 1
+        none = several or self._measured or self.blur.within_a_pixel
         return not none
 
     @property

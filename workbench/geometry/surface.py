@@ -208,6 +208,8 @@ class ControlNet:
 
 def freeform_nets(optic: Element) -> dict[str, ControlNet]:
     """Nets of the freeform faces of an element, by face, in the order of the light."""
+    if not optic.designed:
+        return {}
     nets = {optic.designed_face: ControlNet.of(optic)}
     entrance = optic.entrance.net(optic.net_shape)
     if entrance is None:

@@ -123,15 +123,15 @@ class Path:
 
         ``samples`` as for `emitter_of`.
         """
-        optic, source = scene.optic, scene.source
+        optic, first, source = scene.optic, scene.first, scene.source
         # Light along the axis stays so up to the only freeform face.
-        straight = source.along_axis and len(freeform_nets(optic)) == 1
+        straight = source.along_axis and len(freeform_nets(optic)) == 1 and first.designed
         datum = optic.base.height if straight else optic.datum
-        emitter, outline = emitter_of(source, optic, samples), outline_of(optic)
+        emitter, outline = emitter_of(source, first, samples), outline_of(first)
         light = emitter.by_area, source.along_axis, source.subdivisions
-        steps = steps_of(optic, PathContext(net, datum, *light, dtype, device))
+        steps = steps_of(scene, PathContext(net, datum, *light, dtype, device))
         receiver = receiver_of(scene.receiver, optic, datum)
-        walk = scene.run.seed, dtype, device, optic.front_z
+        walk = scene.run.seed, dtype, device, first.front_z
         return cls(emitter, steps, receiver, datum, outline, *walk)
 
     @property

@@ -47,8 +47,8 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
         Numbers of rays along x and y, spread over the lens.
     """
     optic = scene.optic
-    x, y = (torch.as_tensor(c) for c in _grid(optic, count))
-    rays = emitter_of(scene.source, optic).towards(x, y)
+    x, y = (torch.as_tensor(c) for c in _grid(scene.first, count))
+    rays = emitter_of(scene.source, scene.first).towards(x, y)
     path = Path.of(scene, ControlNet.of(optic), torch.float64)
     faces, arrival = path.follow(rays, {face: torch.tensor(each) for face, each in heights.items()})
     hits = arrival.column.isfinite() & arrival.row.isfinite() & (arrival.rays.flux > 0)

@@ -1,9 +1,10 @@
-"""Faces on the way of the light: which ones an optic has.
+"""Faces in the order in which light meets them: those of the elements of a train.
 
-A new kind of optic is its fields in `workbench.scene`, and a row in ``_STEPS``.
+A new kind of element is its fields in `workbench.scene`, and a row in ``_DESIGNED``; a new shape of
+a fixed face is a case of `_surface`.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -15,9 +16,9 @@ from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, Rectangle, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
-from workbench.optics.surfaces import BSplineSurface, Plane, Surface
+from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import Element, Lens, Mirror
+from workbench.scene import ConicFace, Element, Face, Lens, Mirror, PlaneFace, Scene
 
 
 class FaceStep(NamedTuple):
@@ -104,9 +105,44 @@ class PathContext(NamedTuple):
         return BSplineSurface(name, net, self.datum, *how, outline, level)
 
 
-def steps_of(optic: Element, along: PathContext) -> tuple[FaceStep, ...]:
-    """Faces of an optic, in the order in which light meets them."""
-    return _STEPS[type(optic)](optic, along)
+def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
+    """Faces of all elements of a scene, in the order in which light meets them."""
+    steps: list[FaceStep] = []
+    for number, element in enumerate(scene.elements):
+        lit = element.lit(scene.source.wavelength)
+        if number == scene.designed_number:
+            if number:  # what is sampled is the aperture before the first element
+                along = along._replace(by_area=False, along_axis=False)
+            steps += _DESIGNED[type(lit)](lit, along)
+        else:
+            steps += _of_fixed_lens(lit, along)
+    return tuple(steps)
+
+
+def _of_fixed_lens(lens: Element, along: PathContext) -> Iterator[FaceStep]:
+    if not isinstance(lens, Lens):
+        raise TypeError(f"a fixed {lens.called} has no faces here")
+    upright = not any(lens.tilt) and not any(lens.position[:2])
+    frame = None if upright else Frame.at(lens.position, lens.tilt)
+    origin = lens.position[2] - along.datum if upright else 0.0
+    outline, (entering, leaving) = outline_of(lens), TransmittanceLaw.of(lens)
+    names = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
+    depths = 0.0, lens.thickness
+    for face, depth, law, (reflected, missed) in zip(
+        lens.faces, depths, (entering, leaving), names, strict=True
+    ):
+        absorption = lens.absorption if depth == lens.thickness else 0.0
+        surface = _surface(f"{lens.name} {reflected}", face, origin + depth, outline)
+        yield FaceStep(surface, Refraction(law, reflected, absorption), missed, frame)
+
+
+def _surface(name: str, face: Face, z: float, outline: Outline) -> Surface:
+    match face:
+        case PlaneFace():
+            return Plane(name, z, outline)
+        case ConicFace(radius=radius, conic=conic, coefficients=coefficients):
+            return Conic(name, z, 1 / radius, conic, outline, coefficients)
+    raise TypeError(f"a fixed face of shape {face.shape} is not traced")
 
 
 def _of_lens(lens: Lens, along: PathContext) -> tuple[FaceStep, ...]:
@@ -114,10 +150,12 @@ def _of_lens(lens: Lens, along: PathContext) -> tuple[FaceStep, ...]:
     entering, leaving = TransmittanceLaw.of(lens)
     before = Rectangle(lens.half_width) if along.by_area else outline
     straight = along.along_axis and entrance_net is None  # up to the exit face
-    entrance: Surface = Plane("entrance", lens.entrance_z - along.datum, before)
+    entrance: Surface
     if entrance_net is not None:
         at_face = before if along.along_axis else outline
         entrance = along.spline("entrance", entrance_net, at_face, lens.entrance_z)
+    else:
+        entrance = _surface("entrance", lens.faces[0], lens.entrance_z - along.datum, before)
     exit_face = along.spline("exit", along.net, before if straight else outline, lens.base.height)
     return (
         FaceStep(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
@@ -132,7 +170,7 @@ def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
-_STEPS: Mapping[type, Callable[[Any, PathContext], tuple[FaceStep, ...]]] = {
+_DESIGNED: Mapping[type, Callable[[Any, PathContext], tuple[FaceStep, ...]]] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
 }

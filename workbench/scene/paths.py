@@ -13,6 +13,7 @@ from typing import Any
 
 from workbench.errors import Refused
 from workbench.said import Said
+from workbench.scene.auto_net import AUTO
 from workbench.scene.part import Part
 from workbench.scene.task import Scene
 
@@ -157,8 +158,11 @@ def _put(data: Any, full: Any, path: str, steps: tuple[Step, ...], value: Any) -
         )
     before = _child(full, last)
     listed = list(value) if isinstance(value, tuple) else value
-    if isinstance(before, list) and isinstance(value, int | float):
-        listed = [value] * len(before)
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        if isinstance(before, list):
+            listed = [value] * len(before)
+        elif before == AUTO:  # a net that is not chosen yet: numbers along x and y
+            listed = [value] * 2
     data[last] = listed  # type: ignore[index]  # a list has an index here
 
 

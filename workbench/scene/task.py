@@ -230,6 +230,11 @@ class Scene(Part):
         """The element that the design shapes, as the source's light meets it."""
         return self.elements[self.designed_number].lit(self.source.wavelength)
 
+    @property
+    def first(self) -> Element:
+        """The element that light meets first: its outline is the aperture of all light."""
+        return self.elements[0].lit(self.source.wavelength)
+
     def with_optic(self, optic: Element) -> Self:
         """Return the scene with another element in place of `optic`, which goes with all else."""
         elements: list[Element] = list(self.elements)

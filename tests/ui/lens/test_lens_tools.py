@@ -241,7 +241,7 @@ def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
     held.release()
     source = tools.document.session.scene.source
     assert source.half_width == (pytest.approx(0.8, abs=0.05), pytest.approx(0.6, abs=0.05))
-    assert source.center == (0.0, 0.0, -3.0)
+    assert source.position == (0.0, 0.0, -3.0)
     qtbot.waitUntil(lambda: view.frame.session is tools.document.session, timeout=20_000)
     view.explode(True)
     qtbot.waitUntil(lambda: view._shown is not None)

@@ -108,17 +108,21 @@ def test_the_added_lens_is_chosen_and_its_faces_are_edited(begin, qtbot):
     assert elements(document)[1].faces[1].coefficients == ()
 
 
-def test_a_mirror_is_added_with_a_plane_face(begin, qtbot):
+@pytest.mark.parametrize(
+    ("button", "reason"),
+    [("Add mirror", "not traced yet"), ("Duplicate", "a second designed element")],
+)
+def test_an_element_that_no_train_can_have_is_refused_below_the_list(begin, qtbot, button, reason):
     document, forms = begin()
-    click(qtbot, forms, "Add mirror")
-    added = elements(document)[1]
-    assert isinstance(added, Mirror)
-    assert (added.name, added.face.shape) == ("mirror", "plane")
-    assert row(forms, "elements[1].reflectance").isVisible()
-    assert not row(forms, "elements[1].material", visible=False).isVisible()
+    click(qtbot, forms, button)
+    assert names(document) == ["lens"]
+    assert reason in row(forms, "elements").refusal
+    assert forms.take_back()
+    click(qtbot, forms, "Add lens")
+    assert names(document) == ["lens", "lens-2"] and not forms.refused
 
 
-def test_a_duplicate_stands_behind_its_original_under_another_name(begin, qtbot):
+def test_a_duplicate_stands_behind_the_last_element_under_another_name(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add lens")
     enter(qtbot, forms, "elements[1].thickness", "0.75")
@@ -134,12 +138,16 @@ def test_a_duplicate_stands_behind_its_original_under_another_name(begin, qtbot)
 def test_elements_are_moved_and_removed(begin, qtbot):
     document, forms = begin()
     click(qtbot, forms, "Add lens")
+    before = elements(document)
     click(qtbot, forms, "Up")
+    assert not forms.refused
     assert names(document) == ["lens-2", "lens"]
     assert document.session.scene.designed_number == 1
+    assert elements(document)[0].front_z == before[0].front_z
+    assert elements(document)[1].highest == pytest.approx(before[1].highest)
     assert the_list(forms).currentRow() == 0
-    enter(qtbot, forms, "elements[0].thickness", "0.9")
-    assert elements(document)[0].thickness == 0.9
+    enter(qtbot, forms, "elements[0].thickness", "0.4")
+    assert elements(document)[0].thickness == 0.4
     document.undo_stack.undo()
     document.undo_stack.undo()
     assert names(document) == ["lens", "lens-2"]
@@ -228,14 +236,10 @@ def test_a_stage_without_a_net_of_its_own_shows_that_of_the_mirror(begin_mirror)
     assert [(e.text(), e.placeholderText()) for e in net] == [("", "8"), ("", "8")]
 
 
-def test_control_heights_of_a_file_are_for_fixed_faces(begin, qtbot):
+def test_control_heights_of_a_file_are_asked_for_with_fixed_faces(begin, qtbot):
     document, forms = begin()
     choose(forms, "elements[0].faces[0].shape", "bspline")
-    heights = "elements[0].faces[0].heights"
-    assert not row(forms, heights, visible=False).isVisible()
+    assert not row(forms, "elements[0].faces[0].heights", visible=False).isVisible()
     row(forms, "elements[0].faces[0].fixed").box.click()
-    assert elements(document)[0].faces[0].fixed
-    fill(qtbot, row(forms, heights).editor, "front.npy")
-    assert elements(document)[0].faces[0].heights.endswith("front.npy")
-    fill(qtbot, row(forms, heights).editor, "")
-    assert elements(document)[0].faces[0].heights is None
+    assert "not traced yet" in row(forms, "elements[0].faces[0].fixed").refusal
+    assert not elements(document)[0].faces[0].fixed

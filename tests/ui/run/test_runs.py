@@ -147,9 +147,9 @@ def test_two_chosen_runs_are_shown_beside_each_other(two_runs, qtbot):
     assert shown.isVisible() and shown.pair == two_runs.document.session.runs
     cells = {shown.table.item(row, 0).text(): row for row in range(shown.table.rowCount())}
     differ = cells["Fields of the scenes that differ"]
-    assert list(cells)[differ + 1 :] == ["Screen · At z"]
-    at_z = [shown.table.item(cells["Screen · At z"], column).text() for column in (1, 2)]
-    assert at_z == ["5 cm", "7 cm"]
+    assert list(cells)[differ + 1 :] == ["Images 1 · Receiver · Position"]
+    places = [shown.table.item(differ + 1, column).text() for column in (1, 2)]
+    assert places == ["0, 0, 5 cm", "0, 0, 7 cm"]
     session = two_runs.document.session
     runs.note_check(CheckedLens(session, session.heights), found(0.03))
     errors = [shown.table.item(cells["Verified"], column).text() for column in (1, 2)]

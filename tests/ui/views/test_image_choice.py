@@ -53,7 +53,7 @@ def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
     chooser.setCurrentIndex(1)
     chooser.activated.emit(1)
     qtbot.waitUntil(lambda: all(view._values.shape == (32, 24) for view in views[:3]))
-    scene, target, _ = frame.session.scene.images(frame.session.target)[1]
+    scene, target, _ = frame.session.scene.wanted(frame.session.target)[1]
     elsewhere = frame.state.further[0].irradiance
     np.testing.assert_array_equal(lit._values, elsewhere)
     flux = scene.receiver.total(elsewhere)

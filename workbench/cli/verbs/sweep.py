@@ -25,7 +25,7 @@ def add(commands: Any) -> None:
         "  64x48,128    pairs; 128 alone is 128x128\n"
         "  auto,paper   text",
         [
-            "sweep flame.json --vary lens.control_points=32,64,128 --vary run.seed=0..4",
+            "sweep flame.json --vary lens.back.control_points=64,128 --vary run.seed=0..4",
             "sweep flame.json ball.json -o both/ --jobs 2",
             "sweep flame.json --vary source.position[2]=-5,-8 --dask tcp://host:8786",
         ],
@@ -43,7 +43,9 @@ def add(commands: Any) -> None:
         metavar="FIELD=VALUES",
         action="append",
         default=[],
-        help="values of a field of the scene; may be given several times",
+        help="values of a field of the scene, by its path: run.seed, or of an element by its name, "
+        "lens.thickness, and of its front or back face, lens.back.degree; may be given several "
+        "times",
     )
     parser.add_output(
         "-o",

@@ -52,7 +52,9 @@ class _Face(NamedTuple):
 
     @classmethod
     def of(cls, optic: Element) -> Self:
-        face = next(iter(freeform_nets(optic)))
+        face = next(iter(freeform_nets(optic)), None)
+        if face is None:  # fixed faces come first: the aperture itself is sampled
+            return cls(0.0, 0.0, 1.0)
         low, high = optic.range_of(face) or (-_MOVES * max(optic.half_width),) * 2
         depth = float(optic.place_of(face, 0.0, 0.0)) - optic.front_z
         return cls(
