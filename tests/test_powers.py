@@ -3,37 +3,7 @@
 import numpy as np
 import pytest
 
-from workbench.powers import power_of, with_power, without_power, written
-
-
-@pytest.mark.parametrize("exponent", range(-12, 12))
-def test_a_power_is_a_multiple_of_three_that_leaves_one_to_three_digits(exponent):
-    for digits in (1.0, 5.7, 9.99):
-        top = digits * 10.0**exponent
-        power = power_of(-top / 2, top)
-        assert power % 3 == 0
-        if power:
-            assert 1 <= top / 10.0**power < 1000 * (1 + 1e-12)
-        else:
-            assert 1e-2 <= top < 1e5
-
-
-@pytest.mark.parametrize(
-    ("name", "power", "named"),
-    [
-        ("flux / mm²", -6, "10⁻⁶ flux / mm²"),
-        ("x (cm)", -3, "x (10⁻³ cm)"),
-        ("Gaussian curvature (1 / mm²)", -9, "Gaussian curvature (10⁻⁹ / mm²)"),
-        ("x (m) at y = 0 m", -3, "x (10⁻³ m) at y = 0 m"),
-        ("1 / mm", -12, "10⁻¹² / mm"),
-        ("cd", 6, "10⁶ cd"),
-        ("lx", 0, "lx"),
-    ],
-)
-def test_a_power_stands_in_front_of_the_unit(name, power, named):
-    assert with_power(name, power) == named
-    assert with_power(named, power) == named
-    assert without_power(named) == name
+from workbench.powers import written
 
 
 @pytest.mark.parametrize(

@@ -1,14 +1,10 @@
 """The independent check in steps, and by cells."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from tests.analysis.lenses import net_of
-from workbench.analysis import by_cells
 from workbench.analysis.agreement import Agreement, RandomShare, run_apart
-from workbench.analysis.cells.image import imaging
 from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.validation import validate
@@ -100,28 +96,3 @@ def test_the_error_of_the_lens_itself_is_that_by_cells(lens, target):
     expected = found.loss * found.verified.relative_l2_corrected / found.relative_l2
     assert found.loss_corrected == pytest.approx(expected)
     assert found.loss_corrected == pytest.approx(found.by_cells.loss, rel=0.1)
-
-
-def test_error_by_cells_does_not_depend_on_the_seed(lens, target):
-    scene, heights = lens(POINT)
-    one, two = (validate(scene, target, heights, 1000, seed, accuracy=0.01) for seed in (1, 2))
-    assert one.relative_l2 != two.relative_l2
-    assert one.verified.relative_l2_corrected == two.verified.relative_l2_corrected
-
-
-def test_the_second_opinion_finds_an_image_that_is_off(lens, target, monkeypatch):
-    """Random rays do not agree with an image that is moved by a tenth of a pixel."""
-
-    def moved(*task):
-        found = yield from imaging(*task)
-        irradiance = 0.9 * found.irradiance + 0.1 * np.roll(found.irradiance, 1, axis=1)
-        return replace(found, irradiance=irradiance)
-
-    monkeypatch.setattr(by_cells, "imaging", moved)
-    scene, heights = lens({"kind": "collimated"})
-    found = validate(scene, target, heights, 1_000_000, accuracy=2e-3)
-    off = found.by_cells
-    assert "images by cells and by random rays" in found.contradiction
-    assert found.to_data()["contradiction"] == found.contradiction
-    assert off.unscattered.interval[0] > 0.01
-    assert off.difference_over_noise > 3

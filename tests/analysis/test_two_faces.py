@@ -58,15 +58,6 @@ def test_an_afocal_pair_bends_by_what_one_face_is_tilted(make_scene):
     assert deflected[0] == pytest.approx(-(INDEX - 1) * small, rel=0.01)
 
 
-def test_a_ray_meets_a_decentred_face_where_it_met_the_face_beside(make_scene, rng):
-    heights, shift = {"exit": 0.5 + 0.05 * rng.random((12, 10))}, (0.07, -0.04)
-    scene = make_scene()
-    there, place = leaving(scene, heights, Pose(exit_decentre=shift), 0.3, 0.2)
-    here, beside = leaving(scene, heights, Pose(), 0.3 - shift[0], 0.2 - shift[1])
-    assert there == pytest.approx(here, abs=1e-14)
-    assert place - beside == pytest.approx([*shift, 0.0], abs=1e-14)
-
-
 SOURCES = {
     "collimated": {"kind": "collimated", "rays": [64, 64]},
     "tilted": {"kind": "collimated", "rays": [64, 64], "direction": [5, -3]},

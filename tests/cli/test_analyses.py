@@ -77,20 +77,3 @@ def test_figures(freeform, bowl):
     status, stdout, _ = freeform("manufacture", bowl)
     assert status == 0
     assert "convex radius     -\n" in stdout
-
-
-def test_limits(freeform, bowl, tmp_path):
-    plot = tmp_path / "maps.png"
-    given = "manufacture", bowl, "--min-thickness", 0.45, "--max-slope", 10
-    status, stdout, stderr = freeform(*given, "--plot", plot)
-    assert status == 1
-    assert stderr.startswith("freeform: slope 21")
-    assert stderr.endswith("at most 10° wanted\n")
-    assert "thickness at least 0.45 cm: met\n" in stdout
-    assert "slope at most 10°: NOT MET\n" in stdout
-    assert plot.read_bytes().startswith(b"\x89PNG")
-    status, stdout, _ = freeform(*given, "--json")
-    assert status == 1
-    assert [v["state"] for v in json.loads(stdout)["limits"]] == ["met", "broken"]
-    status, _, stderr = freeform("manufacture", bowl, "--min-radius", 1.0, "--max-thickness", 0.8)
-    assert (status, stderr) == (0, "")

@@ -2,8 +2,7 @@ import json
 
 import pytest
 
-from workbench.analysis.benchmark import frontier, leds, suite
-from workbench.analysis.benchmark.frontier import Course
+from workbench.analysis.benchmark import leds, suite
 from workbench.analysis.benchmark.leds import LedDesign
 from workbench.analysis.benchmark.names import BENCHMARKS
 
@@ -73,45 +72,3 @@ def test_help_lists_every_benchmark(capsys):
     stdout = " ".join(capsys.readouterr().out.split())
     for name, does in BENCHMARKS.items():
         assert f" {name} {does} " in stdout
-
-
-@pytest.fixture
-def before(tmp_path, monkeypatch):
-    """Result of an earlier ``frontier``, and what a new one draws."""
-    drawn = []
-    courses = [
-        Course("flame", "paper", times=(1.0,), errors=(0.5,)),
-        Course("flame", "auto", times=(1.0, 2.0), errors=(0.5, 0.25)),
-        Course("gone", "auto", times=(1.0,), errors=(0.5,)),
-    ]
-    figures = {"seconds": 3.0, frontier.TITLE: frontier.table(courses).to_data()}
-    file = tmp_path / "old" / "frontier.json"
-    file.parent.mkdir()
-    file.write_text(json.dumps(figures))
-    benchmark = suite.SUITE["frontier"]._replace(measure=lambda *_: iter(courses[:1]))
-    monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
-    monkeypatch.setattr("workbench.pictures.benchmark.draw", lambda *given: drawn.append(given[1]))
-    return file, drawn
-
-
-def test_two_results_make_one_picture_and_nothing_is_measured(
-    freeform, before, tmp_path, monkeypatch
-):
-    old, drawn = before
-    new = tmp_path / "new.json"
-    rows = [
-        {"scene": "flame", "method": "auto", "curve": [[1.0, 0.2]], "own_curve": [[0.5, 0.3]]},
-        {"scene": "flame", "method": "paper", "curve": [[2.0, 0.4]]},
-    ]
-    new.write_text(json.dumps({frontier.TITLE: rows}))
-    benchmark = suite.SUITE["frontier"]._replace(measure=lambda *_: pytest.fail("measures"))
-    monkeypatch.setitem(suite.SUITE, "frontier", benchmark)
-    folder = tmp_path / "both"
-    status, stdout, _ = freeform(
-        "benchmark", "frontier", "--result", new, "--against", old, "--output", folder
-    )
-    assert (status, stdout) == (0, f"{folder / 'frontier.png'}\n")
-    ((auto, paper, earlier),) = drawn
-    assert (auto.method, paper.method, earlier.method) == ("auto", "paper", "auto, before")
-    assert auto.curve == [(1.0, 0.2)] and auto.own_curve == ((0.5, 0.3),)
-    assert [path.name for path in folder.iterdir()] == ["frontier.png"]

@@ -113,16 +113,6 @@ def at_first(later):
 
 @pytest.mark.usefixtures("often")
 class TestCheckpoint:
-    def test_a_checkpoint_can_be_continued(self, freeform, scene_file, out, fake_run):
-        left = out.with_name("lens.checkpoint.freeform")
-        fake_run({})
-        assert freeform("design", scene_file, "-o", left)[0] == 0
-        status, _, stderr = freeform("design", left, "-o", out)
-        assert status == 0
-        assert "cut off" not in stderr
-        assert read_session(out).result.iterations == 20
-        assert left.exists()
-
     def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
         program = (
             "import sys, workbench.cli.keeping as keeping; keeping._SECONDS = 0.0; "

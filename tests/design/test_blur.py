@@ -125,23 +125,6 @@ def test_blurred_image_is_the_image_of_many_origins(sun, heights):
     assert middle.account.on_screen == pytest.approx(all_of_it.account.on_screen, abs=5e-3)
 
 
-def test_asymmetric_light_stays_where_it_is(sun):
-    """A wedge moves the light by one pixel along rows and by three across them."""
-    x, y = ControlNet.of(sun.optic).positions
-    wedge = sun.optic.base.height + 0.03 * x[:, None] + 0.09 * y[None, :]
-    heights = {"exit": torch.as_tensor(wedge)}
-    plans = blurred(sun), BeamPlan(sun, Corners(64, 64, 256))
-    middles = []
-    for plan in plans:
-        flux = plan.trace(heights, (20, 20)).flux.double()
-        rows, columns = (torch.arange(n, dtype=torch.float64) for n in flux.shape)
-        middles.append(
-            ((flux.sum(1) @ rows / flux.sum()).item(), (flux.sum(0) @ columns / flux.sum()).item())
-        )
-    assert middles[0] == pytest.approx(middles[1], abs=0.02)
-    assert abs(middles[0][0] - 35.5) > 2.5 and abs(middles[0][1] - 39.5) > 1
-
-
 def test_account_of_a_blurred_image_adds_up_and_counts_its_light(sun, heights):
     light = blurred(sun).trace(heights)
     account = light.account

@@ -6,7 +6,6 @@ import torch
 
 from tests.scene.test_images import SECOND
 from workbench.analysis.metrics import paper_loss, relative_l2
-from workbench.analysis.validation import validate
 from workbench.design.levels import finest_image
 from workbench.design.loss import relative_error
 from workbench.design.run import run
@@ -112,16 +111,3 @@ def test_sessions_keep_all_targets_and_all_light(make_scene, tmp_path):
         shot.state.further[0].irradiance.sum() / 100
     )
     path.unlink()
-
-
-def test_the_check_looks_at_each_image_by_itself(make_scene, tmp_path):
-    session = begin(make_scene({"further_images": [SECOND]}), tmp_path)
-    heights = {"exit": np.full(session.scene.optic.net_shape, 0.5)}
-    found = validate(session.scene, session.target, heights, rays=20_000)
-    for image, each in zip(session.scene.wanted(session.target), found.images, strict=True):
-        alone = validate(image.scene, image.target, heights, rays=20_000)
-        assert each.relative_l2 == alone.relative_l2
-        np.testing.assert_array_equal(each.irradiance, alone.irradiance)
-    data = found.to_data()
-    assert data["further_images"] == [found.further[0].to_data()]
-    assert "further_images" not in found.further[0].to_data()

@@ -58,17 +58,6 @@ def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, un
     assert first.notes[0].endswith("it begins with both faces")
 
 
-def test_a_run_sees_the_error_that_the_check_finds(make_scene, uneven):
-    # Both faces spread light, and some of it leaves through the side: the rim cuts cells.
-    wide = {**FREEFORM, "screen.half_width": [1.8, 1.8], "screen.z": 9.0, "run.iterations": 12}
-    scene = make_scene({**wide, "lens.control_points": [24, 24]})
-    *_, last = run(scene, uneven)
-    assert last.state.account.lost["left_side"] > 1e-3
-    found = validate(scene, uneven, last.state.heights, 20_000, accuracy=2e-3).by_cells
-    assert found is not None
-    assert last.state.loss == pytest.approx(found.loss, rel=0.05)
-
-
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     scene = make_scene({**FREEFORM, "run.iterations": 2})
     start = {

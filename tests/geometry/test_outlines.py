@@ -10,7 +10,6 @@ from workbench.geometry.outlines import Ellipse, Rectangle
 KINDS = pytest.mark.parametrize("kind", [Rectangle, Ellipse])
 HALF = (1.3, 0.7)
 length = st.floats(0.01, 100)
-place = st.floats(-1.2, 1.2)
 
 
 def edges(count, r):
@@ -26,19 +25,6 @@ def test_cells_add_up_to_the_area(kind, r_x, r_y, columns, rows):
     assert inside.shape == (columns, rows)
     assert inside.sum() == pytest.approx(outline.area, rel=1e-12)
     assert (inside >= 0).all()
-
-
-@KINDS
-@given(ends=st.tuples(place, place, place, place))
-def test_a_cell_is_the_sum_of_its_quarters_and_of_its_mirror_image(kind, ends):
-    (a, b), (c, d) = sorted(ends[:2]), sorted(ends[2:])
-    outline = kind((1.0, 1.0))
-    x, y = np.array([a, (a + b) / 2, b])[:, None], np.array([c, (c + d) / 2, d])
-    whole = outline.area_inside((a, b), (c, d))
-    assert outline.area_inside((x[:-1], x[1:]), (y[:-1], y[1:])).sum() == pytest.approx(
-        whole, abs=1e-13
-    )
-    assert outline.area_inside((-b, -a), (c, d)) == pytest.approx(whole, abs=1e-13)
 
 
 def test_a_cut_cell_has_the_area_that_quadrature_finds():
@@ -71,15 +57,3 @@ def test_the_stretch_is_the_determinant_of_the_map(rng):
     np.testing.assert_allclose(
         outline.stretch(u, v), east * south - north * west, rtol=1e-8, atol=1e-9
     )
-
-
-@KINDS
-def test_the_boundary_is_closed_and_on_the_rim(kind):
-    outline = kind(HALF)
-    line = outline.boundary(64)
-    assert len(line) >= 64
-    np.testing.assert_array_equal(line[0], line[-1])
-    assert outline.contains(*(line * (1 - 1e-12)).T).all()
-    assert not outline.contains(*(line * (1 + 1e-12)).T).any()
-    x, y = line.T
-    assert ((x[:-1] * y[1:] - x[1:] * y[:-1]).sum() / 2) == pytest.approx(outline.area, rel=2e-3)

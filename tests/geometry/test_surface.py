@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import NdBSpline
 
-from workbench.geometry.surface import ControlNet, sample_faces
+from workbench.geometry.surface import ControlNet
 
 NETS = [
     ControlNet((4, 4), (3, 3), (1.0, 1.0)),
@@ -52,14 +52,3 @@ def test_refinement_is_exact(net, rng):
     before = net.points(u, v).evaluate(heights)[0]
     after = finer.points(u, v).evaluate(net.refine(heights, finer))[0]
     assert np.abs(after - before).max() < 1e-12
-
-
-def test_samples_run_along_x_then_y_and_include_the_rim(make_scene):
-    lens = make_scene({"lens.half_width": [2.0, 0.5]}).optic
-    x, y = ControlNet.of(lens).positions
-    heights = {"exit": 0.5 + 0.1 * x[:, None] + 0.2 * y[None, :]}
-    points = sample_faces(lens, heights, (5, 3))["exit"]
-    assert points.shape == (5, 3, 3)
-    assert points[0, 0] == pytest.approx([-2, -0.5, 0.5 - 0.2 - 0.1])
-    assert points[-1, 0] == pytest.approx([2, -0.5, 0.5 + 0.2 - 0.1])
-    assert points[0, -1] == pytest.approx([-2, 0.5, 0.5 - 0.2 + 0.1])

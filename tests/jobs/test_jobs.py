@@ -63,13 +63,6 @@ def test_a_proposed_lens_is_thicker_where_its_face_has_to_be_steeper():
     assert near.base.height > far.base.height > far.min_thickness
 
 
-@pytest.mark.parametrize("thickness", [1.0, 12.0])
-def test_stock_limits_the_lens(thickness):
-    lens = SunPlate().with_answers({"thickness": thickness}).scene().optic
-    assert lens.max_thickness == thickness
-    assert 0 < lens.min_thickness < lens.base.height < thickness
-
-
 @pytest.mark.parametrize("above", [900.0, -300.0, 0.0])
 def test_a_lamp_beside_a_wall_sees_the_wall_where_it_is(above):
     job = WallWasher().with_answers({"above": above})

@@ -142,16 +142,3 @@ def test_the_first_of_several_roots(rng, degree, before):
     assert (np.abs(reference.f(depth[odd], odd)) < 1e-9).all()
     assert (depth[odd] <= np.where(expected, roots, np.inf)[odd]).all()
     assert 0.3 < found.mean() < 0.95
-
-
-@pytest.mark.parametrize("dtype", DTYPES)
-def test_rays_that_come_in_over_the_rim_meet_what_is_within_it(dtype):
-    """Beside the face its polynomials go on, and mean nothing: here they dive under the rays."""
-    net = ControlNet((3, 3), (2, 2), (1.0, 1.0))
-    along_x, along_y = np.array([1.0, 5.0, 1.0]), np.array([-0.9, 0.0, 0.9])
-    heights = along_x[:, None] + along_y  # 3 − 2 x² at y = 0
-    # They come in at z = 0.5, before the face, whose rim is at z = 1 there; and at z = 1.5.
-    bundle = np.array([[-1.5, -2.5], [0.0, 0.0], [1.0, 1.0], [0.0, 0.0]])
-    depth, found = meet(net, heights, bundle, dtype)
-    assert found.tolist() == [True, False]
-    assert depth[0] == pytest.approx(1.5 + (13**0.5 - 1) / 4, rel=1e-6)

@@ -9,7 +9,6 @@ import torch
 from workbench.geometry.surface import ControlNet
 from workbench.optics.interfaces import Reflection
 from workbench.optics.path import Path
-from workbench.optics.plan import Plan
 from workbench.optics.rays import RayBundle
 from workbench.optics.receivers import receiver_of
 from workbench.optics.surfaces import Meeting
@@ -160,15 +159,3 @@ def test_slopes_of_hits_are_those_of_central_differences(source):
 
 def _at(heights):
     return {"mirror": torch.as_tensor(heights)}
-
-
-def test_an_image_keeps_rows_at_plus_y_and_columns_at_minus_x():
-    scene = scene_of(screen={"z": -5.0, "half_width": [2.0, 2.0], "pixels": [8, 8]})
-    net = ControlNet.of(scene.optic)
-    x, y = net.positions
-    # Sends light from the middle to x = -1 and y = 0.5, about.
-    heights = -0.1 * x[:, None] + 0.05 * y
-    image = Plan(scene, net).trace({"mirror": torch.as_tensor(heights)}).flux.numpy()
-    row, column = (np.arange(8) + 0.5) @ np.stack([image.sum(axis=1), image.sum(axis=0)], axis=1)
-    assert column / 2 - 2 == pytest.approx(-1, abs=0.05)
-    assert 2 - row / 2 == pytest.approx(0.5, abs=0.05)

@@ -9,10 +9,8 @@ import torch
 from tests.analysis.lenses import net_of
 from workbench.geometry.outlines import Ellipse
 from workbench.optics.beam_plan import BeamPlan
-from workbench.optics.entering import entering
 from workbench.optics.paths import ray_paths
 from workbench.optics.plan import Plan
-from workbench.optics.transmittance import TransmittanceLaw
 
 POINT = {"kind": "point", "position": [0.1, -0.2, -4.0], "rays": 1 << 16}
 ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
@@ -20,18 +18,6 @@ ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
 
 def plate(scene):
     return {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
-
-
-@pytest.mark.parametrize("fused", [True, False])
-@pytest.mark.parametrize("cells", [(1, 1), (6, 5), (64, 50)])
-def test_parallel_light_beside_the_ellipse_misses_the_lens_exactly(make_scene, cells, fused):
-    scene = make_scene(ROUND)
-    image, account = BeamPlan(scene, cells, fused=fused, dtype=torch.float64).trace(plate(scene))
-    assert account.lost["missed_lens"] == pytest.approx(1 - math.pi / 4, abs=1e-14)
-    assert account.lost["left_side"] == pytest.approx(0, abs=1e-14)
-    assert account.lost["fresnel_entrance"] == pytest.approx(0.04 * math.pi / 4, rel=1e-12)
-    assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-12)
-    assert image.sum().item() == pytest.approx(account.on_screen, abs=1e-12)
 
 
 def test_the_image_of_a_plate_is_the_ellipse(make_scene):
@@ -43,18 +29,6 @@ def test_the_image_of_a_plate_is_the_ellipse(make_scene):
     expected = torch.tensor(inside) / (4 * 0.8) * 0.96**2
     assert (image - expected).abs().max() < 0.01 * expected.max()
     assert (image - expected).abs().sum() < 1e-3 * expected.sum()
-
-
-def test_a_round_face_seen_from_its_axis(make_scene):
-    for distance in (1e-3, 0.5, 5.0, 1e4):
-        changes = {"lens.outline": "ellipse", "source": POINT | {"position": [0, 0, -distance]}}
-        scene = make_scene(changes)
-        disc, cap = (
-            r2 / (distance**2 + r2 + distance * math.hypot(distance, math.sqrt(r2)))
-            for r2 in (1, 2)
-        )
-        light = entering(scene.source, scene.optic, TransmittanceLaw.of(scene.optic)[0])
-        assert 1 - light.missed == pytest.approx(disc / cap, rel=1e-12)
 
 
 def test_slanted_rays_that_meet_the_wall_leave_by_the_side(make_scene):

@@ -1,6 +1,5 @@
 """The walk along a path: what elements promise, and what the path makes of them."""
 
-import numpy as np
 import pytest
 import torch
 
@@ -70,19 +69,3 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
     ):
         assert torch.allclose(here, there, rtol=0, atol=1e-12)
     assert other.lost["aside"].item() == 0
-
-
-@SOURCES
-def test_rays_through_a_place_are_followed_to_where_the_trace_sends_them(make_scene, source):
-    scene = make_scene({"source": source})
-    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
-    heights = {"exit": smooth(scene)}
-    x = torch.tensor([0.1, -0.3], dtype=torch.float64)
-    rays = path.emitter.towards(x, 0.5 * x)
-    (entrance, exit_face), arrival = path.follow(rays, heights)
-    assert np.allclose(entrance[0], x) and np.allclose(entrance[1], 0.5 * x)
-    assert np.allclose(entrance[2], scene.optic.entrance_z)
-    places = ControlNet.of(scene.optic).points(*((c.numpy() + 1) / 2 for c in exit_face[:2]))
-    height = places.evaluate(heights["exit"].numpy())[0]
-    assert np.allclose(exit_face[2], height, rtol=0, atol=1e-12)
-    assert arrival.rays.alive.all()

@@ -1,7 +1,6 @@
 """When float32 is enough, and what is done when it is not."""
 
 import numpy as np
-import pytest
 import torch
 
 from workbench.optics.beam_plan import BeamPlan
@@ -9,7 +8,6 @@ from workbench.optics.plan import Plan
 from workbench.optics.precision import nearly_touches, precision_of
 from workbench.optics.samples import Corners
 
-POINT = {"kind": "point", "position": [0, 0, -5.0], "rays": 20_000}
 FAR = {"screen.z": 2e5, "screen.pixels": [64, 64], "lens.height_range": [-0.02, 0.02]}
 
 
@@ -24,17 +22,6 @@ def images(scene):
         Plan(scene, dtype=t).trace({"exit": heights}).flux
         for t in (torch.float32, torch.float64, None)
     ]
-
-
-@pytest.mark.parametrize("source", [{"kind": "collimated", "rays": [512, 512]}, POINT])
-@pytest.mark.parametrize("pixels", [256, 512])
-def test_common_scenes_do_with_float32(make_scene, source, pixels):
-    scene = make_scene(
-        {"source": source, "screen.pixels": [pixels, pixels], "lens.control_points": [128, 128]}
-    )
-    assert precision_of(scene) == torch.float32
-    assert "float32" in Plan(scene).notes[0]
-    assert not any("too few digits" in note for note in Plan(scene).notes)
 
 
 def test_a_far_screen_of_fine_pixels_is_traced_in_float64(make_scene):

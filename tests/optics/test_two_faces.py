@@ -66,22 +66,6 @@ def test_all_light_is_accounted_for_behind_two_faces(make_scene, rng, source):
 
 
 @EACH
-def test_a_plane_as_a_freeform_face_does_what_a_flat_one_does(make_scene, rng, source):
-    scene = make_scene({**LENS, "version": 2, "source": source})
-    entrance = {"shape": "freeform", "height_range": [0, 0.1]}
-    free, flat = (
-        make_scene({**LENS, "version": 2, "source": source, "lens.entrance": each})
-        for each in (entrance, {"shape": "flat"})
-    )
-    plane = torch.zeros(scene.optic.net_shape, dtype=torch.float64)
-    heights = {"entrance": plane, "exit": wavy(scene, rng)["exit"]}
-    two = Plan(free, dtype=torch.float64, fused=False).trace(heights)
-    one = Plan(flat, dtype=torch.float64, fused=False).trace({"exit": heights["exit"]})
-    torch.testing.assert_close(two.flux, one.flux, rtol=1e-9, atol=1e-12)
-    assert two.account.lost == pytest.approx(one.account.lost, abs=1e-12)
-
-
-@EACH
 @pytest.mark.parametrize("face", ["entrance", "exit"])
 def test_the_gradient_of_each_face_is_that_of_differences(make_scene, rng, source, face):
     scene = make_scene({**LENS, "version": 2, "source": source})

@@ -123,25 +123,6 @@ def test_each_receiver_shows_its_own_light(make_scene, plotter, state, explode):
     assert drawn(plotter).astype(int).sum(axis=-1)[row, column] > 300
 
 
-AREA = {"kind": "area", "center": [0.5, 0.0, -4.0], "half_width": [0.8, 0.4]}
-
-
-@pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
-def test_an_emitter_shows_its_face(make_scene, plotter, outline):
-    scene = make_scene({"source": AREA | {"outline": outline}})
-    LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    image = drawn(plotter).astype(int)
-
-    def amber(x, y):
-        row, column = screen_pixel(plotter, (0.5 + x, y, -4.0))
-        red, _, blue = image[row, column]
-        return red > blue + 80
-
-    assert amber(0.11, 0.07) and amber(-0.53, 0.03) and amber(0.03, -0.31)
-    assert amber(0.71, 0.33) == (outline == "rectangle")  # beside the ellipse
-    assert not amber(1.0, 0.0) and not amber(0.0, 0.6)
-
-
 def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     scene = make_scene({"version": 2, "lens.entrance": {"shape": "freeform"}})
     entrance, exit_face = np.full((12, 10), 0.1), np.full((12, 10), 0.5)

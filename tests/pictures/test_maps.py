@@ -46,14 +46,6 @@ def test_gain_is_red_loss_is_blue_and_the_rest_grey(scene, axes):
     assert (colours(axes, picture) == none).all()
 
 
-def test_scale_is_symmetric_and_no_wider_than_the_map(scene, axes):
-    picture = DerivativeImage(axes, scene)
-    derivative = np.zeros((4, 8))
-    derivative[1, 1], derivative[2, 2] = 3.7, -1.2
-    assert [picture.update(derivative) for _ in range(2)] == [True, False]
-    assert picture.artists[0].get_clim() == (-3.7, 3.7)
-
-
 @pytest.fixture
 def maps(make_scene):
     """A bowl that is deeper along x: thickest at the rim, bent most along x."""

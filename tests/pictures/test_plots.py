@@ -9,7 +9,7 @@ from workbench.pictures.axes import Extent, colour_bar, map_image
 from workbench.pictures.error_curves import Curve, draw_sweep
 from workbench.pictures.figure_data import shown_data
 from workbench.pictures.images import IrradianceImage
-from workbench.pictures.loss import LossPicture, Verified
+from workbench.pictures.loss import LossPicture
 from workbench.pictures.section import SectionCurves, cut_through
 
 
@@ -26,16 +26,6 @@ def test_against_seconds(axes):
     assert axes.get_xlim() == (0, 5)
     assert axes.get_xlabel() == "time (s)"
     assert [line.get_xdata()[0] for line in picture._stage_lines] == [0.5]
-
-
-def test_checks_stand_where_the_run_was(axes):
-    picture = LossPicture(axes, "seconds")
-    picture.update(np.array([3.0]), 1, times=np.ones(1), verified=[Verified(7, 0.5, 4.0)])
-    np.testing.assert_array_equal(picture.artists[1].get_xydata(), [[0.5, 4.0]])
-    assert axes.get_ylim() == (2, 5)
-    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["this run", "verified"]
-    assert picture.update(np.array([3.0]), 1, times=np.ones(1)) is True
-    assert axes.get_legend() is None
 
 
 def found(percent, beside=0.1):
@@ -58,13 +48,6 @@ def test_lenses_stand_at_their_numbers_in_order():
     assert axes.get_ylim()[0] == 0
     assert axes.get_legend() is None
     assert axes.get_xlabel() == "Lens · Index"
-
-
-def test_each_value_of_a_second_field_has_a_curve():
-    one, other = (Curve(f"Seed {n}", ("1", "2"), (found(n + 1), found(n + 2))) for n in (0, 1))
-    axes = drawn(one, other)
-    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["Seed 0", "Seed 1"]
-    assert len(axes.containers) == 2
 
 
 @pytest.fixture

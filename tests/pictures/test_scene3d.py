@@ -4,39 +4,12 @@ import numpy as np
 import pytest
 
 from workbench.pictures import meshes
-from workbench.pictures.camera import scene_corners
-from workbench.pictures.compressed import compress_distances
 from workbench.pictures.face_colours import (
     face_colours,
-    lit_normals,
     scale_top,
 )
 from workbench.pictures.lens import LensPicture
 from workbench.pictures.projection import Projection
-
-POINT = {"kind": "point", "position": [0.3, -0.2, -400.0], "rays": 100}
-
-
-GRID = {
-    "kind": "grid",
-    "center": [0.0, 1.0, -80.0],
-    "half_width": [2.0, 1.0],
-    "points": [5, 5],
-    "rays": 10,
-}
-
-
-@pytest.mark.parametrize("source", [None, POINT, GRID])
-def test_a_far_and_wide_screen_leaves_the_lens_a_good_part_of_the_picture(make_scene, source):
-    changes = {"screen.z": 500.0, "screen.half_width": [200.0, 100.0]}
-    scene = make_scene(changes if source is None else {**changes, "source": source})
-    corners = scene_corners(compress_distances(scene))
-    extent = corners.max(axis=0) - corners.min(axis=0)
-    assert (extent <= 2 * max(scene.optic.half_width) * np.array([1.5, 1.5, 4.5])).all()
-    drawn = compress_distances(scene).receiver
-    assert drawn.half_width[0] == pytest.approx(2 * drawn.half_width[1])
-    assert compress_distances(scene).optic == scene.optic
-
 
 X, Y = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-1, 1, 31), indexing="ij")
 
@@ -54,18 +27,6 @@ def test_bowls_are_red_and_humps_blue():
     red, _, blue = np.moveaxis(rgb(0.1 * X**3, "curvature"), -1, 0)  # a hump at -x, a bowl at +x
     assert (red[35] > blue[35]).all()
     assert (red[5] < blue[5]).all()
-
-
-def test_relief_is_lit_as_if_it_were_higher_and_a_smooth_face_as_it_is():
-    smooth = 0.3 * X**2 - 0.1 * X * Y + 0.2 * Y
-    fine = smooth + 1e-3 * np.sin(12 * X)
-    plain, exaggerated = (lit_normals(surface(fine), high) for high in (False, True))
-    assert plain == pytest.approx(meshes.normals(surface(fine)))
-    change = np.abs(lit_normals(surface(smooth), True) - meshes.normals(surface(smooth)))
-    assert change.max() < 1e-6
-    off = [np.abs(each - meshes.normals(surface(smooth))).max() for each in (plain, exaggerated)]
-    assert off[1] > 20 * off[0]
-    assert np.linalg.norm(exaggerated, axis=1) == pytest.approx(1.0)
 
 
 @pytest.fixture(params=["parallel", "perspective"])

@@ -73,10 +73,20 @@ def test_too_small_a_number_is_refused_with_what_is_possible(make_scene, changes
     assert refused.value.path == path
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-@pytest.mark.parametrize("distance", [1e-10, 1e-3, 3e11])
-@pytest.mark.parametrize("aside", [0.0, 0.7, 3.0])
-@pytest.mark.parametrize("index", [1.0003, 1.5, 10.0])
+@pytest.mark.parametrize(
+    ("scale", "distance", "aside", "index"),
+    [  # each value beside each value of every other limit
+        (1e-6, 1e-10, 0.0, 1.0003),
+        (1e-6, 1e-3, 0.7, 1.5),
+        (1e-6, 3e11, 3.0, 10.0),
+        (1.0, 1e-10, 0.7, 10.0),
+        (1.0, 1e-3, 3.0, 1.0003),
+        (1.0, 3e11, 0.0, 1.5),
+        (1e6, 1e-10, 3.0, 1.5),
+        (1e6, 1e-3, 0.0, 10.0),
+        (1e6, 3e11, 0.7, 1.0003),
+    ],
+)
 def test_at_the_limits_the_account_adds_up(make_scene, scale, distance, aside, index):
     way = max(distance, 1.0)
     position = [aside * way * scale, 0.0, -distance * scale]

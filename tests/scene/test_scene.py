@@ -161,20 +161,6 @@ def test_refusals_name_the_field_the_value_and_what_is_allowed(make_scene, path,
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize(
-    "source",
-    [
-        {"kind": "point", "position": [7, -9, -1e-9]},
-        {"kind": "grid", "center": [0, 0, -5], "half_width": [0, 1], "points": [1, 512]},
-    ],
-)
-def test_sources_before_the_lens_survive_their_file(make_scene, source):
-    scene = make_scene({"source": source})
-    assert Scene.from_json(scene.to_json()) == scene
-    assert scene.source.emission == "uniform"
-    assert scene.source.rays == (500_000 if source["kind"] == "point" else 1000)
-
-
 @pytest.mark.parametrize("text", ["", "{", "[]", "null", '{"lens": 5}', "\x00", '{"a": 1} x'])
 def test_data_that_are_no_scene_are_refused_in_one_sentence(text):
     with pytest.raises(Refused) as refused:

@@ -60,16 +60,6 @@ def test_srgb_is_decoded_as_a_monitor_does(tmp_path, stored, light):
     )
 
 
-def test_transparency_lies_over_black(tmp_path):
-    rgba = np.full((2, 2, 4), 255, dtype=np.uint8)
-    rgba[..., 3] = [[0, 51], [102, 255]]
-    alpha = np.array([[0, 0.2], [0.4, 1]])
-    image = Image.fromarray(rgba)
-    np.testing.assert_allclose(read_image(saved(tmp_path, image, "a.png")), alpha, rtol=1e-12)
-    grey_alpha = saved(tmp_path, image.convert("LA"), "b.png")
-    np.testing.assert_allclose(read_image(grey_alpha), alpha, rtol=1e-12)
-
-
 @pytest.mark.parametrize("name", ["a.tif", "a.png", "a.webp"])
 @pytest.mark.parametrize("orientation", range(1, 9))
 def test_orientation_in_the_file_is_honoured(tmp_path, name, orientation):

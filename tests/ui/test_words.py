@@ -203,22 +203,3 @@ def test_no_text_is_shown_that_is_not_translated():
         for line, text in texts_that_bypass(ast.parse(file.read_text(encoding="utf-8")))
     }
     assert not found, f"shown as they are: {found}; wrap each in `ui.words.tr`"
-
-
-@pytest.mark.parametrize(
-    ("shown", "bypasses"),
-    [
-        ('label.setText("Ready")', True),
-        ('QLabel(f"Moved by {x} mm")', True),
-        ('field.setToolTip("Wide" if wide else tr("Narrow"))', True),
-        ('QLineEdit(placeholderText="Type here")', True),
-        ('_HINT = later("Ready")\nlabel.setText(_HINT)', True),
-        ('_HINT = later("Ready")\nlabel.setText(tr(_HINT))', False),
-        ('label.setText(tr("Ready"))', False),
-        ('label.setText(f"<b>{name}</b>")', False),
-        ('label.setText("…")', False),
-        ('widget.setObjectName("figures")', False),
-    ],
-)
-def test_texts_that_bypass_translation_are_found(shown, bypasses):
-    assert bool(list(texts_that_bypass(ast.parse(shown)))) is bypasses

@@ -6,11 +6,8 @@ import pytest
 from workbench.analysis.benchmark import frontier
 from workbench.analysis.benchmark.fresh import FreshRun
 from workbench.analysis.benchmark.frontier import (
-    Course,
     Effort,
-    TracedError,
     courses,
-    table,
     verified,
 )
 from workbench.analysis.benchmark.methods import METHODS, MethodLens
@@ -106,26 +103,3 @@ def test_a_failed_method_is_reported_and_the_others_run(scripted, progress, monk
     assert failed.failure == "no light"
     assert failed.error is None and failed.sooner is None
     assert fine.failure == "" and fine.error > 0 and fine.sooner is None
-
-
-def test_table_agrees_with_the_courses():
-    course = Course(
-        "flame",
-        "auto",
-        10_000,
-        (0.1, 1.0),
-        (0.5, 0.125),
-        ((0.1, 0.5), (1.0, 0.12)),
-        TracedError(0.125, 0.001, 0.9),
-        3.0,
-        2_000_000,
-    )
-    made = table([course])
-    (data,) = made.to_data()
-    assert data["curve"] == [(0.1, 0.5), (1.0, 0.125)]
-    assert data["own_curve"] == ((0.1, 0.5), (1.0, 0.12)) and data["pixels"] == 10_000
-    assert data["megabytes"] == 2.0 and data["sooner"] is None
-    row = made.to_markdown().splitlines()[4]
-    assert row == (
-        "| flame | auto | 12.50% | 0.10% | 12.00% | 0.960 | 90.0% | 1.0 | 3.0 | 100 | 2 | – |  |"
-    )

@@ -17,7 +17,6 @@ from workbench.analysis.benchmark.experiments import (
 from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT
 from workbench.analysis.benchmark.suite import SUITE
 from workbench.analysis.validation import validate
-from workbench.scene import PaperRun, PointSource
 from workbench.targets import load_target
 
 
@@ -46,21 +45,6 @@ def test_reads_what_ships():
     np.testing.assert_array_equal(example.target, load_target(example.scene, shipped.file.parent))
 
 
-def test_changes_are_merged_and_other_kinds_replace():
-    example = BenchmarkTask.of(
-        "tophat",
-        lens={"control_points": [8, 9]},
-        source={"kind": "point", "position": [0, 0, -5], "rays": 10},
-        run={"method": "paper", "iterations": 3},
-        unit="mm",
-    )
-    scene = example.scene
-    assert scene.optic.control_points == (8, 9) and scene.optic.index == 1.5
-    assert isinstance(scene.source, PointSource) and scene.source.rays == 10
-    assert isinstance(scene.run, PaperRun) and scene.run.iterations == 3
-    assert scene.unit == "mm"
-
-
 RAYS = 10_000
 
 
@@ -82,14 +66,6 @@ def test_a_design_is_judged_by_the_independent_check(make_example, progress):
         found.times[-1] - found.times[0]
     )
     assert progress.lines[-1] == ("small, paper", "verifying")
-
-
-def test_a_run_that_fails_is_a_row_that_says_why(impossible, progress):
-    found = design(impossible, "paper", RAYS, progress)
-    assert "no light reaches the screen" in found.failure
-    assert found.result is None and found.error is None and found.loss is None
-    row, _ = tables([found])
-    assert "no light reaches the screen" in row.to_markdown()
 
 
 def test_every_experiment_of_the_paper_is_there():

@@ -155,14 +155,6 @@ def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, 
     assert max(left) < 1.3 * deviation.size * mm
 
 
-def test_a_mould_is_the_face_turned_over(program):
-    """The wedge's high side is at +x; turned over about y, the mould is high there, too."""
-    for negative in (False, True):
-        x, _, z = moves(program(negative=negative)[0].getvalue().decode()).T
-        high, low = z[x > 9].mean(), z[x < -9].mean()
-        assert high > low
-
-
 def test_a_cutter_that_does_not_fit_is_refused_with_one_that_fits(program):
     def height(x, y):
         return 0.5 + 0.02 * np.cos(40 * x) + 0 * y

@@ -1,7 +1,6 @@
 """Intensity and rays of the finished lens, read again by us and by other programs' readers."""
 
 import re
-from itertools import pairwise
 
 import numpy as np
 import photompy
@@ -82,29 +81,6 @@ def test_the_stated_error_is_the_distance_from_the_closed_form(design, write, na
     assert table.lumens == pytest.approx(1000 * leaving(design).flux.sum(), rel=0.01)
 
 
-def test_light_has_no_more_error_than_rays_scatter(make_design, write):
-    """Rays of the reference, which draws no beams, go where the table says; they scatter a bit."""
-    design = make_design({"source.rays": [900, 900], "lens.reflection": "none"})
-    path, deviation = write(write_ies, design, "wavy.ies")
-    table, rays = opened(path, read_photometry), leaving(design)
-    x, y, z = rays.direction.T
-    h, v = np.degrees(np.arctan2(x, z)), np.degrees(np.arcsin(y))
-    edges = np.linspace(-1, 1, 25)
-    ends = [edges * np.abs(angle).max() for angle in (v, h)]
-    counted, _, _ = np.histogram2d(v, h, ends, weights=rays.flux)
-    angles = [
-        np.concatenate([np.linspace(a, b, 24, False) + (b - a) / 48 for a, b in pairwise(end)])
-        for end in ends
-    ]
-    fine_v, fine_h = np.meshgrid(*angles, indexing="ij")
-    solid = np.cos(np.radians(fine_v)) * np.radians(np.diff(ends[0])[0] / 24)
-    solid *= np.radians(np.diff(ends[1])[0] / 24)
-    said = (table.at(directions_of(fine_h, fine_v)) * solid).reshape(24, 24, 24, 24).sum((1, 3))
-    scatter = np.sqrt(np.square(rays.flux).sum()) / np.linalg.norm(counted)
-    found = np.linalg.norm(said / 1000 - counted) / np.linalg.norm(counted)
-    assert found < 1.2 * np.hypot(deviation.size / 100, scatter)
-
-
 @pytest.mark.usefixtures("coarse_tables")
 def test_other_programs_read_the_same_intensity(design, write):
     ies, _ = write(write_ies, design, "lens.ies")
@@ -123,18 +99,6 @@ def test_other_programs_read_the_same_intensity(design, write):
     other = pyldt.LdtReader.read(ldt)
     assert np.allclose(other.intensities, ours.candela[:-1], rtol=1e-5, atol=1e-5)
     assert other.header.lamp_flux == [1000.0]
-
-
-@pytest.mark.usefixtures("coarse_tables")
-def test_light_that_is_bent_aside_is_on_its_side(make_design, write):
-    """A prism that is thicker at +x bends light to +x, which is C0, and one at +y to C270."""
-    x, y = np.linspace(-1, 1, 12)[:, None], np.linspace(-1, 1, 10)
-    for heights, plane in ((0.5 + 0.2 * x + 0 * y, 0.0), (0.5 + 0.2 * y + 0 * x, 270.0)):
-        design = make_design({"lens.half_width": [1.0, 1.0]}, heights)
-        path, _ = write(write_ies, design, f"prism-{plane:g}.ies")
-        table = opened(path, read_photometry)
-        brightest, _ = np.unravel_index(table.candela.argmax(), table.candela.shape)
-        assert abs((table.c[brightest] - plane + 180) % 360 - 180) < 0.5
 
 
 @pytest.mark.usefixtures("coarse_tables")

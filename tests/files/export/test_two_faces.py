@@ -8,7 +8,6 @@ from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.iges import write_iges
 from workbench.files.export.point_cloud import write_points
 from workbench.files.export.step import write_step
-from workbench.files.export.tessellation import Tessellation
 
 NETS = {
     "the same net": {"shape": "freeform"},
@@ -86,24 +85,6 @@ class TestSolid:
         found = read_solid(path)
         assert found.is_valid
         assert found.volume == pytest.approx(1e3 * volume_within(design), rel=EXACT[outline])
-
-
-class TestMesh:
-    @OUTLINES
-    def test_the_chord_error_holds_at_both_faces(self, two_faced, entrance, rng, outline):
-        wanted = 5e-3
-        design = two_faced(entrance | {"lens.outline": outline}, chord_error=wanted)
-        found = Tessellation.of(design)
-        body = found.body()
-        cells = 2 * (found.z.shape[0] - 1) * (found.z.shape[1] - 1)
-        largest = 0.0
-        for face, triangles in zip(
-            design.faces, (body.triangles[:cells], body.triangles[-cells:]), strict=True
-        ):
-            corners = body.vertices[triangles]
-            x, y, z = np.einsum("tk,tkc->ct", rng.dirichlet([1, 1, 1], len(triangles)), corners)
-            largest = max(largest, np.abs(z - face.net.at(x, y, face.heights)[0]).max())
-        assert largest <= found.chord_error(design) * 1.05 <= 1.05 * wanted
 
 
 class TestFilesOfOneFace:

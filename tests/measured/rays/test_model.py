@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from tests.lamps import led
-from tests.measured.rays.files import text
 from workbench.measured.lamps import of_known_size, placed_rays, ray_model
 from workbench.measured.rays.model import _misplaced_flux
 from workbench.scene import Scene
@@ -69,23 +68,6 @@ def test_size_of_a_model_is_that_of_the_uniform_emitter_of_its_rays(
     assert found.center == pytest.approx((0.1, 0.0, -3.0), abs=0.05)
     assert found.half_width[0] == pytest.approx(half_width, rel=0.02)
     assert of_known_size(found, scene.optic) is found
-
-
-def test_light_of_a_lamp_with_a_collimator_comes_as_from_far(make_scene, tmp_path):
-    # 2 cm wide and slanted by 0.01 in the mean: each place of the lens sees it at that angle alone.
-    generator = np.random.default_rng(1)
-    starts, slopes = generator.uniform(-1, 1, (4000, 2)), generator.normal(0, 0.01, (4000, 2))
-    n = 1 / np.sqrt(1 + np.square(slopes).sum(axis=1))
-    rows = np.column_stack([starts, np.zeros(4000), slopes * n[:, None], n, np.ones(4000)])
-    (tmp_path / "torch.csv").write_bytes(text(rows))
-    source = {"kind": "ray_file", "file": str(tmp_path / "torch.csv"), "file_unit": "cm"}
-    scene = make_scene({"source": source | {"position": [0.0, 0.0, -3.0]}})
-
-    found = of_known_size(scene.source, scene.optic)
-
-    away = -found.center[2]
-    assert away > 100
-    assert found.half_width[0] / away == pytest.approx(np.sqrt(3) * 0.01, rel=0.25)
 
 
 def test_model_states_how_far_its_light_on_the_lens_is_from_its_rays(scene):

@@ -7,7 +7,6 @@ import pytest
 from tests.measured.rays.files import dat, rays, text, tm25
 from workbench.errors import Refused
 from workbench.measured.rays import RaySet, read_rays
-from workbench.measured.rays.rayset import Columns, gathered
 
 TABLE = rays(1000)
 
@@ -127,18 +126,6 @@ def test_text_that_is_wrong_is_refused(content: bytes, said: str) -> None:
 
     assert said in str(refused.value)
     assert len(str(refused.value)) < 200
-
-
-def test_many_rays_are_thinned_and_their_flux_stays() -> None:
-    table = rays(100_000)
-
-    found = gathered(iter(np.split(table, 10)), Columns(), 100_000, "mm", most=1000)
-
-    assert 1000 <= len(found.flux) <= 1010
-    assert found.in_file == 100_000
-    assert found.total == pytest.approx(table[:, 6].sum(dtype=float), rel=1e-6)
-    kept = {row.tobytes() for row in found.position}
-    assert kept < {row.tobytes() for row in np.ascontiguousarray(table[:, :3])}
 
 
 @pytest.mark.parametrize("name", ["led.tm25ray", "led.dat", "led.csv"])

@@ -193,7 +193,7 @@ def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dt
     nodes = CompiledTrain(path).nodes(heights)
     a, b = slopes_at(cells, outline, inner)
     slope = np.hypot(a, b)
-    aside = slope * (scene.screen.z - source - thickness) + slab(
+    aside = slope * (scene.receiver.z - source - thickness) + slab(
         slope, thickness, scene.optic.index
     )
     columns, rows = (10 + part * aside / np.where(slope > 0, slope, 1) for part in (a, -b))
@@ -227,7 +227,7 @@ def test_a_plate_before_the_lens_shifts_light_towards_the_axis(make_scene, tilt)
     a, b = slopes_at(cells, outline, 1.0)
     a = a - tilt
     slope = np.hypot(a, b)
-    aside = slope * (scene.screen.z + 3 - thick - 0.5)
+    aside = slope * (scene.receiver.z + 3 - thick - 0.5)
     aside = aside + slab(slope, thick, INDEX) + slab(slope, 0.5, scene.optic.index)
     by_slope = aside / np.where(slope > 0, slope, 1)
     assert nodes.hits[0].numpy() == pytest.approx(10 + tilt + a * by_slope, abs=1e-9)

@@ -1,12 +1,10 @@
 """Every pane is reachable by keyboard, and the one with the focus is told from the others."""
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLineEdit
 
 from tests.ui.hands import editor
-from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 
 
@@ -15,14 +13,13 @@ def holds_focus(pane):
     return focused is not None and (pane is focused or pane.isAncestorOf(focused))
 
 
-@pytest.mark.parametrize("name", [name for name in PANES if name != "scene"])
-def test_a_command_shows_a_dock_and_focuses_it(window, name, qtbot):
-    window.workspace.docks[name].hide()
-    window.commands[f"go_{name}"].trigger()
-    dock = window.workspace.docks[name]
-    qtbot.waitUntil(lambda: not dock.visibleRegion().isEmpty())
-    assert holds_focus(dock)
-    assert dock.property("active") is True
+def test_commands_show_and_focus_every_dock(window, qtbot):
+    for name, dock in window.workspace.docks.items():
+        dock.hide()
+        window.commands[f"go_{name}"].trigger()
+        qtbot.waitUntil(lambda dock=dock: not dock.visibleRegion().isEmpty())
+        assert holds_focus(dock), name
+        assert dock.property("active") is True
 
 
 def test_keys_cycle_the_focus_through_all_visible_panes(window, qtbot):

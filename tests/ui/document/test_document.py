@@ -185,25 +185,3 @@ def test_saving_where_nothing_can_be_written_keeps_the_design_dirty(document, tm
         document.save(tmp_path / "missing" / "design.freeform")
     assert document.dirty
     assert document.path is None
-
-
-def test_undoing_a_new_task_gives_name_and_file_back(document, tmp_path):
-    document.save(tmp_path / "first.freeform")
-    first, other = (
-        document.session,
-        Session(
-            small_scene(screen={"z": 7, "half_width": [1, 1], "pixels": [12, 10]}),
-            document.session.target,
-        ),
-    )
-    document.begin(other, "Torch")
-    assert (document.name, document.path, document.dirty) == ("Torch", None, True)
-    named = []
-    document.path_changed.connect(lambda: named.append(document.name))
-    document.undo_stack.undo()
-    assert document.session is first
-    assert (document.name, document.path) == ("first", tmp_path / "first.freeform")
-    assert named == ["first"] and not document.dirty
-    document.undo_stack.redo()
-    assert document.session is other
-    assert (document.name, document.path) == ("Torch", None)

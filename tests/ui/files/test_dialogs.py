@@ -1,11 +1,8 @@
 """Dialogs for files begin where a person has files of this kind."""
 
-import numpy as np
 import pytest
-from PIL import Image
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from tests.ui.hands import choose
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 
@@ -71,15 +68,3 @@ def test_a_folder_is_remembered_for_the_next_window(make, document, session, ask
     pictures.rmdir()
     make(other).to_open("image", "Open", "")
     assert begun[3] == begun[2]  # a folder that is gone is none to begin in
-
-
-def test_an_image_for_the_target_is_asked_for(window, asked, folders):
-    _, pictures, _ = folders
-    begun, answers = asked
-    image = pictures / "target.png"
-    Image.fromarray(np.eye(8, dtype=np.uint8) * 255).save(image)
-    answers.append(image)
-    choose(window.forms, "images[0].target.builtin", "image")
-    assert window.document.session.scene.target.image == str(image)
-    choose(window.forms, "images[0].target.builtin", "image")
-    assert begun[1] == str(pictures)

@@ -8,10 +8,8 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QTimer
 
-from tests.ui.hands import accept_as
 from workbench.files.export.cutting import Cutting
 from workbench.files.export.design import Design
-from workbench.files.export.formats import formats_for
 from workbench.files.export.gcode import planning
 from workbench.watch import finished
 
@@ -99,11 +97,3 @@ def test_the_writing_of_g_code_shows_its_progress_and_can_be_cancelled(
     window.exporter.export(path, plan)
     qtbot.waitUntil(lambda: str(path) in window.messages.text)
     assert path.read_text().endswith("M5\nM30\n")
-
-
-def test_the_dialog_offers_every_format_and_adds_its_ending(window, tmp_path, qtbot):
-    window.document.save(tmp_path / "mine.freeform")
-    formats = accept_as("*.height.npy")
-    assert window.exporter.ask_for_name() == tmp_path / "mine.height.npy"
-    in_two_units = [each for each in formats_for(["exit"]) if each.takes_unit]
-    assert len(formats) == len(formats_for(["exit"])) + len(in_two_units)

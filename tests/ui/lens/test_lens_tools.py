@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.hands import move_screen
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
 from ui.files.scene_pictures import ScenePictures
 from workbench.optics.plan import Plan
@@ -15,13 +14,6 @@ from workbench.optics.plan import Plan
 pytestmark = pytest.mark.usefixtures("kernels")
 
 POINT = {"kind": "point", "position": [0.0, 0.0, -3.0], "rays": 4096}
-GRID = {
-    "kind": "grid",
-    "center": [0.0, 0.0, -3.0],
-    "half_width": [0.5, 0.5],
-    "points": [5, 5],
-    "rays": 64,
-}
 
 
 def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
@@ -131,18 +123,6 @@ def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtb
     assert view.nets.brush is None
 
 
-def test_a_change_of_the_design_ends_the_drag(sculpting, drag, qtbot):
-    tools, view, document = sculpting, sculpting.view, sculpting.document
-    held = drag(view, control_point(tools, (6, 5)))
-    held.move(upwards(view, 0.1))
-    move_screen(document, 6)
-    held.move(upwards(view, 0.1))
-    held.release()
-    qtbot.waitUntil(lambda: view.frame.session is document.session, timeout=20_000)
-    assert document.undo_stack.count() == 1
-    assert (view.frame.state.heights["exit"] == 0.5).all()
-
-
 def test_locked_points_do_not_move(sculpting, drag):
     tools = sculpting
     tools.commands["lock_all"]()
@@ -229,27 +209,6 @@ def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     assert view.frame.source.position == (x, y, z)
     document.undo_stack.undo()
     assert document.session.scene.source.position == (0.0, 0.0, -3.0)
-
-
-def test_a_corner_widens_the_grid_unless_exploded(make_tools, drag, qtbot):
-    tools = make_tools({"source": GRID})
-    view, corner = tools.view, (0.5, 0.5, -3.0)
-    tools.commands["move_source"]()
-    qtbot.waitUntil(lambda: view.handles._source is not None)
-    held = drag(view, seen_at(view, corner))
-    held.move(seen_at(view, (0.8, 0.6, -3.0)) - seen_at(view, corner))
-    held.release()
-    source = tools.document.session.scene.source
-    assert source.half_width == (pytest.approx(0.8, abs=0.05), pytest.approx(0.6, abs=0.05))
-    assert source.position == (0.0, 0.0, -3.0)
-    qtbot.waitUntil(lambda: view.frame.session is tools.document.session, timeout=20_000)
-    view.explode(True)
-    qtbot.waitUntil(lambda: view._shown is not None)
-    held = drag(view, seen_at(view, view.handles._markers._mesh.points[-1]))
-    held.move(QPoint(20, 5))
-    held.release()
-    assert tools.document.undo_stack.count() == 1
-    assert "to scale" in tools.said[-1]
 
 
 def hold_key(view, key, times, as_repeats=True):

@@ -59,14 +59,3 @@ def test_notice_names_the_cure_and_goes_with_the_lens(desk):
     assert desk.messages.text == SAID
     desk.document.undo_stack.undo()
     assert desk.messages.text == ""
-
-
-def test_light_beside_the_screen_is_for_the_run_to_bring_back(desk):
-    desk.lose(replace(LOST, lost={**LOST.lost, "off_screen": 0.64, "left_side": 0.0}))
-    assert desk.messages.text == ""
-
-
-def test_notice_does_not_replace_another_message(desk):
-    desk.messages.warn("The disk is full.")
-    desk.lose(LOST)
-    assert desk.messages.text == "The disk is full."

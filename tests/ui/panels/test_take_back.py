@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from tests.ui.hands import choose, editor, enter, fill, move_screen, row, rows
+from tests.ui.hands import choose, enter, fill, move_screen, row, rows
 from workbench.errors import Refused
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -90,33 +90,3 @@ def test_undo_takes_a_refused_entry_back_and_only_then_a_step(begin, qtbot, entr
     assert not window.forms.refused and shown(window.forms) == before
     qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
     assert window.document.session.scene.receiver.z == 5
-
-
-@pytest.mark.parametrize(("entry", "changes"), ENTRIES)
-def test_escape_takes_a_refused_entry_back_from_any_field(begin, qtbot, entry, changes):
-    window = begin(changes)
-    session, before = window.document.session, shown(window.forms)
-    entry(window, qtbot)
-    elsewhere = editor(window.forms, "run.seed")
-    elsewhere.setFocus()
-    qtbot.keyClick(elsewhere, Qt.Key.Key_Escape)
-    assert window.document.session is session
-    assert not window.forms.refused and shown(window.forms) == before
-
-
-def test_escape_takes_all_refused_entries_and_typed_text_back(begin, qtbot):
-    window = begin()
-    before = shown(window.forms)
-    enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
-    enter(qtbot, window.forms, "images[0].receiver.half_width[0]", "wide")
-    field = enter(qtbot, window.forms, "run.seed", "1", key=None)
-    qtbot.keyClick(field, Qt.Key.Key_Escape)
-    assert shown(window.forms) == before and not window.forms.refused
-
-
-def test_an_entry_that_is_refused_during_a_run_is_taken_back(begin, qtbot):
-    window = begin()
-    window.forms.set_running(True)
-    field = enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
-    qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
-    assert field.text() == "7" and not window.forms.refused

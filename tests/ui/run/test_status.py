@@ -4,7 +4,6 @@ import dataclasses
 
 import pytest
 
-from ui.widgets.log_view import LogView
 from workbench.errors import RunFailed
 from workbench.scene import Stage
 
@@ -17,14 +16,6 @@ def lines(log):
 
 def sentences(log):
     return [text for _, text in lines(log)]
-
-
-def test_the_oldest_lines_are_dropped(qtbot):
-    log = LogView()
-    qtbot.addWidget(log)
-    for number in range(2500):
-        log.add(str(number))
-    assert sentences(log) == [str(number) for number in range(500, 2500)]
 
 
 @pytest.fixture

@@ -64,11 +64,3 @@ def test_moments_and_checks_follow_the_result(task, run):
     assert shown(history) == [] and history.checks == ()
     history.show(second)
     assert shown(history) == [0, 1, 2]
-
-
-def test_memory_of_all_courses_is_bounded(run):
-    history = FrameHistory(budget=9_000)
-    sessions = [run(history, 3, size=2000) for _ in range(3)]
-    for session, at in zip(sessions, ([], [0, 1, 2, 3], [0, 1, 2, 3]), strict=True):
-        history.show(session)
-        assert shown(history) == at

@@ -63,16 +63,3 @@ def test_all_views_show_the_image_that_is_chosen_in_one(views, frame, qtbot):
     qtbot.waitUntil(lambda: section._shown.scene.receiver == scene.receiver)
     qtbot.waitUntil(lambda: light.texts()["On the screen"] == "30.00 %")
     assert all(choice(view).currentIndex() == 1 for view in (lit, wanted, off, light))
-
-
-def test_there_is_no_choice_where_there_is_one_image(views, frame, frames, qtbot):
-    for view in views:
-        view.show_frame(frame)
-    qtbot.waitUntil(lambda: choice(views[0]).isVisible())
-    views[0]._link.show_image(1)
-    alone = frames(1)
-    for view in views:
-        view.show_frame(alone)
-    shown = [views[k] for k in (0, 1, 2, 4)]
-    qtbot.waitUntil(lambda: not any(choice(view).isVisible() for view in shown))
-    np.testing.assert_array_equal(views[0]._values, alone.state.irradiance)

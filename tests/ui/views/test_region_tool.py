@@ -72,19 +72,6 @@ def test_clicks_mark_a_polygon(hand):
     assert hand.link.draft == ()
 
 
-def test_escape_gives_up_a_polygon_and_then_leaves(hand):
-    hand.click(-0.5, -0.5)
-    hand.click(0.5, -0.5)
-    hand.key(Qt.Key.Key_Escape)
-    assert hand.link.draft == () and hand.link.marking
-    hand.click(0.5, 0.5)
-    hand.key(Qt.Key.Key_Return)  # one corner is no polygon
-    assert hand.regions == ()
-    hand.key(Qt.Key.Key_Escape)
-    assert not hand.link.marking
-    assert not hand.window.commands["mark_region"].isChecked()
-
-
 def test_sides_that_cross_are_refused_in_words(hand):
     for place in ((-0.5, -0.5), (0.5, 0.5), (0.5, -0.5), (-0.5, 0.2)):
         hand.click(*place)

@@ -5,7 +5,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QScreen
 
 from tests.ui.hands import move_screen
-from ui.document.undo_steps import UndoSteps
 from ui.window.workspace import _FORMS_SHARE, _IMAGES
 
 
@@ -33,13 +32,11 @@ def test_irradiance_target_and_difference_have_a_third_of_the_window(
     assert sum(dock.width() * dock.height() for dock in docks) >= size[0] * size[1] / 3
 
 
-STEPS = 300
+STEPS = 60
 
 
-def test_hundreds_of_steps_are_listed_and_gone_through_by_keyboard(window, qtbot, monkeypatch):
-    # Neither forms that show each of them nor the account of memory are tried here.
-    window.document.blockSignals(True)
-    monkeypatch.setattr(UndoSteps, "_forget_oldest", lambda self: None)
+def test_many_steps_are_listed_and_gone_through_by_keyboard(window, qtbot):
+    window.document.blockSignals(True)  # forms do not show each step
     for number in range(STEPS):
         move_screen(window.document, 6 + number, f"screen at {6 + number}")
     window.document.blockSignals(False)
