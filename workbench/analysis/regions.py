@@ -102,7 +102,7 @@ def light_of_regions(
     --------
     >>> import numpy as np
     >>> from workbench.scene import RectangleRegion, Screen
-    >>> screen = Screen(z=5, half_width=(1, 1), pixels=(4, 4))
+    >>> screen = Screen(position=(0, 0, 5), half_width=(1, 1), pixels=(4, 4))
     >>> even = np.full((4, 4), 0.25)
     >>> light_of_regions([RectangleRegion(name="Desk", size=(0.5, 0.5))], screen, even)
     (RegionLight(name='Desk', share=0.25, mean=0.25, least=0.25, most=0.25),)
