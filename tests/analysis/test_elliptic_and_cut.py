@@ -76,7 +76,7 @@ def test_each_distance_as_if_the_screen_stood_there(lens):
 
 
 def test_within_the_lens(lens):
-    with pytest.raises(Refused, match=r"screen\.z: 0\.7 may touch the lens"):
+    with pytest.raises(Refused, match=r"images\[0\]\.receiver\.position\[2\]: 0\.7 may touch"):
         list(focus_series(*lens, (5.0, 0.7), 100))
 
 

@@ -51,7 +51,7 @@ def test_figures_and_plot(freeform, lens, tmp_path):
         (("--through-focus", "6:4:3"), "usage: argument --through-focus: '6:4:3'"),
         (("--through-focus", "4:inf:3"), "usage: argument --through-focus: '4:inf:3'"),
         (("--through-focus", "4:6:1"), "usage: argument --through-focus: '4:6:1'"),
-        (("--through-focus", "0.6:6:3"), "screen.z: 0.6 may touch the lens"),
+        (("--through-focus", "0.6:6:3"), "images[0].receiver.position[2]: 0.6 may touch the lens"),
         (("--plot", "a.png"), "usage: --plot draws images through focus"),
     ],
 )

@@ -176,7 +176,7 @@ class TestHtml:
             ("totally reflected", "total_reflection"),
         ):
             assert number(found[name]) == pytest.approx(light[key], abs=1e-5), name
-        assert found["screen.z"] == "5 cm"
+        assert found["images[0].receiver.position"] == "0, 0, 5 cm"
         assert found["limit of the thickness"] == "at least 0.05 cm: met"
         assert number(found["thinnest"]) > 0.05
         assert (found["tilt up to"], found["lenses"]) == ("1°", "3")

@@ -78,7 +78,8 @@ class AccountedRecovery(Recovery):
 def fingerprint(session: Session) -> str:
     """A short word for a session's content; the same for one that was written and read."""
     data = session.scene.to_data()
-    data["target"].pop("image", None)  # relative to where it was written
+    for image in data["images"]:
+        image["target"].pop("image", None)  # relative to where it was written
     found = hashlib.sha256(json.dumps(data, sort_keys=True).encode())
     found.update(session.target.tobytes())
     if session.result is not None:

@@ -22,6 +22,7 @@ from workbench.optics.train.compiled import CompiledTrain
 from workbench.scene import (
     AnyReceiver,
     CollimatedSource,
+    CustomIndex,
     ExactMethod,
     FarField,
     Filter,
@@ -195,7 +196,11 @@ def _nudged(
     """A receiver of other half-extents whose pixels are moved a little."""
     (r_x, r_y), (n_x, n_y), (x, y) = wide, receiver.pixels, receiver.center
     center = x - nudge[0] * 2 * r_x / n_x, y + nudge[1] * 2 * r_y / n_y
-    return receiver.model_copy(update={receiver.extent: wide, "center": center})
+    if isinstance(receiver, Screen):
+        receiver = receiver.model_copy(update={"position": (*center, receiver.z)})
+    else:
+        receiver = receiver.model_copy(update={"center": center})
+    return receiver.model_copy(update={receiver.extent: wide})
 
 
 def _moved(scene: Scene, signs: list[int]) -> Source:
@@ -239,7 +244,7 @@ def _neighbours(case: Case, make: Make, dtype: torch.dtype) -> list[Seen]:
             # A way through the glass is the difference of places, which are rounded.
             part = torch.finfo(dtype).eps * (1 + wide / thick)
             fading = lens.absorption * (1 + part * (signs[0] + growth))
-            glass = {"refractive_index": index, "absorption": fading}
+            glass = {"material": CustomIndex(index=index), "absorption": fading}
             other = other.with_optic(lens.model_copy(update=glass))
         moved = {
             face: each + size * torch.as_tensor(rng.uniform(-1, 1, each.shape))

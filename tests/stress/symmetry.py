@@ -43,11 +43,9 @@ def _mirrored(scene: Scene, axis: int) -> Scene:
     source = scene.source
     if isinstance(source, CollimatedSource):
         return scene
-    field = "position" if source.kind == "point" else "center"
-    place = list(getattr(source, field))
-    place[axis] = -place[axis]
-    source = source.model_copy(update={field: tuple(place)})
-    return scene.model_copy(update={"source": source})
+    x, y, z = source.place
+    place = (-x, y, z) if axis == 0 else (x, -y, z)
+    return scene.model_copy(update={"source": source.placed(place)})
 
 
 def _searching(scene: Scene, dtype: torch.dtype, axis: int | None) -> Make:

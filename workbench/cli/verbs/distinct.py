@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 from workbench.errors import Refused
 
+_ROLES = {"image": "target image", "heights": "file of control heights"}
+"""What files that a scene names are called, by the names of their fields."""
+
 
 class Input(NamedTuple):
     """A file that a command reads.
@@ -63,7 +66,7 @@ def check_distinct(inputs: Sequence[Input], outputs: Sequence[Output]) -> None:
         for field, file in _files(path):
             for output_path in replaced:
                 if is_one_file(output_path, file):
-                    role = "target image" if field == "target.image" else "file of light"
+                    role = _ROLES.get(field.rpartition(".")[2], "file of light")
                     raise Refused(
                         str(output_path), f"is the {role} of {path}; another file is needed"
                     )
