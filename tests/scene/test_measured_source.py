@@ -75,7 +75,7 @@ def test_carried_file_content_does_not_change_equality_of_scenes(make_scene):
     assert scene.light_files == {"lamp.ies": None}
     assert carrying == scene
     assert carrying.in_unit("mm").light_files == {"lamp.ies": b"light"}
-    assert carrying.altered(lens=scene.optic).light_files == {"lamp.ies": b"light"}
+    assert carrying.with_optic(scene.optic).light_files == {"lamp.ies": b"light"}
 
 
 def test_a_new_photometric_source_needs_a_file_first(make_scene):

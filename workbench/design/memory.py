@@ -101,7 +101,7 @@ def check_auto(scene: Scene) -> None:
         return
     (n_x, n_y), (n_u, n_v) = scene.receiver.pixels, scene.optic.net_shape
     raise Refused(
-        f"{scene.receiver.called}.pixels",
+        "images[0].receiver.pixels",
         Said(
             "{n_x} × {n_y} pixels with {n_u} × {n_v} control points need about {needed} of memory, "
             "and {available} are free; take fewer of both, or close other programs",
