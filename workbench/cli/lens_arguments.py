@@ -24,9 +24,8 @@ from workbench.cli.parser import (
     tolerances_of,
 )
 from workbench.errors import Refused
-from workbench.files.export.cutting import PLAIN, RANGES, Cutting
 from workbench.files.export.formats import ENDINGS
-from workbench.files.export.mesh_unit import MESH_UNITS, MILLIMETRES
+from workbench.files.export.options import MESH_UNITS, MILLIMETRES, PLAIN, RANGES, Cutting
 
 _ENTRANCE = ".entrance"
 LIGHTS = ("daylight", "led", "equal")

@@ -12,7 +12,7 @@ from workbench.cli.progress import PartProgress
 from workbench.design.session import Session, result_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.export.cutting import Cutting
+from workbench.files.export.options import Cutting
 from workbench.files.export.write import export as write_all
 from workbench.files.session import read_session
 from workbench.pictures import PICTURES, write_images
