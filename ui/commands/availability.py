@@ -1,4 +1,4 @@
-"""What a person may do now."""
+"""Availability of commands."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -33,26 +33,11 @@ _RUN_FIRST = later(
 
 @dataclass(frozen=True)
 class Situation:
-    """What decides about it.
+    """State of the window that decides which commands are available.
 
-    Attributes
-    ----------
-    optic : Optic
-        What is designed.
-    state : str
-        Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
-    has_lens : bool
-        Whether the design has a lens, if only to start from.
-    lens : str
-        What the lens on show is; empty where there is none.
-    can_undo, can_redo : bool
-        Whether the undo stack has a step in that direction.
-    can_revert : bool
-        Whether the design has a file and differs from it.
-    following : bool
-        Whether live update designs a lens just now.
-    has_refused : bool
-        Whether a field has an entry that was refused, which undo takes back first.
+    ``state`` is that of the run ("idle", "running", "paused", "stopping") or "loading"; ``lens``
+    describes the shown lens, empty if there is none; ``has_refused`` says whether a field has a
+    refused entry, which undo removes first.
     """
 
     optic: "Optic"
@@ -67,7 +52,7 @@ class Situation:
 
     @property
     def two_faces(self) -> bool:
-        """Whether the entrance face is freeform, too."""
+        """Whether the entrance face is freeform too."""
         return self.optic.entrance.shape == "freeform"
 
     @property
@@ -77,16 +62,16 @@ class Situation:
 
     @property
     def under_way(self) -> bool:
-        """Whether a run goes on that nobody has stopped."""
+        """Whether a run continues that was not stopped."""
         return self.state in ("running", "paused")
 
     @property
     def resting(self) -> bool:
-        """Whether the lens on show stays as it is until somebody asks for another."""
+        """Whether the shown lens does not change by itself."""
         return self.state in ("idle", "paused")
 
     def texts(self) -> dict[str, str]:
-        """What commands are called that do one thing or another."""
+        """Texts of commands that depend on the state."""
         return {
             "second_face": tr("Flat &entrance face")
             if self.two_faces
@@ -96,7 +81,7 @@ class Situation:
         }
 
     def allows(self) -> dict[str, bool]:
-        """Which of the commands are available; those that are left out always are."""
+        """Availability of commands; missing ones are always available."""
         idle, under_way = self.state == "idle", self.under_way
         return {
             **dict.fromkeys(_CHANGING, self.editable),
@@ -116,7 +101,7 @@ class Situation:
         }
 
     def reasons(self) -> dict[str, str]:
-        """Why commands are not available that a person may look for, and what others take."""
+        """Why commands are disabled, and what others apply to."""
         called = self.optic.called
         no_lens = (
             "" if self.has_lens else tr("There is no {optic} yet: Start designs one", optic=called)

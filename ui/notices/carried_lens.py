@@ -1,4 +1,4 @@
-"""Tells what became of the lens when the task was edited, and how to go on."""
+"""Message about the lens after an edit of the task."""
 
 from collections.abc import Callable
 from functools import partial
@@ -45,17 +45,11 @@ _A_START = later(
 
 
 class CarriedLens(QObject):
-    """Listens to the edits of a document.
+    """Reports what an edit did to the lens.
 
-    A lens that another control net cannot hold is carried over nearly: the message says how far
-    off it is, and offers the nearest net on which it would stay as it is.
-
-    Attributes
-    ----------
-    followed : callable
-        Whether an edit that leads to a session is followed by another lens: then nothing is said.
-    noted : Signal(str)
-        What is good to know.
+    If another control net approximates the lens, the message gives the deviation and offers the
+    nearest net that represents it exactly. ``followed`` says whether live update designs the edited
+    session: then there is no message.
     """
 
     noted = Signal(str)
@@ -138,7 +132,6 @@ class CarriedLens(QObject):
             self.noted.emit(text)
 
     def _say_of(self, after: Session, text: str) -> None:
-        """Say something of the session after an edit."""
         self._before, self._after = None, after
         self._say(text)
 
@@ -150,14 +143,11 @@ class CarriedLens(QObject):
         return tr(text, optic=self._document.session.scene.optic.called)
 
     def _withdraw(self, session: Session) -> None:
-        """What was said is about the session that it was said of."""
         if session is not self._after:
             self._messages.withdraw(self._text)
 
 
 class _ChangedNet(NamedTuple):
-    """The net of a face, before and after an edit."""
-
     face: str
     old: ControlNet
     new: ControlNet
@@ -167,7 +157,6 @@ class _ChangedNet(NamedTuple):
 
 
 def _changed_net(before: Optic, after: Optic) -> _ChangedNet | None:
-    """The first face with another net, of those that both have; the exit face before the other."""
     old, new = freeform_nets(before), freeform_nets(after)
     changed = [face for face in new if face in old and old[face] != new[face]]
     if after.face in changed:

@@ -1,4 +1,4 @@
-"""What the window is shown of a run: one snapshot, ready to draw."""
+"""Frame: a snapshot of a run with everything needed to draw it."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -22,20 +22,20 @@ RAYS = 45
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """A snapshot of a run and what has to be computed to draw it.
+    """A snapshot of a run with everything needed to draw it.
 
     Attributes
     ----------
     session : Session
-        What is designed: scene and target of the snapshot.
+        Scene and target of the snapshot.
     snapshot : Snapshot
         The lens and its image.
     surfaces : dict of str to ndarray, shape (m_u, m_v, 3)
         Points of each freeform face on a regular grid including its rim.
     source : Source
-        What lights the lens in the snapshot's stage.
+        Source of the snapshot's stage.
     paths : RayPaths
-        `RAYS` × `RAYS` rays from before the lens to the screen.
+        `RAYS` × `RAYS` rays from before the lens to the receiver.
     result : Result
         The run as if it had ended with this snapshot.
     """
@@ -49,11 +49,11 @@ class Frame:
 
     @property
     def state(self) -> "LensState":
-        """The lens of this moment and its light."""
+        """The lens and its light."""
         return self.snapshot.state
 
     def of_image(self, number: int) -> "Frame":
-        """The frame as if one of the scene's images were the only one; 0 is the first."""
+        """The frame with one of the scene's images as the only one; 0 is the first."""
         if not self.session.scene.further_images:
             return self
         session = self.session.of_image(number)
@@ -62,7 +62,7 @@ class Frame:
 
 
 def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> Frame:
-    """Sample the faces and follow the rays of a snapshot; meant for the worker's thread."""
+    """Sample the faces and trace the rays of a snapshot; called in the worker's thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.geometry.surface import sample_faces
     from workbench.optics.paths import ray_paths
@@ -81,7 +81,7 @@ def make_frame(session: "Session", snapshot: "Snapshot", history: "History") -> 
 
 
 def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
-    """Evenly spread ones of `RAYS` × `RAYS` rays, the middle one among them; or none."""
+    """Return evenly spaced rays of `RAYS` × `RAYS`, including the middle one; or none."""
     chosen = np.zeros((RAYS, RAYS), dtype=bool)
     if count:
         step = RAYS // count
@@ -91,7 +91,7 @@ def some_rays(paths: "RayPaths", count: int) -> "RayPaths":
 
 
 def same_task(one: "Session", other: "Session") -> bool:
-    """Whether pictures of both differ in nothing but the state of the run."""
+    """Whether two sessions differ only in the state of the run."""
     if one is other:
         return True
     same = one.scene.model_copy(update={"run": other.scene.run}) == other.scene
@@ -110,10 +110,10 @@ def same_light(one: Frame, other: Frame) -> bool:
 
 
 def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
-    """Whether a lens makes the same light for both tasks, and is asked for the same image.
+    """Whether a lens gives the same light for both tasks, and has the same target.
 
-    By value, since files share nothing. How a lens is searched for changes nothing of its light,
-    and regions only tell of it.
+    Compared by value, as files share no objects. Settings of the run do not affect the light, and
+    regions only evaluate it.
     """
     beside = {"run": other.scene.run, "regions": other.scene.regions}
     return one.scene.model_copy(update=beside) == other.scene and (
@@ -122,7 +122,7 @@ def lit_alike(one: "Session | KeptRun", other: "Session | KeptRun") -> bool:
 
 
 def shows(frame: Frame, session: "Session") -> bool:
-    """Whether a frame is of a design as it is: the task, and the lens where the design has one."""
+    """Whether a frame shows a design: its task, and its lens if it has one."""
     lens = session.result
     return lit_alike(frame.session, session) and (
         lens is None or lens.state.heights == frame.state.heights
@@ -130,5 +130,5 @@ def shows(frame: Frame, session: "Session") -> bool:
 
 
 def iterations_before(frame: Frame) -> int:
-    """Iterations before a frame, those of a continued run included."""
+    """Iterations before a frame, including those of a continued run."""
     return frame.result.iterations

@@ -1,4 +1,4 @@
-"""A choice between the freeform faces of an optic."""
+"""Choices above views: freeform face, and image of the scene; keys shared by views."""
 
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QComboBox
@@ -9,7 +9,7 @@ from workbench.scene import Optic
 
 
 class FaceChoice(QComboBox):
-    """Hidden while there is no choice: the optic has one freeform face."""
+    """Choice of a freeform face; hidden if there is only one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -19,20 +19,20 @@ class FaceChoice(QComboBox):
 
     @property
     def face(self) -> str:
-        """The name of the chosen face; empty before an optic is known."""
+        """Name of the chosen face; empty before an element is known."""
         return str(self.currentData() or "")
 
     @property
     def needed(self) -> str:
-        """What the chosen face is called; empty where the optic has one alone."""
+        """Title of the chosen face; empty if there is only one."""
         return self.currentText() if self.count() > 1 else ""
 
     def choose(self, face: str) -> None:
-        """Choose one by its name."""
+        """Choose a face by name."""
         self.setCurrentIndex(self.findData(face))
 
     def offer(self, optic: Optic) -> None:
-        """Let the faces of an optic be chosen; one that is chosen stays if it has that."""
+        """Offer the faces of an element; a chosen face stays if it exists."""
         faces = list(freeform_nets(optic))
         if faces == [self.itemData(number) for number in range(self.count())]:
             return

@@ -1,8 +1,7 @@
-"""The control nets of the freeform faces on show; one face at a time is worked on.
+"""Control nets of the freeform faces in the 3D view; one face is active.
 
-1. What is shown changes here and is drawn by `draw`; `changed` asks for that.
-2. Where a line of sight meets several nets, the one nearest to the eye is meant: a person who
-   wants the other face turns the lens round.
+1. State changes here and is drawn by `draw`; `changed` requests that.
+2. Where a line of sight meets several nets, the nearest one is picked.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -20,13 +19,7 @@ if TYPE_CHECKING:
 
 
 class FaceNets(QObject):
-    """Control points that are shown, picked, marked, brushed and locked.
-
-    Attributes
-    ----------
-    changed : Signal()
-        What is drawn is not what is to be shown.
-    """
+    """Control points that are shown, picked, marked, brushed and locked."""
 
     changed = Signal()
 
@@ -43,37 +36,31 @@ class FaceNets(QObject):
 
     @property
     def face(self) -> str:
-        """The name of the face that is worked on; empty before the first drawing."""
+        """Name of the active face; empty before the first drawing."""
         return self._face
 
     @property
     def faces(self) -> tuple[str, ...]:
-        """The names of all that can be worked on, as light meets them."""
+        """Names of all faces, in the order of the light."""
         return tuple(self._pictures)
 
     @property
     def picture(self) -> "ControlNetPicture | None":
-        """The control points of that face; None before the first drawing."""
+        """Control points of the active face; None before the first drawing."""
         return self._pictures.get(self._face)
 
     @property
     def brush(self) -> tuple[tuple[int, int], float] | None:
-        """The control point in the middle of the brush, and its radius in scene units."""
+        """Control point in the middle of the brush, and its radius in scene units."""
         return self._brush
 
     @property
     def locked(self) -> Mask | None:
-        """Control points of that face that are shown as locked, shape (n_u, n_v)."""
+        """Locked control points of the active face, shape (n_u, n_v)."""
         return self._locks.get(self._face)
 
     def pick(self, x: float, y: float) -> ControlPoint | None:
-        """The control point of any face under a place in the window, while any are shown.
-
-        Parameters
-        ----------
-        x, y : float
-            Pixels from the lower left corner.
-        """
+        """Return the control point of any face at a pixel, while nets are shown."""
         if self._sight is None or not self._pickable:
             return None
         start, end = self._sight.line(x, y)
@@ -90,7 +77,7 @@ class FaceNets(QObject):
         return None if index is None else ControlPoint(face, index)
 
     def aim(self, x: float, y: float) -> tuple[int, int] | None:
-        """Work on the face under a place in the window; its control point there."""
+        """Activate the face at a pixel and return its control point there."""
         point = self.pick(x, y)
         if point is None:
             return None
@@ -98,20 +85,20 @@ class FaceNets(QObject):
         return point.index
 
     def choose(self, face: str) -> None:
-        """Work on this face."""
+        """Activate a face."""
         if face != self._face:
             self._face, self._brush = face, None
             self.changed.emit()
 
     def show_brush(self, index: tuple[int, int] | None, radius: float) -> None:
-        """Highlight the control points of a brush, its radius in scene units; or none."""
+        """Highlight the control points of a brush, radius in scene units; None for no brush."""
         brush = None if index is None else (index, radius)
         if brush != self._brush:
             self._brush = brush
             self.changed.emit()
 
     def show_locked(self, locked: Mask | None) -> None:
-        """Show other control points of the face that is worked on as locked."""
+        """Show other locked control points of the active face."""
         if locked is None:
             self._locks.pop(self._face, None)
         else:
@@ -125,13 +112,13 @@ class FaceNets(QObject):
             self.changed.emit()
 
     def mark(self, point: ControlPoint | None) -> None:
-        """Show the control points with one of them marked, to be picked from; or none."""
+        """Show the control points with a marked one for picking; None hides them."""
         if point != self._marked:
             self._marked = point
             self.changed.emit()
 
     def begin(self, plotter: Any, optic: "Optic", *, dark: bool) -> None:
-        """Draw the nets of an optic from now on."""
+        """Set the element whose nets are drawn."""
         # Late: these take seconds to load.
         from workbench.geometry.surface import freeform_nets
         from workbench.pictures.control_net import ControlNetPicture
@@ -146,7 +133,7 @@ class FaceNets(QObject):
             self._face, self._brush = optic.face, None
 
     def draw(self, heights: "ControlHeights", shown: bool) -> None:
-        """Move the nets to these heights; whether that of the face that is worked on is shown."""
+        """Set the heights; return whether the active net is shown."""
         self._pickable = shown or self._marked is not None
         for face, net in self._pictures.items():
             here = face == self._face
@@ -162,10 +149,10 @@ class FaceNets(QObject):
             net.lock(locked if locked is not None and locked.shape == shape else None)
 
     def recolour(self, dark: bool) -> None:
-        """Change between the dark and the light ground."""
+        """Change between dark and light background."""
         for net in self._pictures.values():
             net.recolour(dark)
 
     def close(self) -> None:
-        """Let go of the plotter."""
+        """Release the plotter."""
         self._pictures, self._sight = {}, None

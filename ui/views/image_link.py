@@ -1,4 +1,4 @@
-"""What several images of the screen have in common: the part that is seen, and places on it."""
+"""State shared by images of the receiver (visible part, marked points and lines), and an image."""
 
 from typing import TYPE_CHECKING
 
@@ -15,21 +15,7 @@ Line = tuple[Place, Place]
 
 
 class ImageLink(QObject):
-    """Keeps images of the same screen in step.
-
-    Attributes
-    ----------
-    changed : Signal()
-        Another part is seen, or in other colours, or another place or line is marked.
-    pointed : Signal(tuple[float, float] or None)
-        Where the mouse is, scene units; None beside all images.
-    pinned : Signal(tuple[float, float])
-        A place was clicked.
-    drawn : Signal(tuple)
-        A line was drawn, from one place to another.
-    regions_drawn : Signal(tuple of AnyRegion, str)
-        The scene shall have these regions; and what has led to them.
-    """
+    """Keeps images of the same receiver in step."""
 
     changed = Signal()
     pointed = Signal(object)
@@ -50,36 +36,36 @@ class ImageLink(QObject):
         self.number = 0  # of the scene's image that is seen
 
     def show_part(self, part: Part | None) -> None:
-        """See another part."""
+        """Show another part."""
         self._set("part", part)
 
     def show_pin(self, place: Place | None) -> None:
-        """Mark a place, or none."""
+        """Mark a point; None removes it."""
         self._set("pin", place)
 
     def show_line(self, line: Line | None) -> None:
-        """Mark a line, or none."""
+        """Mark a line; None removes it."""
         self._set("line", line)
 
     def set_drawing(self, drawing: bool) -> None:
-        """Let dragging draw a line, or move what is seen."""
+        """Let dragging draw a line, or pan."""
         if drawing:
             self.set_marking(False)
         self._set("drawing", drawing)
 
     def set_marking(self, marking: bool) -> None:
-        """Let dragging and clicking mark regions, or not."""
+        """Let the mouse mark regions, or not."""
         if marking:
             self.set_drawing(False)
         self.show_draft(())
         self._set("marking", marking)
 
     def show_draft(self, outline: "tuple[Place, ...]") -> None:
-        """Show the outline of a region that is being drawn, or none."""
+        """Show the outline of a region being drawn; None removes it."""
         self._set("draft", outline)
 
     def set_logarithmic(self, logarithmic: bool) -> None:
-        """Show light in a logarithmic scale, or in an even one."""
+        """Show light on a logarithmic or linear scale."""
         self._set("logarithmic", logarithmic)
 
     def set_colours(self, colours: str) -> None:
@@ -87,11 +73,11 @@ class ImageLink(QObject):
         self._set("colours", colours)
 
     def show_image(self, number: int) -> None:
-        """See another one of the scene's images; 0 is the first."""
+        """Show another image of the scene; 0 is the first."""
         self._set("number", number)
 
     def number_in(self, scene: "Scene") -> int:
-        """Which image of a scene is seen: the last one of a scene that has fewer."""
+        """Index of the shown image in a scene: the last one if it has fewer."""
         return min(self.number, len(scene.further_images))
 
     def _set(self, name: str, value: object) -> None:

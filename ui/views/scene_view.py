@@ -49,17 +49,7 @@ _NOTCH = 1.2  # times as large, by a notch of the wheel
 
 
 class SceneView(View):
-    """Three-dimensional view that can be turned, moved and zoomed with mouse and keyboard.
-
-    Attributes
-    ----------
-    picked : Signal(ControlPoint)
-        The control point that was clicked.
-    escaped : Signal()
-        The person wants no tool any more.
-    nets : FaceNets
-        The control points.
-    """
+    """3D view that can be turned, moved and zoomed with mouse and keyboard."""
 
     picked = Signal(object)
     escaped = Signal()
@@ -98,22 +88,22 @@ class SceneView(View):
 
     @property
     def frame(self) -> "Frame | None":
-        """What is shown, or will be in its turn."""
+        """The shown frame, or the next one to draw."""
         return self._frame
 
     @property
     def optic(self) -> "Optic | None":
-        """Whose control points are shown, with all that limits them."""
+        """Element whose control points are shown, with its limits."""
         return None if self._shown is None else bounded(self._shown.scene)
 
     @property
     def source(self) -> "Source | None":
-        """The source of the design, which the rays on show may be behind."""
+        """Source of the design, which may be newer than that of the shown rays."""
         return None if self._session is None else self._session.scene.source
 
     @property
     def exploded(self) -> bool:
-        """Whether distances are not drawn to scale."""
+        """Whether distances are compressed."""
         return self._look.exploded
 
     @property
@@ -123,16 +113,16 @@ class SceneView(View):
 
     @property
     def handles(self) -> "SourceHandles | None":
-        """The handles of the source; None before the first drawing."""
+        """Handles of the source; None before the first drawing."""
         return self._contents.handles
 
     @property
     def sight(self) -> "Projection | None":
-        """What is seen where; None before the first drawing."""
+        """Projection of the camera; None before the first drawing."""
         return self._contents.sight
 
     def use(self, tool: Tool | None) -> None:
-        """Give the left button to another tool, or to the camera alone."""
+        """Give the left button to another tool, or to the camera."""
         self._tool_input.take(tool)
         self._tool = tool
         self._hint.setVisible(tool is not None)
@@ -144,37 +134,31 @@ class SceneView(View):
         self._ask()
 
     def drop(self) -> None:
-        """Take back what a tool has under way."""
+        """Cancel the drag of a tool."""
         self._tool_input.drop()
 
     def refresh(self) -> None:
-        """Draw what a tool has changed, its hint included."""
+        """Draw changes of a tool, and its hint."""
         self._ask()
 
     def show_design(self, session: "Session") -> None:
-        """Take note of another scene, target or set of locks."""
+        """Store another scene, target or set of locks."""
         super().show_design(session)
         self.nets.show_locks(session.locked)
 
     def hold_camera(self, scene: "Scene") -> None:
-        """Leave the camera where it is when this scene comes."""
+        """Keep the camera when this scene comes."""
         self._held = self._space(scene)
 
     def camera(self) -> dict[str, Any] | None:
-        """Where the camera stands, as plain data; None before the first drawing."""
+        """Position of the camera as plain data; None before the first drawing."""
         picture = self._contents.picture
         if self._placement is None and picture is not None:
             return picture.camera.placement()
         return self._placement
 
     def set_camera(self, placement: dict[str, Any]) -> None:
-        """Look at the latest design from the place that `camera` gave.
-
-        Raises
-        ------
-        ValueError
-            If no camera can stand there.
-        """
+        """Move the camera to a position from `camera`."""
         from workbench.pictures.camera import check_placement
 
         check_placement(placement)
@@ -182,54 +166,54 @@ class SceneView(View):
         self._ask()
 
     def see_in_perspective(self, perspective: bool) -> None:
-        """See in perspective, or in parallel."""
+        """Set perspective or parallel projection."""
         self._look = replace(self._look, perspective=perspective)
         if self._contents.picture is not None:
             self._contents.picture.project(perspective)
             self._plotter.update()
 
     def colour_rays(self, by_weight: bool) -> None:
-        """Colour rays by the part of their light that arrives, or by where they end."""
+        """Colour rays by transmittance, or by where they end."""
         self._look = replace(self._look, by_weight=by_weight)
         if self._contents.picture is not None:
             self._contents.picture.colour_rays(by_weight)
             self._plotter.update()
 
     def colour_faces(self, by: "FaceColours") -> None:
-        """Colour freeform faces by what `workbench.pictures.face_colours` knows."""
+        """Colour freeform faces; see `workbench.pictures.face_colours`."""
         self._look = replace(self._look, faces=by)
         self._ask()
 
     def exaggerate_relief(self, exaggerated: bool) -> None:
-        """Light the relief of freeform faces as if it were higher, or as it is."""
+        """Shade the relief of freeform faces exaggerated, or as it is."""
         self._look = replace(self._look, exaggerated=exaggerated)
         self._ask()
 
     def picture(self, times: int) -> "npt.NDArray[np.uint8] | None":
-        """What is seen now, so many times as large, shape (rows, columns, 3); None before that."""
+        """Return the current picture, scaled, shape (rows, columns, 3); None before the first."""
         if self._contents.picture is None:
             return None
         taken = self._plotter.screenshot(return_img=True, scale=times)
         return np.ascontiguousarray(taken[..., :3])
 
     def show_rays(self, rays: int) -> None:
-        """Show so many of the rays along each axis: a divisor of `RAYS`, or none."""
+        """Show a number of rays along each axis: a divisor of `RAYS`, or 0."""
         self._look = replace(self._look, rays=rays)
         self._ask()
 
     def show_spots(self, heights: "ControlHeights", places: Array) -> None:
-        """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
+        """Mark points (n, 3) of a lens with these heights, while it is shown."""
         self._contents.mark(heights, places)
         self._ask()
 
     def explode(self, exploded: bool) -> None:
-        """Draw long distances short and a large screen small, or all to scale."""
+        """Compress distances, or draw everything to scale."""
         self._look = replace(self._look, exploded=exploded)
         self._shown = None
         self._ask()
 
     def fit(self, view: str = "") -> None:
-        """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or to the default one."""
+        """Turn to a view of `workbench.pictures.camera.FittedCamera.fit`, or the default one."""
         picture = self._contents.picture
         if picture is not None:
             picture.camera.hidden = self._pixels_of_hint()
@@ -237,12 +221,11 @@ class SceneView(View):
             self._plotter.update()
 
     def _pixels_of_hint(self) -> int:
-        """How high what a tool says is, over the lower edge of the picture."""
         height = self._hint.height() if self._hint.isVisible() else 0
         return round(height * self.devicePixelRatioF())
 
     def close_plotter(self) -> None:
-        """Free what VTK holds; the view stays empty from then on. Safe to call twice."""
+        """Release VTK; the view stays empty. Safe to call twice."""
         self._closed = True
         self._contents.close()
         if self._plotter is not None:
@@ -265,13 +248,13 @@ class SceneView(View):
         super().closeEvent(event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Give tools what is for them."""
+        """Pass events to tools."""
         plotter = self._plotter
         kept = plotter is not None and self._tool_input.keeps(plotter, event)
         return kept or super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Look from elsewhere, by a key that no tool has taken."""
+        """Move the camera by keys that no tool uses."""
         picture = self._contents.picture
         if picture is not None and steer(picture.camera, event):
             self._plotter.update()
@@ -284,7 +267,6 @@ class SceneView(View):
             self.picked.emit(point)
 
     def _zoom(self, at: Pointer, notches: float) -> None:
-        """Come nearer to what is under the pointer, or go away from it."""
         picture, sight = self._contents.picture, self._contents.sight
         if picture is not None and sight is not None:
             picture.camera.zoom(_NOTCH**notches, sight.point(at.x, at.y))
@@ -306,7 +288,6 @@ class SceneView(View):
         self._plotter.repaint()
 
     def _place_camera(self, session: "Session") -> None:
-        """Stand where it was asked for, as soon as the design is there that this was said of."""
         latest = self._session is None or same_task(session, self._session)
         picture = self._contents.picture
         if self._placement is not None and picture is not None and latest:
@@ -341,7 +322,6 @@ class SceneView(View):
             picture.fit()
 
     def _space(self, scene: "Scene") -> Array:
-        """What the picture of a scene has to hold."""
         from workbench.pictures.camera import scene_corners
         from workbench.pictures.compressed import compress_distances
 
