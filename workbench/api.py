@@ -34,8 +34,7 @@ from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result, Snapshot
 from workbench.design.task import begin as begin_in
 from workbench.errors import Refused, RunFailed
-from workbench.files.export.cutting import PLAIN, Cutting
-from workbench.files.export.mesh_unit import MILLIMETRES
+from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
 from workbench.files.export.write import Written
 from workbench.files.export.write import export as write_files
 from workbench.files.session import open_design, write_session

@@ -36,7 +36,7 @@ def test_json_has_the_bound_and_its_assumptions(freeform, extended):
 @pytest.fixture(autouse=True)
 def few_places(monkeypatch):
     monkeypatch.setattr("workbench.analysis.manufacture._PARTS", 32)
-    monkeypatch.setattr("workbench.cli.manufacture._PLACES", 65)
+    monkeypatch.setattr("workbench.cli.manufacture._SAMPLES", 65)
 
 
 @pytest.fixture

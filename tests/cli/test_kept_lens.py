@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.cli import keeping
+from workbench.cli import checkpoints
 from workbench.files.session import read_session
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
@@ -32,8 +32,8 @@ def sent(*numbers):
 @pytest.fixture
 def often(monkeypatch):
     """Checkpoints after every iteration."""
-    monkeypatch.setattr(keeping, "_SECONDS", 0.0)
-    monkeypatch.setattr(keeping, "_PART", float("inf"))
+    monkeypatch.setattr(checkpoints, "_SECONDS", 0.0)
+    monkeypatch.setattr(checkpoints, "_PART", float("inf"))
 
 
 @pytest.fixture
@@ -61,13 +61,13 @@ class TestSignals:
         self, freeform, scene_file, out, fake_run, monkeypatch
     ):
         fake_run({4: sent(signal.SIGINT)})
-        write = keeping.write_session
+        write = checkpoints.write_session
 
         def impatient(session, path):
             sent(signal.SIGINT, signal.SIGINT, signal.SIGTERM)()
             write(session, path)
 
-        monkeypatch.setattr(keeping, "write_session", impatient)
+        monkeypatch.setattr(checkpoints, "write_session", impatient)
         assert freeform("design", scene_file, "-o", out)[0] == 130
         assert read_session(out).result.iterations == 4
 
@@ -115,7 +115,7 @@ def at_first(later):
 class TestCheckpoint:
     def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
         program = (
-            "import sys, workbench.cli.keeping as keeping; keeping._SECONDS = 0.0; "
+            "import sys, workbench.cli.checkpoints as keeping; checkpoints._SECONDS = 0.0; "
             "from workbench.cli import main; sys.exit(main(sys.argv[1:]))"
         )
         arguments = ["design", endless, "-o", out]

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from workbench.extended.blur import Blur
-from workbench.extended.blur_changes import changes_at
+from workbench.extended.blur import Blur, changes_at
 
 THIRDS = (np.arange(3) + 0.5) / 3 - 0.5
 BLURS = [Blur((5.93, 5.2), "ellipse"), Blur((3.3, 7.1)), Blur((1.4, 2.6), "ellipse")]

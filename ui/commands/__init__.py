@@ -1,1 +1,1 @@
-"""What a person can tell the window to do."""
+"""Commands of the window."""

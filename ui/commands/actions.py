@@ -1,4 +1,4 @@
-"""The commands of the table as actions of a window, in its menus and its toolbar."""
+"""Commands of the table as actions, in menus and toolbar."""
 
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
@@ -15,7 +15,7 @@ from ui.words import tr
 
 
 class Commands:
-    """Actions by the names of their commands; those that nothing is connected to are disabled."""
+    """Actions by the names of their commands; disabled until they are connected."""
 
     def __init__(self, window: QMainWindow) -> None:
         self._window = window
@@ -48,11 +48,11 @@ class Commands:
         return self._actions[name]
 
     def command(self, name: str) -> Command:
-        """What the table says of a command, in words for the optic of the design."""
+        """The command of the table, in words for the element of the design."""
         return COMMANDS[name].said_of(self._called)
 
     def name_optic(self, called: str) -> None:
-        """Take note of what the optic of the design is called."""
+        """Set the name of the element in the words of commands."""
         if called == self._called:
             return
         self._called = called
@@ -64,21 +64,21 @@ class Commands:
                 action.setStatusTip(words.tip)
 
     def connect(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Tell what commands do when a person chooses them, and make them available."""
+        """Connect commands to functions and enable them."""
         for name, slot in slots.items():
             self[name].triggered.connect(lambda _, slot=slot: slot())
         self._open(slots.keys())
 
     def connect_toggles(self, slots: Mapping[str, Callable[[bool], object]]) -> None:
-        """Tell what commands that are on or off do whenever that changes."""
+        """Connect checkable commands to functions of their state."""
         for name, slot in slots.items():
             self[name].toggled.connect(slot)
         self._open(slots.keys())
 
     def connect_choices(self, slots: Mapping[str, Callable[[], object]]) -> None:
-        """Tell what each of `CHOICES` does once it is the one that is on, whoever chose it.
+        """Connect each of `CHOICES` to a function for when it is checked.
 
-        Those that are on already are done now.
+        Functions of checked commands are called now.
         """
         for name, slot in slots.items():
             self[name].toggled.connect(lambda on, slot=slot: slot() if on else None)
@@ -87,28 +87,28 @@ class Commands:
         self._open(slots.keys())
 
     def allow(self, allowed: Mapping[str, bool]) -> None:
-        """Make commands available or not, as far as they do anything yet."""
+        """Enable or disable connected commands."""
         for name, allow in allowed.items():
             self[name].setEnabled(allow and name in self._connected)
 
     def explain(self, sentences: Mapping[str, str]) -> None:
-        """Add a sentence of now to tips, such as why a command is not available."""
+        """Add a sentence to tips, such as why a command is disabled."""
         for name, sentence in sentences.items():
             tip = _tip(self[name], self.command(name))
             self[name].setToolTip(f"{tip}\n{sentence}" if sentence else tip)
 
     def reword(self, texts: Mapping[str, str]) -> None:
-        """Call commands by other names."""
+        """Rename commands."""
         for name, text in texts.items():
             self[name].setText(text)
 
     def entries(self) -> list[tuple[str, QAction]]:
-        """All actions of the menus as they are now, with menus and text for a name."""
+        """All actions of the menus, each named by its menus and its text."""
         bar = self._window.menuBar()
         return [entry for action in bar.actions() for entry in _entries(action, "")]
 
     def colour_icons(self) -> None:
-        """Draw the icons in the palette's colours of now."""
+        """Draw the icons in the palette's present colours."""
         for name, command in COMMANDS.items():
             if command.icon:
                 self[name].setIcon(theme.icon(command.icon, self._window.palette()))
@@ -149,7 +149,6 @@ def _tip(action: QAction, command: Command) -> str:
 
 
 def _entries(action: QAction, before: str) -> list[tuple[str, QAction]]:
-    """An action, or those of its menu; separators have no text."""
     name = before + action.text().replace("&", "").rstrip("…")
     menu = action.menu()
     if isinstance(menu, QMenu):

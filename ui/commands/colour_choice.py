@@ -9,16 +9,9 @@ _KEY = "view/colours"
 
 
 def keep_colours(settings: QSettings, commands: Commands) -> None:
-    """Choose the colours that were kept, and keep those that a person chooses from now on.
+    """Restore the stored colours of light, and store later choices of the user.
 
-    Colours that come with a design are its own: they are shown, not kept.
-
-    Parameters
-    ----------
-    settings : QSettings
-        Where the choice is kept.
-    commands : Commands
-        The one of `COLOURS` that is chosen is checked.
+    Colours of a design are its own: they are shown, not stored.
     """
     kept = f"colours_{settings.value(_KEY)}"
     if kept in COLOURS:

@@ -10,6 +10,6 @@ LANGUAGE = KeptChoice("window/language", LANGUAGE_CHOICES)
 
 
 def tell_of_language(tell: Callable[[str], object], code: str) -> None:
-    """Say that a language counts only later, unless it is the one that is spoken."""
+    """Report that a new language is used after a restart."""
     if (spoken_by_system() if code == SYSTEM else code) != spoken():
         tell(tr("The language changes at the next start."))

@@ -1,4 +1,4 @@
-"""Where the commands of the window stand: menus, toolbar, and groups of which one is on."""
+"""Menus, toolbar and exclusive groups of commands."""
 
 from typing import Any
 
@@ -19,7 +19,6 @@ from ui.commands.table import (
 
 
 def _examples() -> list[Any]:
-    """Examples by group; the first group stands in the menu itself, the others in one each."""
     groups: dict[str, list[str]] = {}
     for name, example in NEW.items():
         groups.setdefault(example.group, []).append(name)

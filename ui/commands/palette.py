@@ -1,4 +1,4 @@
-"""The command palette: any command of the menus, found by typing parts of its name."""
+"""Command palette: finds commands by parts of their names."""
 
 import unicodedata
 from collections.abc import Sequence
@@ -28,15 +28,7 @@ _MOVES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown
 
 
 class CommandPalette(QDialog):
-    """Pops up over a window; Enter or a click does the command, Escape or a click beside nothing.
-
-    Parameters
-    ----------
-    entries : sequence of (str, QAction)
-        Each command with its name. What cannot be done now is shown, but cannot be chosen.
-    window : QWidget
-        Where it pops up.
-    """
+    """Popup list; Enter or a click runs a command, Escape closes."""
 
     def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
         super().__init__(window, Qt.WindowType.Popup)
@@ -74,7 +66,7 @@ class CommandPalette(QDialog):
         self.move(window.mapToGlobal(QPoint((window.width() - self.width()) // 2, 2 * row)))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keys typed in the field move in the list, or choose from it."""
+        """Keys in the field move in the list or choose from it."""
         if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             if event.key() in _MOVES:
                 self._found.keyPressEvent(event)
@@ -85,7 +77,6 @@ class CommandPalette(QDialog):
         return super().eventFilter(watched, event)
 
     def _find(self, text: str) -> None:
-        """Show the commands whose names have all the words; the likeliest come first."""
         words = _folded(text).split()
         fitting = [
             (name, number)
@@ -127,12 +118,10 @@ class CommandPalette(QDialog):
 
 
 def _rank(name: str, begin: str) -> tuple[bool, int]:
-    """What begins as typed comes first, and what lies in menus within menus last."""
     *menus, own = _folded(name).split(SEPARATOR)
     return not own.startswith(begin), len(menus)
 
 
 def _folded(text: str) -> str:
-    """Letters as any keyboard has them: small, and without accents."""
     apart = unicodedata.normalize("NFKD", text.casefold())
     return "".join(sign for sign in apart if not unicodedata.combining(sign))

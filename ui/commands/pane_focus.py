@@ -11,17 +11,7 @@ from ui.widgets.application import application
 
 
 class PaneFocus(QObject):
-    """The docks, what stands between them, and the toolbar.
-
-    Parameters
-    ----------
-    centre : QWidget
-        What stands between the docks.
-    docks : mapping of str to QDockWidget
-        By name; the focus goes in the order of `PANES`.
-    toolbar : QToolBar
-        Comes last.
-    """
+    """Moves the focus between docks, centre and toolbar, and marks the active pane."""
 
     def __init__(
         self,
@@ -36,7 +26,7 @@ class PaneFocus(QObject):
         application().focusChanged.connect(self._mark)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
+        """Functions of commands."""
         return {
             **{f"go_{name}": partial(self.go, name) for name in PANES},
             "next_pane": partial(self._step, 1),
@@ -44,18 +34,18 @@ class PaneFocus(QObject):
         }
 
     def place(self, name: str) -> QWidget:
-        """The pane of a name."""
+        """Return the pane of a name."""
         found = self._docks.get(name)
         return self._centre if found is None else found
 
     def show(self, name: str) -> None:
-        """Make sure that a pane can be seen."""
+        """Make a pane visible."""
         if name in self._docks:
             self._docks[name].show()
             self._docks[name].raise_()
 
     def go(self, name: str) -> None:
-        """Show a pane and give it the focus."""
+        """Show and focus a pane."""
         self.show(name)
         _enter(self.place(name))
 
@@ -67,7 +57,6 @@ class PaneFocus(QObject):
         _enter(seen[(at + by) % len(seen)])
 
     def _mark(self, _: QWidget | None, focused: QWidget | None) -> None:
-        """Tell the pane with the focus from the others; see the style sheet."""
         pane = next((pane for pane in map(self.place, PANES) if _holds(pane, focused)), None)
         if focused is None or pane is self._marked:  # no focus: another window is active
             return
@@ -85,7 +74,6 @@ def _holds(pane: QWidget, widget: QWidget | None) -> bool:
 
 
 def _enter(pane: QWidget) -> None:
-    """Give the focus back to what had it in a pane, or to the first that takes it."""
     inner = pane.widget() if isinstance(pane, QDockWidget) else pane
     last = inner.focusWidget()
     children = [w for w in inner.findChildren(QWidget) if w.focusPolicy() & Qt.FocusPolicy.TabFocus]

@@ -1,4 +1,4 @@
-"""Every pane of the window, defined once: its title, its key, and where it stands at first."""
+"""Panes of the window (title, key, initial position), and moving the focus between them."""
 
 from dataclasses import dataclass
 
@@ -7,23 +7,7 @@ from PySide6.QtCore import Qt
 
 @dataclass(frozen=True)
 class Pane:
-    """A dock, or what stands between the docks.
-
-    Attributes
-    ----------
-    title : str
-        In its title bar, on its tab and in menus.
-    area : Qt.DockWidgetArea, optional
-        The side of the window; None for what stands between the docks.
-    key : str
-        Takes the keyboard there, with Alt.
-    behind : str
-        Name of the dock whose place it shares, as a tab.
-    right_of : str
-        Name of the dock that it stands beside.
-    shown : bool
-        Whether it is there from the beginning, before anybody asks for it.
-    """
+    """A dock, or the centre."""
 
     title: str
     area: Qt.DockWidgetArea | None

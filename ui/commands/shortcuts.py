@@ -1,4 +1,4 @@
-"""All keys of the window, found by what they do or by the key itself."""
+"""Table of all keys of the window."""
 
 from collections.abc import Sequence
 
@@ -21,15 +21,7 @@ _COLUMNS, _ROWS = 70, 24  # characters and lines seen at once
 
 
 class Shortcuts(QDialog):
-    """A table to read while the window is used.
-
-    Parameters
-    ----------
-    entries : sequence of (str, QAction)
-        The commands with their names; those without a key are left out.
-    window : QWidget
-        The dialog stands over it.
-    """
+    """Searchable table of keys, beside the window."""
 
     def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
         super().__init__(window)

@@ -1,4 +1,4 @@
-"""Every command of the window, defined once; menus, toolbar and palette name them."""
+"""Table of all commands; menus, toolbar and palette refer to it."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -12,21 +12,7 @@ from ui.words import LANGUAGES, tr
 
 @dataclass(frozen=True)
 class Command:
-    """One thing that a person can tell the window to do.
-
-    Attributes
-    ----------
-    text : str
-        In the menu; ``&`` marks the mnemonic.
-    tip : str
-        What it does, for tooltip and status bar.
-    shortcut : str or QKeySequence.StandardKey
-        Key that triggers it.
-    icon : str
-        Name in resources/icons; empty for none.
-    checked : bool, optional
-        Whether it is on at first; None for what is neither on nor off.
-    """
+    """A command of the window."""
 
     text: str
     tip: str
@@ -36,11 +22,11 @@ class Command:
 
     @property
     def names_optic(self) -> bool:
-        """Whether it is said otherwise of another kind of optic."""
+        """Whether its words depend on the element."""
         return "{optic}" in self.text + self.tip
 
     def said_of(self, optic: str) -> "Command":
-        """The command in the language that is spoken, with what the optic is called."""
+        """The command in the current language, for an element."""
         return replace(self, text=tr(self.text, optic=optic), tip=tr(self.tip, optic=optic))
 
 

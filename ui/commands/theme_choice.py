@@ -10,7 +10,7 @@ THEME = KeptChoice("window/theme", THEMES)
 
 
 def choose_theme(name: str) -> None:
-    """Have all windows look so, at once."""
+    """Apply a theme to all windows."""
     application = QApplication.instance()
     if isinstance(application, QApplication):
         theme.choose(application, name)

@@ -15,11 +15,11 @@ from ui.threads.failure import sentence_of
 from ui.widgets.message_bar import MessageBar
 from ui.words import tr
 from workbench.files.export.formats import GCODE, Format, formats_for
-from workbench.files.export.mesh_unit import MILLIMETRES, SCENE_UNIT, mesh_unit_of
+from workbench.files.export.options import MILLIMETRES, SCENE_UNIT, mesh_unit_of
 from workbench.interruption import Interrupted
 
 if TYPE_CHECKING:
-    from workbench.files.export.cut_plan import CutPlan
+    from workbench.files.export.gcode import CutPlan
     from workbench.files.export.write import Written
     from workbench.files.session import Session
 

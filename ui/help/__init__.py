@@ -1,1 +1,1 @@
-"""What helps to find one's way: tour, manual, table of keys, about."""
+"""Help: tour, manual, table of keys, about."""

@@ -1,4 +1,4 @@
-"""What helps to find one's way: palette, shortcuts, tour, manual, about."""
+"""Commands of the help menu."""
 
 from collections.abc import Callable
 
@@ -20,7 +20,7 @@ _OFFERED = "tour_offered"
 
 
 class Help(QObject):
-    """What the help menu does."""
+    """Functions of the help menu."""
 
     def __init__(
         self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: MessageBar
@@ -31,7 +31,7 @@ class Help(QObject):
         self._tour: Tour | None = None
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
+        """Functions of commands."""
         return {
             "palette": lambda: CommandPalette(self._commands.entries(), self._window).open(),
             "shortcuts": lambda: Shortcuts(self._commands.entries(), self._window).show(),
@@ -41,7 +41,7 @@ class Help(QObject):
         }
 
     def offer_tour(self, settings: QSettings) -> None:
-        """Offer the tour to a person who sees the window for the first time."""
+        """Offer the tour at the first start."""
         if not settings.value(_OFFERED):
             settings.setValue(_OFFERED, True)
             self._messages.note(
@@ -53,7 +53,7 @@ class Help(QObject):
             )
 
     def begin_tour(self) -> None:
-        """Show a person around, unless that is under way."""
+        """Begin the tour, unless it is running."""
         if self._tour is None:
             self._messages.clear()
             self._tour = Tour(self._window, self._place, self._panes.show, self._hide)

@@ -1,4 +1,4 @@
-"""The manual, to read beside the window: a list of its pages, the page, and a search in all."""
+"""Manual in a window: list of pages, page, and search."""
 
 from collections.abc import Iterator
 
@@ -27,7 +27,7 @@ _MARGIN = 24  # pixels beside a picture
 
 
 class PageView(QTextBrowser):
-    """A page whose pictures are as wide as the view at the most."""
+    """A page whose pictures fit into the view."""
 
     def __init__(self) -> None:
         super().__init__(openExternalLinks=True)
@@ -35,7 +35,7 @@ class PageView(QTextBrowser):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
-        """Pictures fit into the view; they are sharp where its pixels are small."""
+        """Scale pictures to the view, sharp on high-resolution displays."""
         if kind != QTextDocument.ResourceType.ImageResource.value:
             return super().loadResource(kind, name)
         image = QImage(self.source().resolved(QUrl(name)).toLocalFile())
@@ -47,7 +47,7 @@ class PageView(QTextBrowser):
         return image
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the pictures anew."""
+        """Scale the pictures again."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width() and not self.source().isEmpty():
             place = self.verticalScrollBar().value()
@@ -56,7 +56,7 @@ class PageView(QTextBrowser):
 
 
 class Manual(QDialog):
-    """All that can be done here and in a shell."""
+    """Window of the manual."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
@@ -109,14 +109,12 @@ class Manual(QDialog):
             self._text.setSource(url)
 
     def _follow(self, source: QUrl) -> None:
-        """Another page is there, perhaps by a link: the list says which."""
         names = [page.file.name for page in self._pages]
         if (name := source.fileName()) in names:
             self._list.setCurrentRow(names.index(name))
         self._mark()
 
     def _find(self, words: str) -> None:
-        """List the pages that hold some words, and show the first of them."""
         for row, page in enumerate(self._pages):
             self._list.item(row).setHidden(not page.holds(words))
         shown = self._listed()
@@ -128,11 +126,9 @@ class Manual(QDialog):
             self._mark()
 
     def _listed(self) -> list[int]:
-        """The rows that the search has left."""
         return [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
 
     def _mark(self) -> None:
-        """Mark what is searched for on this page, and go to the first of it."""
         self._places = sorted(self._found(), key=QTextCursor.position)
         marks = []
         for place in self._places:
@@ -154,7 +150,6 @@ class Manual(QDialog):
                 place = document.find(word, place)
 
     def _find_next(self) -> None:
-        """Go to the next place after the cursor, then to the next page."""
         at = self._text.textCursor().position()
         after = next((place for place in self._places if place.position() > at), None)
         if after is not None:

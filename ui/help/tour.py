@@ -1,7 +1,7 @@
-"""A short tour of the window: a frame around one part of it at a time, and a bubble beside it.
+"""Tour of the window: a frame around one part at a time, with a bubble beside it.
 
-The 3D scene is a native window within the window and lies above all that Qt paints there, so
-frame and bubble are native windows too.
+The 3D view is a native window above everything that Qt paints, so frame and bubble are native
+windows too.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ from ui.words import later, tr
 
 @dataclass(frozen=True)
 class Stop:
-    """What the tour points at, and what it says there."""
+    """A step of the tour: its target and text."""
 
     place: str
     title: str
@@ -91,17 +91,7 @@ STOPS = later(
 
 
 class Tour(QObject):
-    """Goes from stop to stop by buttons or keys until it is ended.
-
-    Parameters
-    ----------
-    window : QWidget
-        Is shown around in.
-    place : callable
-        The widget of a place's name.
-    show, hide : callable
-        Brings a place into sight; puts one away that was out of sight before.
-    """
+    """Moves from step to step by buttons or keys."""
 
     ended = Signal()
 
@@ -127,11 +117,11 @@ class Tour(QObject):
         self._go(0)
 
     def end(self) -> None:
-        """Leave everything as it was."""
+        """Restore the window."""
         self._go(len(STOPS))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow what moves."""
+        """Follow moved targets."""
         if event.type() in (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show):
             self._follow.start()
         return False
@@ -176,13 +166,7 @@ class Tour(QObject):
 
 
 class Bubble(QFrame):
-    """What the tour says, with the way on and back.
-
-    Attributes
-    ----------
-    left : Signal()
-        The tour shall end.
-    """
+    """Text of a step, with buttons."""
 
     left = Signal()
 
@@ -217,7 +201,7 @@ class Bubble(QFrame):
         column.addLayout(buttons)
 
     def tell(self, stop: Stop, number: int, count: int) -> None:
-        """Say what there is to say at a stop."""
+        """Show the text of a step."""
         title, text = tr(stop.title), tr(stop.text)
         self._title.setText(title)
         self._text.setText(text)
@@ -229,7 +213,7 @@ class Bubble(QFrame):
         self.end.setVisible(not last)
 
     def stand_beside(self, target: QRect, room: QRect) -> None:
-        """Stand where there is room beside the target, or in its middle."""
+        """Move beside the target if there is space, else into its middle."""
         self._text.setMinimumWidth(44 * self.fontMetrics().averageCharWidth())
         width = self.sizeHint().width()
         own = QRect(0, 0, width, self._column.totalHeightForWidth(width))
@@ -255,7 +239,7 @@ class Bubble(QFrame):
             self.on.setFocus()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape ends the tour."""
+        """End the tour by Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self.left.emit()
         else:
@@ -263,8 +247,6 @@ class Bubble(QFrame):
 
 
 class _Frame(QWidget):
-    """A ring around a place; the mouse goes through it."""
-
     _WIDTH = 3
 
     def __init__(self, window: QWidget) -> None:
@@ -273,7 +255,6 @@ class _Frame(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def surround(self, place: QRect) -> None:
-        """Stand around a place."""
         self.setGeometry(place)
         inner = self.rect().adjusted(self._WIDTH, self._WIDTH, -self._WIDTH, -self._WIDTH)
         self.setMask(QRegion(self.rect()) - QRegion(inner))
@@ -281,7 +262,6 @@ class _Frame(QWidget):
         self.raise_()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Fill what the mask leaves."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().highlight())
         painter.end()

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QLine
 
 from ui.words import later, tr
 from workbench.errors import Refused
-from workbench.files.export.cutting import PLAIN, RANGES, Cutting
+from workbench.files.export.options import PLAIN, RANGES, Cutting
 from workbench.quantity import read_number
 
 _LENGTHS = later(

@@ -23,11 +23,11 @@ from ui.threads.background import Background, Task
 from ui.threads.failure import sentence_of
 from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
-from workbench.files.export.cutting import Cutting
+from workbench.files.export.options import Cutting
 from workbench.powers import written
 
 if TYPE_CHECKING:
-    from workbench.files.export.cut_plan import CutPlan
+    from workbench.files.export.gcode import CutPlan
     from workbench.files.session import Session
 
 RAYS = 1_000_000
@@ -234,7 +234,7 @@ class CutterDialog(QDialog):
 
 def _words(plan: "CutPlan", unit: str) -> str:
     """What a cut leaves."""
-    cut_off, left, _ = plan.remains
+    cut_off, left, _ = plan.errors
     deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(cut_off, unit, 2))
     whole = cut_off < _NEGLIGIBLE * left
     found = tr(

@@ -1,1 +1,1 @@
-"""Messages about edits and runs that offer what to do next."""
+"""Messages about edits and runs, with buttons for the next step."""

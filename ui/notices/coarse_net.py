@@ -1,4 +1,4 @@
-"""Says after a run that the net is too coarse for its target, and offers a finer one."""
+"""Messages after a run: net too coarse, little light on the receiver, total reflection."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -15,19 +15,7 @@ if TYPE_CHECKING:
 
 
 class CoarseNetNotice(QObject):
-    """Listens to the runs of a window.
-
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs; the notice goes with it.
-    messages : MessageBar
-        Gets what is said, unless something else is to be read there.
-    start_over : Callable
-        Begins a run anew.
-    """
+    """Reports after a run that the net is too coarse, and offers a finer one."""
 
     def __init__(
         self,
@@ -43,7 +31,6 @@ class CoarseNetNotice(QObject):
         document.session_changed.connect(self._withdraw)
 
     def _say(self) -> None:
-        """Say it of the lens that the document has."""
         # Late: torch comes with it, and the window shows before that.
         from workbench.design.coarse_net import coarse_net
 
@@ -56,7 +43,6 @@ class CoarseNetNotice(QObject):
             self._messages.warn(self._text, (tr("Refine and start over"), self._refine))
 
     def _refine(self) -> None:
-        """Leave the net to the program, and design anew."""
         scene = self._document.session.scene
         path = f"{scene.face_path()}.control_points"
         edit = Edit(path, tr("automatic control points"), {path: "auto"})
@@ -64,6 +50,5 @@ class CoarseNetNotice(QObject):
         self._start_over()
 
     def _withdraw(self) -> None:
-        """It was said of a lens that is another one now, or of another task."""
         self._messages.withdraw(self._text)
         self._text = ""

@@ -13,17 +13,7 @@ if TYPE_CHECKING:
 
 
 class LostLightNotice(QObject):
-    """Listens to the runs of a window.
-
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs; the notice goes with it.
-    messages : MessageBar
-        Gets what is said, unless something else is to be read there.
-    """
+    """Reports after a run why little light reaches the receiver, and a remedy."""
 
     def __init__(self, document: Document, control: "RunControl", messages: MessageBar) -> None:
         super().__init__(control)
@@ -33,7 +23,7 @@ class LostLightNotice(QObject):
         document.session_changed.connect(self._withdraw)
 
     def say(self) -> None:
-        """Say it of the lens that the document has."""
+        """Report it for the lens of the document."""
         scene, result = self._document.session.scene, self._document.session.result
         advice = None if result is None else result.state.account.advice(scene)
         self._text = "" if advice is None else tr(advice)
@@ -41,6 +31,5 @@ class LostLightNotice(QObject):
             self._messages.warn(self._text)
 
     def _withdraw(self) -> None:
-        """It was said of a lens that is another one now, or of another task."""
         self._messages.withdraw(self._text)
         self._text = ""

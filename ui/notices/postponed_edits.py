@@ -1,4 +1,4 @@
-"""Edits of the task that are made while a run goes on: they wait for its end, or end it."""
+"""Messages about edits: postponed by a run, refused, changes of target image and unit."""
 
 from PySide6.QtCore import QObject
 
@@ -9,7 +9,7 @@ from ui.words import tr
 
 
 class PostponedEdits(QObject):
-    """Says which edits wait, and offers to stop the run for them."""
+    """Reports which edits wait for the end of a run, and offers to stop it."""
 
     def __init__(
         self, forms: Forms, control: RunControl, messages: MessageBar, parent: QObject
@@ -20,12 +20,12 @@ class PostponedEdits(QObject):
         forms.postponed.connect(self._offer)
 
     def make(self) -> None:
-        """The run has ended: make the edits."""
+        """Apply the edits after the run."""
         self._withdraw()
         self._forms.make_postponed_edits()
 
     def remind(self, sentence: str) -> None:
-        """Say something, and that edits still wait."""
+        """Show a sentence, and that edits still wait."""
         self._offer(f"{sentence} {self._forms.postponed_text}")
 
     def _offer(self, sentence: str) -> None:

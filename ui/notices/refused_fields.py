@@ -8,7 +8,7 @@ from ui.words import tr
 
 
 class RefusedFields(QObject):
-    """Tells of the refused fields, as long as there are any."""
+    """Reports refused fields, as long as there are any."""
 
     def __init__(self, forms: Forms, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
@@ -17,7 +17,7 @@ class RefusedFields(QObject):
         forms.refusals_changed.connect(self._follow)
 
     def tell(self) -> None:
-        """Say which fields are to be corrected."""
+        """Report which fields need a correction."""
         count = len(self._forms.refusals)
         first = self._forms.refusals[0]
         others = tr(" ({count} more refused)").format(count=count - 1) if count > 1 else ""
@@ -27,7 +27,6 @@ class RefusedFields(QObject):
         self._messages.warn(self._text)
 
     def _follow(self) -> None:
-        """What was said is over when its field is corrected; the next one may be left."""
         if self._text and self._messages.text == self._text:
             if self._forms.refusals:
                 self.tell()

@@ -1,4 +1,4 @@
-"""Says when the limits of the optic are too narrow for its task, and offers the cure."""
+"""Message about limits of the element that are too narrow for the task."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,19 +21,7 @@ _MORE = 0.05  # of a needed range, at each end
 
 
 class ShortfallNotice(QObject):
-    """Listens to the runs of a window and to what is open in it.
-
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs; the notice goes with it.
-    messages : MessageBar
-        Gets what is said.
-    start_over, go_on : Callable
-        Begin a run: anew, or from the lens as it is.
-    """
+    """Reports limits that are too narrow, in a run or an open lens, and offers wider ones."""
 
     def __init__(
         self,
@@ -56,7 +44,6 @@ class ShortfallNotice(QObject):
         self.follow(document.session)
 
     def _look(self, frame: "Frame") -> None:
-        """Say it once a run, as soon as it is known."""
         shortfall = frame.state.shortfall
         if shortfall is None or not self._control.busy or self._text_of_run:
             return
@@ -75,7 +62,7 @@ class ShortfallNotice(QObject):
             self._widen(shortfall)
 
     def follow(self, session: Session) -> None:
-        """Of the lens that is open; what was said of another one is withdrawn."""
+        """Report on the open lens; remove the report on another one."""
         shortfall = None if session.result is None else session.result.state.shortfall
         if shortfall is self._shown:
             return
@@ -92,7 +79,6 @@ class ShortfallNotice(QObject):
         return []
 
     def _wider(self, shortfall: Shortfall) -> Edit | None:
-        """The range that would help, if there is one."""
         scene = self._document.session.scene
         path = f"{scene.face_path()}.height_range"
         if shortfall.cause == "height_range" and scene.optic.height_range is not None:
@@ -115,7 +101,6 @@ class ShortfallNotice(QObject):
         self._control.runner.stop()
 
     def _widen(self, shortfall: Shortfall) -> None:
-        """Leave the range to the task, or make that of the entrance face wider; keep the lens."""
         edit = self._wider(shortfall)
         if edit is None:  # the scene was edited meanwhile
             return
@@ -149,6 +134,5 @@ class ShortfallNotice(QObject):
 
 
 def _wide(low: float, high: float) -> list[float]:
-    """A range that is a little wider than one that is needed."""
     more = _MORE * (high - low)
     return [low - more, high + more]

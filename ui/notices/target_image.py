@@ -11,7 +11,7 @@ from workbench.files.session import Session
 
 
 class TargetImage(QObject):
-    """Listens to the edits of a document."""
+    """Reports that the target's image is not stored, or has changed on disk."""
 
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
@@ -21,7 +21,7 @@ class TargetImage(QObject):
         document.session_changed.connect(self._withdraw)
 
     def look(self) -> None:
-        """Look at a design that has just been opened."""
+        """Report on a design that was just opened."""
         session = self._document.session
         if self._document.path is None:  # drawn from its file a moment ago
             self._tell_if_not_kept(session)
@@ -60,5 +60,4 @@ class TargetImage(QObject):
             self._messages.warn(error_text(refused))
 
     def _withdraw(self) -> None:
-        """What was said is about the session that it was said of."""
         self._messages.withdraw(self._text)

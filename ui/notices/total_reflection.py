@@ -22,13 +22,7 @@ _LEAST = 1e-6  # of the light; less is rounding
 
 
 class TotalReflectionNotice(QObject):
-    """Listens to the runs of a window.
-
-    Attributes
-    ----------
-    said : Signal(str)
-        Where it is, and what would help; or why that could not be found.
-    """
+    """Reports after a run where light is totally reflected, and marks it in the 3D view."""
 
     said = Signal(str)
 
@@ -42,7 +36,7 @@ class TotalReflectionNotice(QObject):
         document.session_changed.connect(self._forget)
 
     def look(self) -> None:
-        """Look at the lens that the document has."""
+        """Search in the lens of the document."""
         session = self._document.session
         result = session.result
         lost = {} if result is None else result.state.account.lost
@@ -69,12 +63,10 @@ class TotalReflectionNotice(QObject):
         self.said.emit(sentence_of(error, tr("search for total reflection")))
 
     def _forget(self) -> None:
-        """What is looked for is a place of another lens."""
         self._background.cancel()
 
 
 def _find(session: "Session", task: Task) -> "TotalReflection | None":
-    """Meant for the thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.optics.total_reflection import total_reflection
 

@@ -10,7 +10,7 @@ from workbench.units import ratio
 
 
 class UnitChange(QObject):
-    """Listens to the edits of a document."""
+    """Reports that a change of unit converted all lengths, and offers to keep the numbers."""
 
     def __init__(self, document: Document, messages: MessageBar, parent: QObject) -> None:
         super().__init__(parent)
@@ -37,6 +37,5 @@ class UnitChange(QObject):
         self._document.change(before.with_scene(scene, before.target), tr("change of unit alone"))
 
     def _withdraw(self, session: Session) -> None:
-        """What was said is about the session that it was said of."""
         if session is not self._after:
             self._messages.withdraw(self._text)

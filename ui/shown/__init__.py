@@ -1,1 +1,1 @@
-"""What is shown: frames of a run or a preview, and the history of frames to look back at."""
+"""Shown data: frames of a run or a preview, and their history."""

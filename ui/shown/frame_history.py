@@ -1,4 +1,4 @@
-"""The course of a run: frames that a person can go back to, and what checks said on the way."""
+"""History of a run: frames to return to, and its checks."""
 
 import weakref
 from collections.abc import Sequence
@@ -22,8 +22,6 @@ _COURSES = 2  # as large as that are kept
 
 @dataclass
 class _KeptCourse:
-    """The course that led to a result, found by the result's loss curve."""
-
     losses: weakref.ref[Array]
     frames: "tuple[Frame, ...]"
     gap: int
@@ -31,18 +29,11 @@ class _KeptCourse:
 
 
 class FrameHistory(QObject):
-    """Frames of a run and of those that continue it, first and latest always among them.
+    """Frames of a run and of its continuations, including the first and the latest.
 
-    When they take too much memory every second one is dropped, and from then on frames are kept
-    half as often: the course is kept evenly, however long it is.
-
-    A course is kept with the result that it led to, as long as that lives, and `show` brings it
-    back: undoing a run takes its course away, and redoing it brings the course back.
-
-    Parameters
-    ----------
-    budget : int
-        Bytes that the frames of a course may take.
+    When frames exceed the memory ``budget``, every second one is dropped and the interval is
+    doubled: the history stays evenly spaced. A history is kept as long as its result lives, and
+    `show` restores it: undo and redo of a run restore its history.
     """
 
     changed = Signal()
@@ -57,16 +48,16 @@ class FrameHistory(QObject):
 
     @property
     def frames(self) -> "Sequence[Frame]":
-        """In the order of their iterations."""
+        """Frames in the order of iterations."""
         return self._frames
 
     @property
     def checks(self) -> "tuple[Verified, ...]":
-        """What checks said of lenses of this course, in the order in which they ended."""
+        """Checks of lenses of this history, in the order of their ends."""
         return self._checks
 
     def add(self, frame: "Frame") -> None:
-        """Keep the latest frame; what came later in an earlier course is forgotten."""
+        """Add the latest frame; later frames of an earlier history are dropped."""
         frames, at = self._frames, iterations_before(frame)
         while frames and iterations_before(frames[-1]) >= at:
             frames.pop()
@@ -86,29 +77,29 @@ class FrameHistory(QObject):
         self.changed.emit()
 
     def add_check(self, check: "Verified") -> None:
-        """Keep what a check says of a lens of the course on show."""
+        """Add a check of a lens of the shown history."""
         self._checks += (check,)
         self.changed.emit()
 
     def add_later_check(self, check: "Verified", result: Result, session: "Session") -> None:
-        """Keep what a check says of the lens of a result, whatever the session shows by now."""
+        """Add a check of the lens of a result, whatever is shown now."""
         kept = self._of(result)
         if kept is not None:
             kept.checks += (check,)
             self.show(session)
 
     def keep(self, result: Result) -> None:
-        """Keep the course on show as the one that led to a result."""
+        """Keep the shown history as that of a result."""
         self._keep(result.losses, tuple(self._frames), self._checks)
 
     def branch(self, frame: "Frame") -> None:
-        """Keep the course on show up to one of its frames, which becomes a result."""
+        """Keep the shown history up to a frame that becomes a result."""
         at = iterations_before(frame)
         before = (each for each in self._frames if iterations_before(each) < at)
         self._keep(frame.result.losses, (*before, frame), _until(at, self._checks))
 
     def show(self, session: "Session") -> None:
-        """Go to the course of a session's result; to none where none was kept."""
+        """Show the history of a session's result; empty if there is none."""
         kept = None if session.result is None else self._of(session.result)
         frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
         if frames and not same_task(frames[0].session, session):
@@ -128,7 +119,6 @@ class FrameHistory(QObject):
         self._save_memory()
 
     def _save_memory(self) -> None:
-        """Forget the courses of results that are gone, and the frames of the oldest others."""
         self._kept = [kept for kept in self._kept if kept.losses() is not None]
         sizes: dict[int, int] = {}  # courses share frames
         for kept in reversed(self._kept):

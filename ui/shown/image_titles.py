@@ -10,10 +10,10 @@ if TYPE_CHECKING:
 
 
 def image_titles(*scenes: "Scene") -> list[str]:
-    """Number and place of each image; of several scenes, of that with the most images.
+    """Return number and position of each image of the scenes.
 
-    A scene with fewer has its last image beside those that it lacks. Places that differ from scene
-    to scene have an arrow in between.
+    A scene with fewer images repeats its last one. Positions that differ between scenes are joined
+    by an arrow.
     """
     most = max(len(scene.receivers) for scene in scenes)
     titles = []

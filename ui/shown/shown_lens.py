@@ -1,4 +1,4 @@
-"""What a window shows: its design, and the latest frame of a run, a preview or the history."""
+"""Shown lens: the latest frame of a run, a preview or the history."""
 
 from typing import TYPE_CHECKING, Protocol
 
@@ -18,30 +18,20 @@ class FrameView(Protocol):
     """Something that shows designs and their frames."""
 
     def show_design(self, session: "Session") -> None:
-        """Take note of another scene or target."""
+        """Store another scene or target."""
 
     def show_frame(self, frame: "Frame") -> None:
         """Show a frame."""
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no frame."""
+        """Show a design without a frame."""
 
     def show_outdated(self, outdated: bool) -> None:
-        """Mark what is shown as that of another design than the open one, or no longer."""
+        """Mark the shown frame as that of another design, or remove the mark."""
 
 
 class ShownLens(QObject):
-    """Passes frames from those that make them to those that show them; neither knows the other.
-
-    Attributes
-    ----------
-    frame_changed : Signal(Frame)
-        Another frame is shown.
-    emptied : Signal(Session)
-        There is no frame of this design.
-    outdated_changed : Signal(bool)
-        The frame on show is of another design than the open one, or no longer.
-    """
+    """Passes frames from their producers to the views; neither knows the other."""
 
     frame_changed = Signal(object)
     emptied = Signal(object)
@@ -59,7 +49,7 @@ class ShownLens(QObject):
         self.emptied.connect(self._empty)
 
     def add(self, view: FrameView) -> None:
-        """Let a view show the design of now, and from then on whatever is shown."""
+        """Show the present design in a view, and all later frames."""
         view.show_design(self._document.session)
         self._document.session_changed.connect(view.show_design)
         self.frame_changed.connect(view.show_frame)
@@ -67,11 +57,9 @@ class ShownLens(QObject):
         self.outdated_changed.connect(view.show_outdated)
 
     def _follow(self, session: "Session") -> None:
-        """Another design is open, of which the frame on show may still be."""
         self._judge(self._frame is None or shows(self._frame, session))
 
     def _take(self, frame: "Frame") -> None:
-        """A frame of the open design shows it as it is or was in the making."""
         self._frame = frame
         self._mark(False)
         self._judge(lit_alike(frame.session, self._document.session))

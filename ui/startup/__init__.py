@@ -1,1 +1,1 @@
-"""What happens once, when the program starts: display, slow libraries, unexpected errors."""
+"""Start of the program: display, slow libraries, unexpected errors."""

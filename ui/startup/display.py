@@ -1,4 +1,4 @@
-"""Whether a window can open here, found out before Qt would abort."""
+"""Check whether a window can open, before Qt would abort."""
 
 import ctypes
 import os
@@ -22,7 +22,7 @@ _PATIENCE_S = 20.0
 
 
 def why_no_window() -> str | None:
-    """One sentence on what stands in the way of a window; None if nothing does."""
+    """Return why no window can open; None if it can."""
     platform = os.environ.get(_PLATFORM, "")
     if sys.platform.startswith("linux"):
         if missing := system_libraries.missing():
@@ -35,7 +35,6 @@ def why_no_window() -> str | None:
 
 
 def _cure() -> str:
-    """The command that starts the program without that setting."""
     if sys.platform == "win32":
         return f"set {_PLATFORM}= & freeform-workbench"
     return f"env -u {_PLATFORM} freeform-workbench"
@@ -50,7 +49,6 @@ def _why_no_x_window() -> str | None:
 
 
 def _starts() -> bool:
-    """Whether Qt starts in a process of its own: it aborts where it cannot."""
     try:
         command = [sys.executable, "-c", _PROBE]
         done = subprocess.run(command, capture_output=True, timeout=_PATIENCE_S, check=False)

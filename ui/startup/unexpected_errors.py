@@ -1,10 +1,10 @@
-"""Defects that nobody caught: shown once in the window, with all that a report of them needs.
+"""Unexpected errors: shown once in the window, with details for a report.
 
-1. An error in a slot or in a handler of events ends that slot, not the program: Qt's loop goes on.
-2. A view that fails fails at every frame. Each kind, by its type and the line that raised it, is
-   shown once and printed every time.
-3. Errors of other threads and messages of Qt come from anywhere; signals bring them to the window.
-4. Each is written down in the file of `workbench.defects`, which the sentence names.
+1. An error in a slot or event handler ends only that slot: Qt's event loop continues.
+2. A failing view fails at every frame. Each kind of error, by its type and line, is shown once and
+   printed every time.
+3. Errors of other threads and messages of Qt arrive anywhere; signals pass them to the window.
+4. Each is written to the file of `workbench.defects`, which the message names.
 """
 
 import logging
@@ -33,17 +33,7 @@ _SERIOUS = (QtMsgType.QtWarningMsg, QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMs
 
 
 class UnexpectedErrors(QObject):
-    """Takes the hooks of Python and Qt over until `close`.
-
-    Attributes
-    ----------
-    happened : Signal(str, str)
-        An error of a new kind as a sentence, and its details.
-    qt_warned : Signal(str)
-        A warning of Qt's that was not heard before.
-    logged : Signal(str)
-        The details of an error that was reported by who began the work; see `ui.threads.failure`.
-    """
+    """Installs error hooks of Python and Qt until `close`."""
 
     happened = Signal(str, str)
     qt_warned = Signal(str)
@@ -61,7 +51,7 @@ class UnexpectedErrors(QObject):
         LOG.addHandler(self._relay)
 
     def close(self) -> None:
-        """Give the hooks back."""
+        """Restore the hooks."""
         sys.excepthook, threading.excepthook = self._hooks
         qInstallMessageHandler(self._qt_handler)
         LOG.removeHandler(self._relay)
@@ -97,14 +87,11 @@ class UnexpectedErrors(QObject):
 
 
 def _place(trace: TracebackType | None) -> str:
-    """The line that raised."""
     frames = traceback.extract_tb(trace)
     return f"{frames[-1].filename}:{frames[-1].lineno}" if frames else ""
 
 
 class _Relay(logging.Handler):
-    """Prints what is logged, and gives it to the window."""
-
     def __init__(self, tell: Callable[[str], None]) -> None:
         super().__init__()
         self._tell = tell

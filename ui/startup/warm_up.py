@@ -1,4 +1,4 @@
-"""Imports the slow libraries, and gets the kernels ready, while the window is already there."""
+"""Import of slow libraries and loading of kernels while the window is already shown."""
 
 import importlib
 
@@ -13,15 +13,7 @@ _SLOW = ("workbench.pictures.lens", "workbench.pictures.axes", "workbench.design
 
 
 class WarmUp(QObject):
-    """Imports in a thread of its own.
-
-    Attributes
-    ----------
-    imported : Signal()
-        The libraries are there; one that failed fails again where it is needed.
-    failed : Signal(str)
-        Why libraries or kernels could not be made ready.
-    """
+    """Imports in another thread."""
 
     imported = Signal()
     failed = Signal(str)
@@ -44,7 +36,7 @@ class WarmUp(QObject):
         return self._background.running
 
     def wait(self) -> None:
-        """Let the imports end; Python that ends in the midst of one may crash."""
+        """Wait for the imports; exiting during an import may crash."""
         self._background.close()
 
 

@@ -1,1 +1,1 @@
-"""Work in threads of its own, so that the window answers."""
+"""Work in other threads, so that the window responds."""

@@ -1,8 +1,8 @@
-"""Work in threads of its own, so that the window answers meanwhile.
+"""Work in other threads, so that the window responds.
 
-1. One thread at a time works for a `Background`. Of the requests that come meanwhile the latest is
-   next, and the others never begin.
-2. Every signal is emitted in the window's thread; for work that was cancelled, none is.
+1. A `Background` uses one thread at a time. Of the requests during its work only the latest is
+   executed.
+2. All signals are emitted in the window's thread, none for cancelled work.
 3. An error is passed as the exception itself, with its traceback; see `sentence_of`.
 """
 
@@ -21,17 +21,7 @@ End = TypeVar("End")
 
 
 class Task:
-    """Work that was asked for, as its thread sees it.
-
-    Parameters
-    ----------
-    work : Callable
-        Does it; gets the task.
-    request : object
-        What was asked.
-    report : Callable
-        Takes the task and a value to the window's thread.
-    """
+    """Requested work, as seen by its thread; ``report`` passes values to the window's thread."""
 
     def __init__(
         self, work: "Work", request: object, report: Callable[["Task", object], object]
@@ -45,7 +35,7 @@ class Task:
 
     @property
     def stopped(self) -> bool:
-        """Whether the work shall end soon."""
+        """Whether the work should end soon."""
         return self._stopped.is_set()
 
     def stop(self) -> None:
@@ -53,26 +43,13 @@ class Task:
         self._stopped.set()
 
     def report(self, value: object) -> None:
-        """Tell how far the work is; meant for its thread."""
+        """Report progress; called in the thread of the work."""
         self._report(self, value)
 
     def follow(
         self, steps: Generator[Step, None, End], watch: Callable[[Step], object] | None = None
     ) -> End | None:
-        """Take steps until their end, or until the work shall end; meant for its thread.
-
-        Parameters
-        ----------
-        steps : generator
-            Each of its steps takes a moment.
-        watch : callable, optional
-            Called with what each step yields.
-
-        Returns
-        -------
-        object
-            What the steps return; None if they were left before that.
-        """
+        """Run steps until their end or until `stop`; return their result, or None if stopped."""
         with closing(steps):
             while not self.stopped:
                 try:
@@ -85,7 +62,7 @@ class Task:
         return None
 
     def run(self) -> None:
-        """Do the work, or leave it as soon as nobody wants it; meant for its thread."""
+        """Do the work until its end or its cancellation."""
         try:
             with given_up_when(lambda: not self.wanted):
                 self.result = self._work(self)
@@ -99,8 +76,6 @@ Work = Callable[[Task], object]
 
 
 class _Thread(QThread):
-    """Makes one call. It has no event loop, and nothing is connected to it."""
-
     def __init__(self, call: Callable[[], object]) -> None:
         super().__init__()
         self._call = call
@@ -110,24 +85,10 @@ class _Thread(QThread):
 
 
 class Background(QObject):
-    """Does the latest work that was asked for, and tells what came of it.
+    """Executes the latest requested work and emits its result.
 
-    Parameters
-    ----------
-    name : str
-        Of the thread.
-    finish_first : bool
-        Finish and tell work that has begun before that of a later request begins; otherwise a
-        later request cancels it.
-
-    Attributes
-    ----------
-    progressed : Signal(object, object)
-        A request, and what the work on it reports.
-    done : Signal(object, object)
-        A request, and what the work on it returned.
-    failed : Signal(object, Exception)
-        A request, and what ended the work on it.
+    ``finish_first`` lets begun work finish before that of a later request begins; by default a
+    later request cancels it. ``progressed``, ``done`` and ``failed`` are emitted with the request.
     """
 
     progressed = Signal(object, object)
@@ -149,29 +110,21 @@ class Background(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether an outcome is still to be emitted."""
+        """Whether a result is still to be emitted."""
         return self._next is not None or (self._task is not None and self._task.wanted)
 
     @property
     def running(self) -> bool:
-        """Whether a thread is at work, be it on what nobody wants any more."""
+        """Whether a thread is at work, even on cancelled work."""
         return self._task is not None
 
     @property
     def stopping(self) -> bool:
-        """Whether the work whose outcome is still to be emitted was asked to end."""
+        """Whether stopped work has not yet emitted its result."""
         return self._task is not None and self._task.wanted and self._task.stopped
 
     def begin(self, work: Work, request: object = None) -> None:
-        """Do some work, now or as soon as the thread is free.
-
-        Parameters
-        ----------
-        work : Callable
-            Is called in the thread with its `Task`, which says when it shall end sooner.
-        request : object
-            Is emitted with the outcome.
-        """
+        """Execute work with its `Task`, now or when the thread is free."""
         if not self._finish_first:
             self.cancel()
         self._next = Task(work, request, self._reported.emit)
@@ -179,19 +132,19 @@ class Background(QObject):
             self._begin_next()
 
     def stop(self) -> None:
-        """Ask the work to end soon; what it returns is emitted."""
+        """Ask the work to end soon; its result is emitted."""
         self._next = None
         if self._task is not None:
             self._task.stop()
 
     def cancel(self) -> None:
-        """Ask the work to end soon, and emit nothing more of it."""
+        """Ask the work to end soon; nothing more is emitted."""
         self.stop()
         if self._task is not None:
             self._task.wanted = False
 
     def finish(self) -> None:
-        """Wait for all work and tell what came of it before returning."""
+        """Wait for all work and emit its results."""
         while self._task is not None:
             self._end(self._task)
 

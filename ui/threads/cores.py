@@ -1,4 +1,4 @@
-"""How much of the machine threads beside the window take."""
+"""Set-up of threads: cores for torch, and garbage collection in the window's thread."""
 
 import os
 
@@ -6,14 +6,13 @@ from PySide6.QtCore import QThread
 
 
 def leave_core_for_window() -> None:
-    """Let torch, and kernels with it, use all cores but one; to be called before it is loaded.
+    """Let torch and kernels use all cores but one; call before they are loaded.
 
-    Threads that wait for each other at every step are slower, not faster, when one of them has to
-    give way to drawing.
+    Threads that synchronise at every step become slower if one of them competes with drawing.
     """
     os.environ.setdefault("OMP_NUM_THREADS", str(other_cores()))
 
 
 def other_cores() -> int:
-    """Cores beside the one that stays the window's; at least 1."""
+    """Cores beside that of the window; at least 1."""
     return max(1, QThread.idealThreadCount() - 1)

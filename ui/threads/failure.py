@@ -11,16 +11,7 @@ LOG = logging.getLogger("freeform-workbench")
 
 
 def sentence_of(error: Exception, work: str) -> str:
-    """Why some work failed.
-
-    Parameters
-    ----------
-    error : Exception
-        What ended it: a refusal, which is a sentence, or a defect of the program. The traceback of
-        a defect goes to the log and into the file that the sentence names.
-    work : str
-        What the work is called: ``run``.
-    """
+    """Return why some named work failed; a defect's traceback goes to the log."""
     if isinstance(error, Refused | RunFailed):
         return error_text(error)
     LOG.error(details(error))

@@ -12,7 +12,11 @@ _EVERY_MS = 100
 
 
 class GarbageCollector(QObject):
-    """Does what Python does of itself, at the same thresholds, between two events of the window."""
+    """Collects cyclic garbage between events of the window, at Python's thresholds.
+
+    Python collects in whichever thread allocates. A worker's thread would then delete timers and
+    widgets of the window, which Qt forbids: timers stop, or the program crashes.
+    """
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -26,6 +30,6 @@ class GarbageCollector(QObject):
             gc.collect(full[-1])
 
     def close(self) -> None:
-        """Leave it to Python again."""
+        """Return the collection to Python."""
         self.killTimer(self._timer)
         gc.enable()

@@ -1,1 +1,1 @@
-"""Views of the design: each shows the latest frame, and draws nothing that nobody sees."""
+"""Views of the design: each shows the latest frame and draws only while visible."""

@@ -55,15 +55,7 @@ _INK, _PAPER = "black", "white"  # of files, which are read and printed elsewher
 
 
 class PlotCanvas(FigureCanvasQTAgg):
-    """A figure with one set of axes whose artists change often.
-
-    Parameters
-    ----------
-    parent : QWidget
-        Its palette gives the colours.
-    bar : bool
-        Leave room for a colour bar beside the axes.
-    """
+    """A figure with one set of axes whose artists change often."""
 
     def __init__(self, parent: QWidget, bar: bool) -> None:
         super().__init__(Figure())
@@ -79,38 +71,36 @@ class PlotCanvas(FigureCanvasQTAgg):
 
     @property
     def roomy(self) -> bool:
-        """Whether there is room for axes beside their labels."""
+        """Whether there is space for axes beside their labels."""
         across = self.width() - self._left - (self._bar_labels if self._bar else _RIGHT)
         return bool(min(across, self.height() - _BOTTOM - _TOP) >= _LEAST)
 
     @property
     def _narrow(self) -> bool:
-        """Whether names of axes would take too much room from an image."""
         return self._bar and self.width() < _NARROW
 
     @property
     def _left(self) -> int:
-        """Logical pixels at the left of the axes."""
         if not self._bar:
             return _LEFT_OF_CURVE
         return _LEFT_OF_NARROW if self._narrow else _LEFT_OF_IMAGE
 
     def begin(self) -> Axes:
-        """Throw the old picture away; the axes of the next."""
+        """Clear the figure and return new axes."""
         self._artists = ()
         self.figure.clear()
         self._place()
         return self.figure.add_subplot()
 
     def animate(self, artists: Sequence[Artist]) -> None:
-        """Tell which artists change from picture to picture, and take colours for all others."""
+        """Set the artists that change from frame to frame, and recolour the others."""
         for artist in artists:
             artist.set_animated(True)
         self._artists = artists
         self.recolour()
 
     def show_changes(self, everything: bool) -> None:
-        """Paint the artists over the background, or draw all anew."""
+        """Draw the artists over the background, or everything."""
         if everything or self._background is None:
             self.draw()
         else:
@@ -119,24 +109,24 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.repaint()
 
     def recolour(self) -> None:
-        """Take the colours of the palette; seen with the next drawing."""
+        """Set the colours of the palette, used in the next drawing."""
         palette = self.parentWidget().palette()
         paint(self.figure, palette.windowText().color().name(), palette.window().color().name())
         self._background = None
 
     def draw_idle(self) -> None:
-        """Draw before the next painting."""
+        """Schedule a drawing before the next paint event."""
         self._stale = True
         self.update()
 
     def draw_now(self) -> None:
-        """Draw, unless that was done while others were drawn."""
+        """Draw, unless it was already drawn."""
         if self._stale:
             self.draw()
             self.repaint()
 
     def draw(self) -> None:
-        """Draw everything and keep all but the artists as the background."""
+        """Draw everything, and keep all but the artists as background."""
         self._stale = False
         self._name_axes(not self._narrow)
         for _ in range(_TRIES):
@@ -155,21 +145,21 @@ class PlotCanvas(FigureCanvasQTAgg):
         self.draw()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Leave keys to the view; matplotlib would keep them."""
+        """Pass keys to the view; matplotlib would consume them."""
         event.ignore()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show that the keyboard works here."""
+        """Show the focus."""
         super().focusInEvent(event)
         self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Show that the keyboard works elsewhere."""
+        """Hide the focus."""
         super().focusOutEvent(event)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Frame the figure while the keyboard works on it."""
+        """Draw a frame while the canvas has the focus."""
         if self._stale and drawing_queue().may_draw(self):
             self.draw()
         if self._stale:
@@ -188,12 +178,11 @@ class PlotCanvas(FigureCanvasQTAgg):
         super().hideEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the axes anew; also sent when the device pixel ratio changes."""
+        """Lay out the axes; also called when the device pixel ratio changes."""
         super().resizeEvent(event)
         self._place()
 
     def _paint_stretched(self) -> None:
-        """Paint the figure as it was drawn for another size, if it was."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.parentWidget().palette().window())
         if hasattr(self, "renderer"):
@@ -218,7 +207,6 @@ class PlotCanvas(FigureCanvasQTAgg):
         self._background = None
 
     def _name_axes(self, named: bool) -> None:
-        """Show the names of the upright axis and of the colour bar, or the latter above it."""
         if self._bar:
             for axes in self.figure.axes:
                 for each in (axes, *axes.child_axes):
@@ -230,7 +218,6 @@ class PlotCanvas(FigureCanvasQTAgg):
                     bar.yaxis.get_offset_text().set_fontsize(size)
 
     def _make_room(self) -> bool:
-        """Measure the labels of the colour bar; whether they need another room than they had."""
         bars = [bar for axes in self.figure.axes for bar in axes.child_axes]
         if not bars:
             return False

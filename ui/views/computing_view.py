@@ -1,4 +1,4 @@
-"""What views have in common that compute something of their own: never while nobody sees them."""
+"""Views, the base of all: store the latest frame, and draw or compute only while visible."""
 
 from typing import TYPE_CHECKING
 
@@ -12,21 +12,21 @@ if TYPE_CHECKING:
 
 
 class ComputingView(View):
-    """Says when there is something to compute, and when no longer.
+    """Emits when there is something to compute, and when no longer.
 
-    The last among the bases of a view: PySide looks for signals along the first.
+    It must be the last base of a view: PySide looks for signals along the first.
     """
 
     _covered = False
 
     def show_design(self, session: "Session") -> None:
-        """Compute nothing for a design that was left."""
+        """Drop the computation for another design."""
         super().show_design(session)
         if self._frame is not None and not shows(self._frame, session):
             self._want_nothing()
 
     def uncover(self, uncovered: bool) -> None:
-        """Compute, or not; a dock behind another tab is not hidden, but covered."""
+        """Start or stop computing; a dock behind another tab is covered, not hidden."""
         self._covered = not uncovered
         if uncovered:
             self._want()
@@ -34,21 +34,18 @@ class ComputingView(View):
             self._want_nothing()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Compute what came while hidden."""
+        """Compute what was requested while hidden."""
         super().showEvent(event)
         self._want()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Compute nothing that nobody sees."""
+        """Compute nothing while hidden."""
         self._want_nothing()
         super().hideEvent(event)
 
     def _seen(self) -> bool:
-        """Whether there is a lens, and eyes for it."""
         return self._frame is not None and self.isVisible() and not self._covered
 
-    def _want(self) -> None:
-        """What is shown may be of another lens."""
+    def _want(self) -> None: ...
 
-    def _want_nothing(self) -> None:
-        """Drop what is being computed."""
+    def _want_nothing(self) -> None: ...

@@ -40,13 +40,7 @@ _REST_MS = 250  # longer than between two frames of a run, or two steps of a spi
 
 
 class DerivativeView(PlotView, ComputingView):
-    """A control point to choose, the map of its influence, and the sum of that map.
-
-    Attributes
-    ----------
-    chosen : Signal(ControlPoint or None)
-        The control point; None while nobody sees the map.
-    """
+    """Choice of a control point, its derivative map, and the sum of the map."""
 
     chosen = Signal(object)
 
@@ -89,12 +83,12 @@ class DerivativeView(PlotView, ComputingView):
         self._want()
 
     def close_thread(self) -> None:
-        """Wait for the last computation; nothing is computed any more. Safe to call twice."""
+        """Wait for the last computation; safe to call twice."""
         self._rest.stop()
         self._background.close()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another lens."""
+        """Store another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._map = None
             self._faces.offer(frame.session.scene.optic)
@@ -133,7 +127,6 @@ class DerivativeView(PlotView, ComputingView):
         self._want()
 
     def _offer(self) -> None:
-        """Let only points of the net be chosen; of another net, the middle one to begin with."""
         if self._frame is None:
             return
         net = freeform_nets(self._frame.session.scene.optic)[self._faces.face]
@@ -144,7 +137,6 @@ class DerivativeView(PlotView, ComputingView):
                     box.setValue(n // 2)
 
     def _want(self) -> None:
-        """The map on show is not of this lens or point any more."""
         self._background.cancel()
         if self._seen():
             self._sum.setText(tr("Computed when the design rests…"))
@@ -178,7 +170,6 @@ class DerivativeView(PlotView, ComputingView):
         self._ask()
 
     def _is_behind(self) -> bool:
-        """Whether the map is of another lens or control point."""
         frame, of = self._frame, self._of
         if frame is None or self._map is None or of is None:
             return False

@@ -13,17 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class DerivativeRequest:
-    """Whose derivative is asked for.
-
-    Attributes
-    ----------
-    scene : Scene
-        What is traced.
-    heights : ControlHeights
-        Its control heights.
-    point : ControlPoint
-        The control point.
-    """
+    """Request for a derivative map."""
 
     scene: "Scene"
     heights: "ControlHeights"
@@ -31,7 +21,7 @@ class DerivativeRequest:
 
 
 def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
-    """The map of a request; meant for a thread."""
+    """Return the map of a request; called in a thread."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.analysis.derivatives import irradiance_derivative
 

@@ -21,14 +21,14 @@ _LONGEST = 1.0  # seconds; the first drawing also loads what is drawn with
 
 
 class Drawer(Protocol):
-    """Something that draws when it is its turn."""
+    """Something that draws in its turn."""
 
     def draw_now(self) -> None:
-        """Draw now, if there is anything to draw that can be seen."""
+        """Draw now, if needed and visible."""
 
 
 class DrawingQueue(QObject):
-    """A queue of those who wait for drawing."""
+    """Queue of views that wait for drawing."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -39,18 +39,18 @@ class DrawingQueue(QObject):
         self._timer.timeout.connect(self._next)
 
     def ask(self, drawer: Drawer) -> None:
-        """Wait for a turn; asking again meanwhile changes nothing."""
+        """Enqueue a view once."""
         self._waiting.setdefault(id(drawer), drawer)
         self._wait()
 
     def leave(self, drawer: Drawer) -> None:
-        """Wait no longer."""
+        """Remove a view."""
         self._waiting.pop(id(drawer), None)
         if not self._waiting:
             self._timer.stop()
 
     def may_draw(self, drawer: Drawer) -> bool:
-        """Whether it may draw at once; if others did in this turn of the loop, it has to wait."""
+        """Whether a view may draw at once, or waits for others in this turn of the loop."""
         if self._drawn:
             self.ask(drawer)
             return False
@@ -59,7 +59,7 @@ class DrawingQueue(QObject):
         return True
 
     def hurry(self, hurried: bool) -> None:
-        """Draw without rest, or with it again."""
+        """Draw without pauses, or with pauses again."""
         self._hurried = hurried
 
     def _end_turn(self) -> None:
@@ -83,6 +83,6 @@ class DrawingQueue(QObject):
 
 
 def drawing_queue() -> DrawingQueue:
-    """The one queue of the application."""
+    """The application's queue."""
     owner = application()
     return owner.findChild(DrawingQueue) or DrawingQueue(owner)

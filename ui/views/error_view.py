@@ -1,4 +1,4 @@
-"""The signed error of the irradiance."""
+"""Images of light: irradiance, target and signed error."""
 
 from typing import TYPE_CHECKING
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class ErrorContent(OnScreen):
-    """Irradiance minus target as both are shown: red is too much light, blue too little."""
+    """Irradiance minus target as shown: red is too much light, blue too little."""
 
     image: ErrorImage
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """An empty image."""
+        """Begin an empty image."""
         self.image = ErrorImage(axes, session.scene, session.target)
         return self.image.artists
 
@@ -32,12 +32,12 @@ class ErrorContent(OnScreen):
         return self.image.update(frame.state.irradiance)
 
     def values(self, frame: "Frame") -> Array:
-        """Those of the image, with their sign."""
+        """Values of the image, signed."""
         return self.image.values
 
 
 class ErrorView(ScreenImageView):
-    """Where light is too much or too little."""
+    """View of the signed error."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         super().__init__(ErrorContent(), link)

@@ -19,7 +19,7 @@ _LINES = 8  # of text, as high as it is beside an image
 
 
 class FocusCurveView(View):
-    """A small plot that grows as traces come in."""
+    """Small plot of errors that grows as traces arrive."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,21 +39,21 @@ class FocusCurveView(View):
 
     @property
     def errors(self) -> list[tuple[float, float]]:
-        """Distances and errors on show."""
+        """Shown distances and errors."""
         return sorted(self._errors.items())
 
     def begin(self, session: "Session", ends: tuple[float, float]) -> None:
-        """Forget all errors, to show those of another lens."""
+        """Remove all errors, for another lens."""
         self._ends, self._errors, self._curve = ends, {}, None
         self.show_design(session)
 
     def add(self, z: float, error: float) -> None:
-        """Show one more."""
+        """Add an error."""
         self._errors[z] = error
         self._ask()
 
     def mark(self, z: float) -> None:
-        """Mark the distance on show."""
+        """Mark the shown distance."""
         self._z = z
         self._ask()
 

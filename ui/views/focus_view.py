@@ -45,8 +45,6 @@ _ROOMY = 3.5  # times the height of the curve; below that, it takes the place of
 
 
 class _TracedLight:
-    """The light on the screen that is looked at, as far as it is traced."""
-
     light: Array | None = None
     heights: "ControlHeights | None" = None  # of the lens
 
@@ -55,7 +53,7 @@ class _TracedLight:
 
 
 class FocusView(LightImageView, ComputingView):
-    """A slider over distances, and the light there; the scene stays as it is."""
+    """A slider over screen distances, and the irradiance there."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         self._traced = _TracedLight()
@@ -103,16 +101,15 @@ class FocusView(LightImageView, ComputingView):
         self.add_below(self._curve)
 
     def _number(self, session: "Session") -> int:
-        """Light is followed about the first screen."""
         return 0
 
     @property
     def z(self) -> float:
-        """Where the screen is that is shown; there has to be a frame."""
+        """Z of the shown screen; needs a frame."""
         return self._z_of(self._slider.value())
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another lens."""
+        """Store another lens."""
         if self._frame is None or not same_task(self._frame.session, frame.session):
             self._forget()
         super().show_frame(frame)
@@ -127,7 +124,7 @@ class FocusView(LightImageView, ComputingView):
         self._place.clear()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show image and curve where there is room for both."""
+        """Show image and curve if there is space for both."""
         super().resizeEvent(event)
         self._share()
 
@@ -137,13 +134,12 @@ class FocusView(LightImageView, ComputingView):
         super().closeEvent(event)
 
     def close_threads(self) -> None:
-        """Leave what is being traced and wait for it; safe to call twice."""
+        """Cancel traces and wait for them; safe to call twice."""
         self._want_nothing()
         self._image_of.close()
         self._curve_of.close()
 
     def _want(self) -> None:
-        """What is shown may be of another lens."""
         at_a_distance = self._at_a_distance(self._frame)
         for control in (self._slider, self._back, self._more):
             control.setEnabled(at_a_distance)
@@ -160,7 +156,6 @@ class FocusView(LightImageView, ComputingView):
         self._curve_of.cancel()
 
     def _forget(self) -> None:
-        """What is known is of another design, and so is what is being traced."""
         self._traced.light = None
         self._image_of.cancel()
         self._curve_of.cancel()
@@ -198,7 +193,6 @@ class FocusView(LightImageView, ComputingView):
         self._ask()
 
     def _is_behind(self) -> bool:
-        """Whether the light is that of another lens."""
         frame, traced = self._frame, self._traced
         if frame is None or traced.light is None:
             return False
@@ -245,7 +239,6 @@ class FocusView(LightImageView, ComputingView):
 
     @staticmethod
     def _at_a_distance(frame: "Frame | None") -> bool:
-        """Whether the light is wanted at one."""
         return frame is None or frame.session.scene.receiver.at_distance
 
     def _why_empty(self, frame: "Frame | None") -> str:

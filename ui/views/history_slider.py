@@ -1,4 +1,4 @@
-"""A slider over the course of a run: look back at any moment of it, and go on from there."""
+"""Slider over the history of a run."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -15,15 +15,7 @@ if TYPE_CHECKING:
 
 
 class HistorySlider(QWidget):
-    """Hidden until there is something to look back at.
-
-    Attributes
-    ----------
-    frame_chosen : Signal(Frame)
-        This moment shall be shown.
-    continued : Signal(Frame)
-        The design shall go on from this moment.
-    """
+    """Slider to earlier iterations; hidden until there are some."""
 
     frame_chosen = Signal(object)
     continued = Signal(object)
@@ -60,7 +52,7 @@ class HistorySlider(QWidget):
         self.hide()
 
     def show_frames(self, frames: "Sequence[Frame]") -> None:
-        """Offer other moments; the latest is the one that is shown anyway."""
+        """Set the frames; the latest is the shown one."""
         self._frames = frames
         with QSignalBlocker(self._slider):
             self._slider.setMaximum(max(0, len(frames) - 1))
@@ -69,17 +61,17 @@ class HistorySlider(QWidget):
         self._tell()
 
     def allow(self, look: bool, go_on: bool) -> None:
-        """Whether one may look back now, and go on from what is seen."""
+        """Allow or forbid going back, and continuing from there."""
         self._slider.setEnabled(look)
         self._button.setEnabled(go_on)
 
     def minimumSizeHint(self) -> QSize:
-        """Without the text, which gives way; the status bar tells the same."""
+        """Size without the text, which is also in the status bar."""
         whole = super().minimumSizeHint()
         return whole if self._text.isHidden() else whole - QSize(self._text_width, 0)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the text where there is room."""
+        """Show the text if there is space."""
         super().resizeEvent(event)
         least = self.minimumSizeHint().width()
         self._text.setVisible(self.width() >= least + self._text_width)

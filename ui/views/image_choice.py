@@ -14,13 +14,7 @@ if TYPE_CHECKING:
 
 
 class ImageChoice(QComboBox):
-    """All views with the same link show the image that is chosen in any of them.
-
-    Parameters
-    ----------
-    link : ImageLink
-        Keeps the choice.
-    """
+    """Choice of an image of the scene, shared by views with the same link."""
 
     def __init__(self, link: ImageLink) -> None:
         super().__init__()
@@ -31,7 +25,7 @@ class ImageChoice(QComboBox):
         self.hide()
 
     def show_scene(self, scene: "Scene") -> None:
-        """Offer the images of a scene; nothing where there is only one."""
+        """Offer the images of a scene; hidden if there is only one."""
         titles = image_titles(scene)
         with QSignalBlocker(self):
             if titles != [self.itemText(number) for number in range(self.count())]:

@@ -1,7 +1,7 @@
-"""A view of values over a rectangle: zoomed, moved and read together with others like it.
+"""View of values over a rectangle, with shared zoom and read-out.
 
-The wheel zooms about the pointer, dragging moves, a double click shows the whole again. By keys:
-+ and − zoom, arrows move, Home shows the whole.
+The wheel zooms about the pointer, dragging pans, a double click shows everything. Keys: + and −
+zoom, arrows pan, Home shows everything.
 """
 
 from typing import TYPE_CHECKING, Any, Protocol
@@ -37,34 +37,26 @@ _STEP = 0.1  # of what is seen, for an arrow
 
 
 class ImageContent(Protocol):
-    """What an `ImageView` shows."""
+    """Content of an `ImageView`."""
 
     def extent(self, session: "Session") -> Extent:
-        """The rectangle that the image covers."""
+        """Rectangle of the image."""
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Put an empty image on the axes; the artists that will change."""
+        """Add an empty image to axes; return the artists that change."""
 
     def change(self, frame: "Frame") -> bool:
-        """Bring the image up to date; whether more than its artists changed."""
+        """Update the image; return whether more than its artists changed."""
 
     def values(self, frame: "Frame") -> Array:
-        """What the image shows, shape (n_y, n_x)."""
+        """Values of the image, shape (n_y, n_x)."""
 
     def unit(self, session: "Session") -> str:
         """Unit of the values."""
 
 
 class ImageView(PlotView):
-    """Shows an image, and its value under the pointer.
-
-    Parameters
-    ----------
-    content : ImageContent
-        The image.
-    link : ImageLink, optional
-        What it has in common with other images; by default it stands alone.
-    """
+    """Shows an image, and its value under the pointer."""
 
     def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
         super().__init__()
@@ -95,13 +87,13 @@ class ImageView(PlotView):
         canvas.mpl_connect("axes_leave_event", lambda _: self._leave())
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no image."""
+        """Show a design without an image."""
         self._values = None
         super().show_nothing(session)
         self._read()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Zoom and move without a mouse."""
+        """Zoom and pan by keys."""
         if self._shown is None or event.modifiers() & COMMANDS:
             super().keyPressEvent(event)
             return
@@ -133,7 +125,6 @@ class ImageView(PlotView):
         return everything
 
     def _adapt(self) -> bool:
-        """Follow the link; whether the axes changed."""
         axes, part = self._axes, self._part()
         assert axes is not None
         other = part != (*axes.get_xlim(), *axes.get_ylim())
@@ -145,25 +136,21 @@ class ImageView(PlotView):
             self._link.pointed.emit(self._place_at(*self._pointer))
         return other
 
-    def _click(self, place: Place) -> None:
-        """A place was clicked."""
+    def _click(self, place: Place) -> None: ...
 
     def _drag(self, event: Any, start: Place) -> None:
-        """The mouse is dragged from a place: keep this under the pointer."""
         there = self._place_at(event.x, event.y)
         left, right, bottom, top = self._part()
         dx, dy = start[0] - there[0], start[1] - there[1]
         self._show_part((left + dx, right + dx, bottom + dy, top + dy))
 
-    def _drop(self) -> None:
-        """The mouse is dragged no longer."""
+    def _drop(self) -> None: ...
 
     def _point(self, place: Place | None) -> None:
         self._pointed = place
         self._read()
 
     def _read(self) -> None:
-        """Tell position and value under the pointer; without one, how the image is drawn."""
         if self._shown is None or self._values is None:
             self._readout.clear()
             return
@@ -184,7 +171,6 @@ class ImageView(PlotView):
             self._readout.say(whole, short, value)
 
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
-        """What is said of the image while no place is pointed at, the longest text first."""
         return ("",)
 
     def _turn_wheel(self, event: Any) -> None:
@@ -229,7 +215,6 @@ class ImageView(PlotView):
         self._link.pointed.emit(None)
 
     def _place_at(self, x: float, y: float) -> Place:
-        """The place at a pixel of the canvas."""
         assert self._axes is not None
         across, up = self._axes.transData.inverted().transform((x, y))
         return float(across), float(up)
@@ -242,7 +227,6 @@ class ImageView(PlotView):
         self._grip = None
 
     def _show_part(self, part: Part) -> None:
-        """See a part that does not reach beyond the image, or all of it."""
         whole = self._whole()
         left, right = _within(part[0], part[1], whole[0], whole[1])
         bottom, top = _within(part[2], part[3], whole[2], whole[3])
@@ -258,29 +242,18 @@ class ImageView(PlotView):
 
 
 class _Readout(QLabel):
-    """A line that says as much as there is room for.
-
-    Attributes
-    ----------
-    resized : Signal()
-        There is other room.
-    """
-
     resized = Signal()
 
     def say(self, *texts: str) -> None:
-        """Show the first text that fits, or the last one."""
         room, wide = self.width(), self.fontMetrics().horizontalAdvance
         self.setText(next((text for text in texts if wide(text) <= room), texts[-1]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Tell of it."""
         super().resizeEvent(event)
         self.resized.emit()
 
 
 def _within(low: float, high: float, least: float, most: float) -> tuple[float, float]:
-    """An interval moved, and if need be cut, to fit into another."""
     if high - low >= most - least:
         return least, most
     shift = max(least - low, 0.0) + min(most - high, 0.0)

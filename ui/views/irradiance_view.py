@@ -10,14 +10,13 @@ if TYPE_CHECKING:
 
 
 class IrradianceView(LightImageView):
-    """Flux per area as the optimiser sees it."""
+    """View of the irradiance as computed by the optimiser."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         content = LightContent(lambda frame: frame.state.irradiance)
         super().__init__(content, link)
 
     def _change(self, frame: "Frame") -> bool:
-        """Show the irradiance, and what falls on each region."""
         assert self._regions is not None  # since there is a picture
         self._regions.show_light(frame.state.irradiance)
         return super()._change(frame)

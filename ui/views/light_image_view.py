@@ -19,15 +19,7 @@ if TYPE_CHECKING:
 
 
 class LightContent(OnScreen):
-    """Flux per area or solid angle, on a scale that follows the target.
-
-    Parameters
-    ----------
-    values : Callable
-        What is shown of a frame, shape (n_y, n_x).
-    name : str
-        What it is called; by default as the receiver calls it.
-    """
+    """Irradiance or intensity, on a scale that follows the target."""
 
     image: IrradianceImage
 
@@ -36,7 +28,7 @@ class LightContent(OnScreen):
         self._look = (False, "")  # logarithmic, colours
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """An empty image in the look of all images that are new."""
+        """Begin an empty image with the current scale and colours."""
         self.image = IrradianceImage(axes, session.scene, session.target, self._name)
         self._look = (False, "")
         return self.image.artists
@@ -46,11 +38,11 @@ class LightContent(OnScreen):
         return self.image.update(self._light(frame))
 
     def values(self, frame: "Frame") -> Array:
-        """Those of the image, in the scene's unit."""
+        """Values of the image, in the scene's unit."""
         return self.image.values
 
     def set_look(self, logarithmic: bool, colours: str) -> bool:
-        """Choose scale and colours; whether they were others."""
+        """Set scale and colours; return whether they changed."""
         if (logarithmic, colours) == self._look:
             return False
         self._look = (logarithmic, colours)
@@ -60,7 +52,7 @@ class LightContent(OnScreen):
 
 
 class LightImageView(ScreenImageView):
-    """Shows light in the scale and the colours that all its images share."""
+    """View of light with shared scale and colours."""
 
     _content: LightContent
 

@@ -1,4 +1,4 @@
-"""The account of all light: where it went, part by part."""
+"""Light account."""
 
 from typing import TYPE_CHECKING
 
@@ -27,13 +27,7 @@ _SUM = later(
 
 
 class LightView(View):
-    """A table of the parts of the emitted light, in percent.
-
-    Parameters
-    ----------
-    link : ImageLink, optional
-        Tells of which of the scene's images; by default it stands alone.
-    """
+    """Table of the parts of the emitted light, in percent."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         super().__init__()
@@ -58,7 +52,7 @@ class LightView(View):
         self._box.addWidget(table)
 
     def texts(self) -> dict[str, str]:
-        """What the table says, by what it is called there."""
+        """Texts of the table, by name."""
         lines = (*self._rows.values(), self._sum)
         return {line.name.text(): line.value.text() for line in lines if not line.value.isHidden()}
 
@@ -84,8 +78,6 @@ class LightView(View):
 
 
 class _AccountLine:
-    """Name, bar and percentage of a part."""
-
     def __init__(self, grid: QGridLayout, name: str, tip: str) -> None:
         self.name = QLabel()
         self.value = QLabel()
@@ -98,24 +90,20 @@ class _AccountLine:
         self.call(name, tip)
 
     def call(self, name: str, tip: str) -> None:
-        """Say what the part is."""
         self.name.setText(name)
         self.value.setAccessibleName(name)
         for widget in (self.name, self._bar, self.value):
             widget.setToolTip(f"<p>{tip}</p>")
 
     def show(self, shown: bool) -> None:
-        """Show the line, or hide it."""
         for widget in (self.name, self._bar, self.value):
             widget.setVisible(shown)
 
     def clear(self) -> None:
-        """Show that nothing is known."""
         self.value.clear()
         self._bar.show_share(0.0)
 
     def show_share(self, share: float) -> None:
-        """Show a part of 1; parts that are nothing are dimmed."""
         percent = round(100 * share, 2) + 0.0  # no minus before a zero
         self.value.setText(f"{percent:.2f} %")
         self._bar.show_share(share)
@@ -124,21 +112,17 @@ class _AccountLine:
 
 
 class _Bar(QWidget):
-    """A share of 1 as a length."""
-
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumWidth(20)
         self._share = 0.0
 
     def show_share(self, share: float) -> None:
-        """Show another share."""
         if share != self._share:
             self._share = share
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """A line as long as the share is large, on a track of the whole."""
         thick = 5.0
         painter = QPainter(self)
         track = QRectF(0, (self.height() - thick) / 2, self.width(), thick)

@@ -1,4 +1,4 @@
-"""The loss over iterations or seconds, of this run and of others."""
+"""Loss over iterations or seconds, of this run and of others."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -21,7 +21,7 @@ _AGAINST: tuple[Against, ...] = ("iterations", "seconds")
 
 
 class LossView(PlotView):
-    """Loss of this run and of those that it continues, and of runs to compare it with."""
+    """Loss of this run, of runs that it continues, and of others."""
 
     _HAS_BAR = False
     _picture: LossPicture
@@ -47,13 +47,13 @@ class LossView(PlotView):
         self._begin_anew()
 
     def show_verified(self, verified: Sequence[Verified]) -> None:
-        """Show what checks said of lenses of this run."""
+        """Show checks of lenses of this run."""
         if tuple(verified) != self._verified:
             self._verified = tuple(verified)
             self._ask()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another size has another room for names."""
+        """Lay out the legend for another size."""
         super().resizeEvent(event)
         self._ask()
 

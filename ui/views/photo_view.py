@@ -43,13 +43,7 @@ _WAITS = later("The photo is predicted when the design rests.")
 
 
 class PhotoView(ComputingView):
-    """The photo, its exposure, and what the lens is lit by.
-
-    Parameters
-    ----------
-    link : ImageLink, optional
-        Chooses one of several images; by default it stands alone.
-    """
+    """The photo, its exposure, and the illumination."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         super().__init__()
@@ -80,7 +74,7 @@ class PhotoView(ComputingView):
 
     @property
     def photo(self) -> "Photo | None":
-        """The photo of the lens on show; None where it is not there, or of a lens before."""
+        """Photo of the shown lens; None if missing or of an earlier lens."""
         if self._frame is None or self._taken is None or not self._known(self._request()):
             return None
         return self._taken[1]
@@ -91,12 +85,12 @@ class PhotoView(ComputingView):
         return self._slider.value() / _STEPS
 
     def allow(self, resting: bool) -> None:
-        """Whether the lens on show stays as it is; while it does not, nothing is traced."""
+        """Set whether the shown lens is final; otherwise nothing is traced."""
         self._resting = resting
         self._want()
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another lens."""
+        """Store another lens."""
         super().show_frame(frame)
         self._want()
 
@@ -114,12 +108,11 @@ class PhotoView(ComputingView):
         super().closeEvent(event)
 
     def close_thread(self) -> None:
-        """Leave what is being traced and wait for it; safe to call twice."""
+        """Cancel traces and wait for them; safe to call twice."""
         self._want_nothing()
         self._background.close()
 
     def _controls(self) -> QVBoxLayout:
-        """Exposure, and below it what is photographed: two rows fit into a narrow dock."""
         self._choice = ImageChoice(self._link)
         self._light = QComboBox()
         self._light.setAccessibleName(tr("Light of the photo"))
@@ -165,7 +158,6 @@ class PhotoView(ComputingView):
         self._ask()
 
     def _want(self) -> None:
-        """What is shown may be of another lens."""
         frame = self._frame
         if frame is None:
             return
@@ -205,7 +197,6 @@ class PhotoView(ComputingView):
             self._ask()
 
     def _is_behind(self) -> bool:
-        """Whether the photo is of another lens, or of another light."""
         there = self._frame is not None and self._taken is not None
         return there and not self._known(self._request())
 
@@ -226,7 +217,6 @@ class PhotoView(ComputingView):
 
 
 def _in_thirds(steps: int) -> str:
-    """An exposure in words: "+1⅓ stops"."""
     whole, part = divmod(abs(steps), _STEPS)
     sign = "" if steps == 0 else "−" if steps < 0 else "+"
     number = f"{whole or ''}{('', '⅓', '⅔')[part]}" or "0"

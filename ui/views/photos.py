@@ -14,32 +14,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class PhotoRequest:
-    """What a photo is asked of.
-
-    Attributes
-    ----------
-    frame : Frame
-        The lens.
-    image : int
-        Which of the design's images; 0 is the first.
-    light : str
-        What lights the lens, one of `LIGHTS`; empty for what its source is likely to be.
-    """
+    """Request for a photo."""
 
     frame: "Frame"
     image: int
     light: str
 
     def same(self, other: "PhotoRequest") -> bool:
-        """Whether both ask for the same photo."""
+        """Whether both requests are for the same photo."""
         asked = (self.image, self.light) == (other.image, other.light)
         return asked and same_light(self.frame, other.frame)
 
 
 def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
-    """The photo of a request, None if nobody wants it any more; meant for a thread.
+    """Return the photo of a request, None if cancelled; called in a thread.
 
-    Reports the part that is done.
+    Reports the finished fraction.
     """
     # Late: what it stands on is slow to import.
     from workbench.analysis.photo.light import LIGHTS

@@ -12,7 +12,7 @@ _USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
 
 
 class Pixels(QWidget):
-    """Paints a picture; nothing before there is one."""
+    """Paints an image as large as possible, with its aspect ratio."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -22,16 +22,16 @@ class Pixels(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def sizeHint(self) -> QSize:
-        """Room in which a picture can be seen."""
+        """Size in which an image is recognisable."""
         return _USUAL
 
     def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
-        """Show a picture (n_y, n_x, 3), whose pixels are so many times as wide as high, or none."""
+        """Show an image (n_y, n_x, 3) with pixels of an aspect ratio, or none."""
         self._image, self._aspect = None if values is None else rgb_image(values), aspect
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the picture in the middle, as large as it can be."""
+        """Paint the image in the middle, as large as possible."""
         if self._image is None:
             return
         size = QSizeF(self._image.width() * self._aspect, self._image.height())

@@ -26,13 +26,7 @@ if TYPE_CHECKING:
 
 
 class PlotView(View):
-    """Keeps a canvas, and on it a picture of one design.
-
-    Attributes
-    ----------
-    touched : Signal()
-        The keyboard, or the mouse, works on the plot from now on.
-    """
+    """Holds a canvas with a plot of one design."""
 
     touched = Signal()
 
@@ -61,12 +55,12 @@ class PlotView(View):
 
     @property
     def empty(self) -> bool:
-        """Whether it shows nothing yet."""
+        """Whether nothing is shown yet."""
         axes = self._canvas.figure.axes
         return not axes or not axes[0].get_visible()
 
     def offer(self, actions: "Sequence[QAction]") -> None:
-        """Add to what can be done with the plot, by the menu on it."""
+        """Add actions to the menu of the plot."""
         self._canvas.addActions(actions)
 
     def write(self, file: BinaryIO, format: str) -> None:
@@ -74,11 +68,11 @@ class PlotView(View):
         self._canvas.write(file, format)
 
     def data(self) -> list[Column]:
-        """What the picture shows, in numbers."""
+        """Data of the plot."""
         return shown_data(self._canvas.figure)
 
     def figures(self) -> dict[str, Any] | None:
-        """What the picture comes to, for JSON; None where that is nothing but its numbers."""
+        """Figures of the plot, for JSON; None if there are only its data."""
         return None
 
     def show_frame(self, frame: "Frame") -> None:
@@ -87,12 +81,12 @@ class PlotView(View):
         super().show_frame(frame)
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no frame."""
+        """Show a design without a frame."""
         self._untraced = True
         super().show_nothing(session)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Tell when the canvas gets the focus, and note when it gets room or loses it."""
+        """Emit when the canvas gets the focus, and follow its size."""
         if event.type() == QEvent.Type.FocusIn:
             self.touched.emit()
         if event.type() == QEvent.Type.Resize and self._canvas.roomy is not self._roomy:
@@ -115,18 +109,15 @@ class PlotView(View):
         self._canvas.show_changes(everything)
 
     def _begin_anew(self) -> None:
-        """Draw another picture of the same design."""
         self._anew = True
         self._ask()
 
     def _add_in_corner(self, widget: QWidget) -> None:
-        """Put something where no label is: left of those of x, below those of y."""
         self._over.addWidget(
             widget, 0, 0, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
         )
 
     def _explain(self, why_empty: str) -> bool:
-        """Say why there is nothing to see, instead of drawing it; whether that changed."""
         (axes,) = self._canvas.figure.axes
         shown = not why_empty
         self._hint.setText(why_empty)
@@ -138,7 +129,6 @@ class PlotView(View):
         self._canvas.recolour()
 
     def _why_empty(self, frame: "Frame | None") -> str:
-        """Why there is nothing to see; empty if there is something."""
         if frame is not None:
             return ""
         return tr(self._NOTHING if self._untraced else self._WAITING)
@@ -147,17 +137,13 @@ class PlotView(View):
         return "" if self._roomy else tr(self._NO_ROOM)
 
     def _looks_alike(self, one: "Session", other: "Session") -> bool:
-        """Whether the empty pictures of two designs are the same."""
         return same_task(one, other)
 
     @abstractmethod
-    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """Put an empty picture of a design on the axes; the artists that will change."""
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]": ...
 
     def _adapt(self) -> bool:
-        """Follow what is neither design nor frame; whether more than the artists changed."""
         return False
 
     @abstractmethod
-    def _change(self, frame: "Frame") -> bool:
-        """Bring the artists up to date; whether more than these changed."""
+    def _change(self, frame: "Frame") -> bool: ...

@@ -1,6 +1,7 @@
-"""Regions drawn and changed by hand; places are parts of the receiver's width and height.
+"""Regions on images: drawing and editing by mouse, and their marks.
 
-They count from its middle, as those of `workbench.scene.region` do.
+Coordinates are parts of the receiver's width and height, from its middle, as in
+`workbench.scene.region`.
 """
 
 from collections.abc import Sequence
@@ -20,17 +21,7 @@ _EDGE = 0.5
 
 
 class Grip(NamedTuple):
-    """What of a region is held.
-
-    Attributes
-    ----------
-    number : int
-        Of the region.
-    corners : tuple of int
-        Of a polygon: those that move.
-    sides : tuple of int
-        Of any other one: 0 left, 1 right, 2 bottom, 3 top.
-    """
+    """Grabbed part of a region."""
 
     number: int
     corners: tuple[int, ...] = ()
@@ -38,23 +29,7 @@ class Grip(NamedTuple):
 
 
 def grip_at(regions: Sequence[AnyRegion], place: Place, margin: Place) -> Grip | None:
-    """The edge or corner at a place, of the last region that has one there.
-
-    Parameters
-    ----------
-    regions : sequence of AnyRegion
-        In the order in which they are drawn.
-    place : tuple[float, float]
-        Where a hand takes hold.
-    margin : tuple[float, float]
-        How far beside it an edge may be.
-
-    Examples
-    --------
-    >>> from workbench.scene import RectangleRegion
-    >>> grip_at([RectangleRegion(size=(0.5, 0.5))], (0.25, 0.0), (0.01, 0.01))
-    Grip(number=0, corners=(), sides=(1,))
-    """
+    """Return the edge or corner at a point, of the last region that has one there."""
     for number, region in reversed(list(enumerate(regions))):
         if isinstance(region, PolygonRegion):
             corners = _corners_at(np.array(region.corners) / margin, np.array(place) / margin)
@@ -68,7 +43,7 @@ def grip_at(regions: Sequence[AnyRegion], place: Place, margin: Place) -> Grip |
 
 
 def reshaped(region: AnyRegion, grip: Grip, start: Place, place: Place) -> AnyRegion:
-    """The region after its grip was taken from one place to another."""
+    """The region after its grip was dragged from one point to another."""
     if isinstance(region, PolygonRegion):
         by = np.subtract(place, start)
         corners = tuple(
@@ -89,7 +64,7 @@ def reshaped(region: AnyRegion, grip: Grip, start: Place, place: Place) -> AnyRe
 
 
 def between(start: Place, place: Place, name: str) -> RectangleRegion | None:
-    """The rectangle between two of its corners; None where it is too small to be meant."""
+    """The rectangle between two corners; None if too small to be intended."""
     (x_0, y_0), (x_1, y_1) = _within(start), _within(place)
     box = [min(x_0, x_1), max(x_0, x_1), min(y_0, y_1), max(y_0, y_1)]
     if box[1] - box[0] < _LEAST or box[3] - box[2] < _LEAST:
@@ -99,14 +74,13 @@ def between(start: Place, place: Place, name: str) -> RectangleRegion | None:
 
 
 def around(corners: Sequence[Place], name: str) -> PolygonRegion | None:
-    """The polygon of corners, those that are there twice in a row once; None for less than 3."""
+    """The polygon of corners, without repeated ones; None for less than 3."""
     places = [_within(corner) for corner in corners]
     distinct = tuple(p for k, p in enumerate(places) if p != places[k - 1])
     return PolygonRegion(name=name, corners=distinct) if len(distinct) >= 3 else None
 
 
 def _box(region: AnyRegion) -> list[float]:
-    """Left, right, bottom and top."""
     outline = region.outline
     (left, bottom), (right, top) = outline.min(axis=0), outline.max(axis=0)
     return [float(left), float(right), float(bottom), float(top)]
@@ -119,7 +93,6 @@ def _middle_and_size(box: Sequence[float]) -> tuple[Place, Place]:
 
 
 def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, ...]:
-    """The sides of a box at a place: none, one, or two at a corner."""
     (x, y), (near_x, near_y) = place, margin
     left, right, bottom, top = box
     if not (left - near_x <= x <= right + near_x and bottom - near_y <= y <= top + near_y):
@@ -133,7 +106,6 @@ def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, .
 
 
 def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
-    """The corner within 1 of a place, or both of the side that is; coordinates in margins."""
     far = np.linalg.norm(corners - place, axis=1)
     if far.min() <= 1:
         return (int(far.argmin()),)
@@ -146,6 +118,5 @@ def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
 
 
 def _within(place: Sequence[float] | Array) -> Place:
-    """A place on the receiver, with as many digits as are read."""
     x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
     return x, y

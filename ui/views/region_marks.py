@@ -22,15 +22,7 @@ _BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
 
 
 class RegionMarks:
-    """Outlines of the regions of a scene, and what is written at them.
-
-    Parameters
-    ----------
-    axes : Axes
-        Of an image of the screen, in the receiver's coordinates.
-    scene : Scene
-        Whose regions.
-    """
+    """Outlines and labels of the regions of a scene."""
 
     def __init__(self, axes: "Axes", scene: "Scene") -> None:
         self._scene = scene
@@ -51,7 +43,7 @@ class RegionMarks:
         """Drawn over the image, which is drawn anew for each state of a run."""
 
     def show_light(self, irradiance: Array) -> None:
-        """Write the share of the light, and how even it is, at each region."""
+        """Write the part of the flux and the uniformity at each region."""
         if not self._texts:
             return
         from workbench.analysis.regions import light_of_regions  # late: takes long to import

@@ -18,12 +18,10 @@ if TYPE_CHECKING:
 
 
 class RegionTool:
-    """Draws regions on an image of a scene, and changes them.
+    """Draws and edits regions on an image of a scene.
 
-    Parameters
-    ----------
-    link : ImageLink
-        Shows what is being drawn, and is told what it has become.
+    A drag draws a rectangle, or moves an edge or a corner of a region. Clicks are corners of a
+    polygon, until a double click or Enter. The edit is made on release.
     """
 
     def __init__(self, link: ImageLink) -> None:
@@ -35,7 +33,7 @@ class RegionTool:
         self._corners: list[Place] = []
 
     def press(self, scene: "Scene", place: Place, margin: Place) -> None:
-        """Begin at a place of a scene's receiver; edges are held from within a margin."""
+        """Begin at a point of the receiver; edges are grabbed within a margin."""
         self._scene, self._start, self._drawn = scene, self._parts(scene.receiver, place), None
         near = np.divide(margin, np.multiply(scene.receiver.half_extent, 2))
         if self._link.draft:  # the next corner of a polygon may be anywhere
@@ -44,7 +42,7 @@ class RegionTool:
             self._grip = grip_at(scene.regions, self._start, (float(near[0]), float(near[1])))
 
     def drag(self, place: Place) -> None:
-        """Draw a rectangle up to a place, or take an edge there."""
+        """Draw a rectangle up to a point, or move an edge there."""
         scene = self._scene
         if scene is None:
             return
@@ -58,7 +56,7 @@ class RegionTool:
         self._show([] if self._drawn is None else [tuple(p) for p in self._drawn.outline])
 
     def drop(self) -> None:
-        """Keep what was drawn."""
+        """Apply the drawn region."""
         scene, drawn, grip = self._scene, self._drawn, self._grip
         self._link.show_draft(())
         if scene is None or drawn is None:
@@ -89,7 +87,7 @@ class RegionTool:
             self._link.regions_drawn.emit((*scene.regions, drawn), tr("new region"))
 
     def leave(self) -> None:
-        """Give up what is being drawn; where that is nothing, mark regions no longer."""
+        """Discard the drawn region; without one, end marking."""
         if self._link.draft:
             self._forget()
         else:
@@ -105,7 +103,6 @@ class RegionTool:
         self._link.show_draft(())
 
     def _show(self, outline: "list[Place]") -> None:
-        """Show an outline of parts of the receiver; one of three corners and more is closed."""
         assert self._scene is not None
         receiver = self._scene.receiver
         closed = [*outline, outline[0]] if len(outline) > 2 else outline
@@ -114,6 +111,5 @@ class RegionTool:
 
     @staticmethod
     def _parts(receiver: "AnyReceiver", place: Place) -> Place:
-        """A place of a receiver as parts of its width and height from its middle."""
         x, y = np.subtract(place, receiver.middle) / np.multiply(receiver.half_extent, 2)
         return float(x), float(y)

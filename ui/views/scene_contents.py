@@ -1,6 +1,6 @@
-"""What stands in the 3D scene: lens, rays and screens, nets, handles of the source, marked places.
+"""Contents of the 3D view: lens, rays, receivers, nets, source handles, marked points.
 
-All of it is made anew for another design task, and drawn again for another frame of the same.
+They are made again for another design task, and updated for another frame of the same task.
 """
 
 from dataclasses import dataclass
@@ -34,25 +34,7 @@ _SPOTS = {True: "#ff5a5a", False: "#c81e1e"}  # by dark; as rays that are lost
 
 @dataclass(frozen=True)
 class SceneLook:
-    """How the 3D scene is drawn.
-
-    Attributes
-    ----------
-    rays : int
-        How many of them along each axis.
-    exploded : bool
-        Draw long distances short and a large screen small.
-    perspective : bool
-        Else in parallel.
-    by_weight : bool
-        Colour rays by the part of their light that arrives, else by where they end.
-    faces : FaceColours
-        What the colours of freeform faces say.
-    exaggerated : bool
-        Light the relief of freeform faces as if it were higher.
-    colours : str
-        Of light, one of `workbench.pictures.axes.UNSIGNED`.
-    """
+    """Options of the 3D view."""
 
     rays: int = 15
     exploded: bool = False
@@ -64,24 +46,7 @@ class SceneLook:
 
 
 class SceneContents:
-    """What is drawn into a plotter.
-
-    Parameters
-    ----------
-    parent : QObject
-        Owns the nets.
-
-    Attributes
-    ----------
-    nets : FaceNets
-        The control points.
-    picture : LensPicture or None
-        Lens, rays, screens and source; like the next two None before the first drawing.
-    handles : SourceHandles or None
-        What the source is dragged by.
-    sight : Projection or None
-        What is seen where.
-    """
+    """Contents of a plotter."""
 
     def __init__(self, parent: QObject) -> None:
         self.nets = FaceNets(parent)
@@ -94,7 +59,7 @@ class SceneContents:
     def begin(
         self, plotter: Any, session: "Session", look: SceneLook, *, dark: bool
     ) -> "LensPicture":
-        """Put the scene of a design into a plotter, in place of what is there."""
+        """Replace the contents by those of a design."""
         # Late: these take seconds to load.
         from workbench.pictures.actors import PointMarkers
         from workbench.pictures.lens import LensPicture
@@ -121,11 +86,11 @@ class SceneContents:
         return self.picture
 
     def mark(self, heights: "ControlHeights", places: Array) -> None:
-        """Mark places of a lens with these heights, shape (n, 3), as long as it is on show."""
+        """Mark points (n, 3) of a lens with these heights, while it is shown."""
         self._marked = heights, places
 
     def draw(self, frame: "Frame", look: SceneLook, tool: Tool | None) -> None:
-        """Draw a lens with its light, and what a tool works on."""
+        """Draw a lens with its light, and the state of tools."""
         picture, handles, dots, marked = self.picture, self.handles, self._dots, self._marked
         assert picture is not None and handles is not None and dots is not None  # made by `begin`
         picture.set_colours(look.colours)
@@ -139,7 +104,7 @@ class SceneContents:
         handles.show(frame.source if tool is not None and tool.shows_handles else None)
 
     def recolour(self, *, dark: bool) -> None:
-        """Take the colours of a dark or a light window."""
+        """Change between dark and light background."""
         self.nets.recolour(dark)
         if self.picture is not None:
             self.picture.recolour(dark)
@@ -149,7 +114,7 @@ class SceneContents:
             self._dots.colour(_SPOTS[dark])
 
     def close(self) -> None:
-        """Let go of what VTK holds."""
+        """Release VTK objects."""
         if self.handles is not None:
             self.handles.close()
         self.picture = self.handles = self.sight = self._dots = None

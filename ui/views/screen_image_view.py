@@ -39,27 +39,19 @@ _ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class OnScreen:
-    """What all images on the screen have in common."""
+    """Content of an image on the receiver."""
 
     def extent(self, session: "Session") -> Extent:
-        """All of the receiver."""
+        """The whole receiver."""
         return Extent.of_receiver(session.scene)
 
     def unit(self, session: "Session") -> str:
-        """Lux or candela, or a part of the flux per area or solid angle."""
+        """Lux or candela, or relative flux per area or solid angle."""
         return light_unit(session.scene).short
 
 
 class ScreenImageView(ImageView):
-    """Shows an image of the screen, and where it is cut.
-
-    Parameters
-    ----------
-    content : ImageContent
-        The image.
-    link : ImageLink, optional
-        What it has in common with other images; by default it stands alone.
-    """
+    """Image of the receiver, with the marks of cross-sections."""
 
     def __init__(self, content: ImageContent, link: ImageLink | None = None) -> None:
         super().__init__(content, link)
@@ -81,17 +73,15 @@ class ScreenImageView(ImageView):
         self._bottom.insertWidget(0, self._choice)
 
     def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        """Draw the chosen image of several."""
         number = self._number(session)
         super()._draw(session.of_image(number), frame and frame.of_image(number))
 
     def _number(self, session: "Session") -> int:
-        """Which of the images of a design is shown; 0 is the first."""
         self._choice.show_scene(session.scene)
         return self._link.number_in(session.scene)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Pin a place without a mouse; while regions are marked, end one or leave."""
+        """Pin a point by keys; while regions are marked, end one or leave."""
         if self._link.marking and event.key() == Qt.Key.Key_Escape:
             self._hand.leave()
         elif self._link.draft and event.key() in _ENTER:
@@ -103,7 +93,6 @@ class ScreenImageView(ImageView):
             super().keyPressEvent(event)
 
     def _at_rest(self, session: "Session") -> tuple[str, ...]:
-        """From which side the image is drawn, and whether its viewer sees it inverted."""
         scene = session.scene
         side = begun(tr(side_in_words(scene, pixel_side(scene))))
         if not inverted(scene):
@@ -111,7 +100,6 @@ class ScreenImageView(ImageView):
         return tr("{side}: mirror-inverted").format(side=side), side, ""
 
     def _add_tool(self, icon: str, name: str, tip: str) -> QToolButton:
-        """A button below the image that is on or off."""
         tool = QToolButton()
         tool.setCheckable(True)
         tool.setAutoRaise(True)
@@ -196,12 +184,10 @@ class ScreenImageView(ImageView):
             self._link.drawn.emit(self._link.line)
 
     def _marked_scene(self) -> "Scene":
-        """The scene of the image on which regions are marked, as it is by now."""
         assert self._session is not None  # since there is a picture
         return self._session.of_image(self._number(self._session)).scene
 
     def _margin(self) -> Place:
-        """How far from the pointer an edge is taken hold of, in the receiver's coordinates."""
         assert self._axes is not None
         box = self._axes.get_window_extent()
         left, right, bottom, top = self._part()

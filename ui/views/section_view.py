@@ -1,6 +1,6 @@
-"""Light and target along a line across the receiver.
+"""Irradiance and target along a line across the receiver.
 
-By keys: arrows move the place or line by a pixel of the screen, with Shift by ten; with Ctrl, only
+Keys: arrows move the point or line by a pixel of the receiver, with Shift by ten; with Ctrl, only
 the end of the line.
 """
 
@@ -43,13 +43,7 @@ _Keys = Qt.KeyboardModifier
 
 
 class SectionView(PlotView):
-    """A cross-section through the pinned place or along the drawn line, marked in the images.
-
-    Parameters
-    ----------
-    link : ImageLink, optional
-        Tells of clicks and lines in the images, and shows place or line there.
-    """
+    """Cross-section through the pinned point or along the drawn line."""
 
     _HAS_BAR = False
     _curves: SectionCurves
@@ -71,18 +65,18 @@ class SectionView(PlotView):
         self._link.drawn.connect(self._take)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Mark place or line in the images."""
+        """Show the marks in images."""
         super().showEvent(event)
         self._mark()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Mark nothing that belongs to nothing."""
+        """Hide the marks in images."""
         self._link.show_pin(None)
         self._link.show_line(None)
         super().hideEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move place or line without a mouse."""
+        """Move point or line by keys."""
         step, keys = ARROWS.get(event.key()), event.modifiers()
         if step is None or self._shown is None or keys & _Keys.AltModifier:
             super().keyPressEvent(event)
@@ -123,7 +117,6 @@ class SectionView(PlotView):
             self._ask()
 
     def _follow(self) -> None:
-        """Take over a line while it is being drawn, and the image that is chosen."""
         if self._link.number != self._number:
             self._number = self._link.number
             self._ask()
@@ -174,7 +167,6 @@ class SectionView(PlotView):
 
 
 def _moved(receiver: "AnyReceiver", pixels: "Sequence[int]", *places: Place) -> list[Place]:
-    """Places so many pixels to the right and up, together, none beyond the receiver."""
     at, (low, high) = np.array(places), np.reshape(receiver.bounds, (2, 2)).T
     by = (high - low) / receiver.pixels * pixels
     by = by.clip(low - at.min(axis=0), high - at.max(axis=0))

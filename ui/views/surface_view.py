@@ -1,4 +1,4 @@
-"""The shape of a freeform face as a map."""
+"""Map of a freeform face."""
 
 from typing import TYPE_CHECKING, BinaryIO
 
@@ -36,11 +36,11 @@ class SurfaceContent:
         self._faces = faces
 
     def extent(self, session: "Session") -> Extent:
-        """All of the lens."""
+        """The whole element."""
         return Extent.around(session.scene.optic.half_width, session.scene.unit)
 
     def begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
-        """An empty map of the aspect."""
+        """Begin an empty map."""
         self._faces.offer(session.scene.optic)
         self.image = SurfaceImage(axes, session.scene, self.aspect, self._faces.face)
         return self.image.artists
@@ -50,16 +50,16 @@ class SurfaceContent:
         return self.image.update(frame.state.heights[self._faces.face])
 
     def values(self, frame: "Frame") -> Array:
-        """Those of the map."""
+        """Values of the map."""
         return self.image.values
 
     def unit(self, session: "Session") -> str:
-        """The aspect's own, as it stands behind a number."""
+        """Unit of the quantity."""
         return self.aspect.unit.format(session.scene.unit).removeprefix("1 ")
 
 
 class SurfaceView(ImageView):
-    """A map of a face; both to be chosen above it."""
+    """Map of a face and a quantity, both chosen above it."""
 
     _content: SurfaceContent
 
@@ -83,7 +83,7 @@ class SurfaceView(ImageView):
         self._turn()
 
     def write(self, file: BinaryIO, format: str) -> None:
-        """Write the picture as "png" or "svg"; where there are two faces, it says which one."""
+        """Write the plot as "png" or "svg", named by the face if there are two."""
         if self._axes is not None:
             self._axes.set_title(self._faces.needed, loc="left", fontsize=_FONT)
         super().write(file, format)
@@ -92,7 +92,7 @@ class SurfaceView(ImageView):
             self._canvas.draw_idle()
 
     def data(self) -> list[Column]:
-        """What the map shows, in numbers; where there are two faces, of which one."""
+        """Data of the map, named by the face if there are two."""
         columns, face = super().data(), self._faces.needed
         if face:
             columns[-1] = columns[-1]._replace(name=f"{face}: {columns[-1].name}")

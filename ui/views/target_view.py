@@ -23,7 +23,7 @@ _SAME = 1e-3  # parts by which no eye can tell light from light
 
 
 class TargetView(LightImageView):
-    """The target as irradiance or intensity, with as much light as arrives."""
+    """The target as irradiance or intensity, with the flux that arrives."""
 
     def __init__(self, link: ImageLink | None = None) -> None:
         super().__init__(LightContent(_target, "target"), link)
@@ -31,7 +31,7 @@ class TargetView(LightImageView):
         self.setToolTip(tr(_TIP))
 
     def show_frame(self, frame: "Frame") -> None:
-        """Take note of another target, or of another amount of light."""
+        """Store another target or flux."""
         before, self._frame = self._frame, frame
         self._untraced = False
         light = _light(frame)
@@ -42,7 +42,6 @@ class TargetView(LightImageView):
 
 
 def _light(frame: "Frame") -> float:
-    """How much of the light arrives; all of it, where none does."""
     return frame.session.scene.receiver.total(frame.state.irradiance) or 1.0
 
 

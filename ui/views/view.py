@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class View(QWidget):
     """Shows one aspect of the design.
 
-    A picture of another design replaces the old one with its first frame. Until then the old one is
-    greyed and marked as outdated.
+    The first frame of another design replaces the old picture. Until then the old one is greyed and
+    marked as outdated.
     """
 
     def __init__(self) -> None:
@@ -33,15 +33,15 @@ class View(QWidget):
 
     @property
     def outdated(self) -> bool:
-        """Whether what is shown is marked as that of another design."""
+        """Whether the picture is marked as outdated."""
         return not self._veil.isHidden()
 
     def add_below(self, widget: QWidget) -> None:
-        """Put something below the picture."""
+        """Add a widget below the picture."""
         self._box.addWidget(widget)
 
     def show_design(self, session: "Session") -> None:
-        """Take note of another scene or target."""
+        """Store another scene or target."""
         self._session = session
         if self._frame is None:
             self._ask()
@@ -52,18 +52,18 @@ class View(QWidget):
         self._ask()
 
     def show_nothing(self, session: "Session") -> None:
-        """Show a design of which there is no frame, rather than the one before it."""
+        """Show a design without a frame."""
         self._session, self._frame = session, None
         self._show_veil()
         self._ask()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Mark what is shown as that of another design, or no longer."""
+        """Mark the picture as outdated, or remove the mark."""
         self._of_another = outdated
         self._show_veil()
 
     def draw_now(self) -> None:
-        """Draw now, if there is anything to draw that can be seen."""
+        """Draw now, if needed and visible."""
         if not self._to_draw or not self.isVisible() or self.window().isMinimized():
             return
         session = self._session if self._frame is None else self._frame.session
@@ -72,12 +72,12 @@ class View(QWidget):
             self._draw(session, self._frame)
 
     def is_dark(self) -> bool:
-        """Whether text is brighter than its ground."""
+        """Whether text is brighter than the background."""
         palette = self.palette()
         return palette.windowText().color().lightness() > palette.window().color().lightness()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Catch up with what came while hidden."""
+        """Draw what came while hidden."""
         super().showEvent(event)
         if self._to_draw:
             drawing_queue().ask(self)
@@ -88,7 +88,7 @@ class View(QWidget):
         super().hideEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Follow the palette between light and dark."""
+        """Follow changes of the palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self._recolour()
@@ -103,11 +103,8 @@ class View(QWidget):
         self._veil.cover(self._of_another or self._is_behind())
 
     def _is_behind(self) -> bool:
-        """Whether what is shown is not computed for the frame yet."""
         return False
 
-    def _draw(self, session: "Session", frame: "Frame | None") -> None:
-        """Bring the picture up to date and paint it before returning."""
+    def _draw(self, session: "Session", frame: "Frame | None") -> None: ...
 
-    def _recolour(self) -> None:
-        """Take colours from the palette."""
+    def _recolour(self) -> None: ...

@@ -1,4 +1,4 @@
-"""All views of a window; importing this takes the seconds that their libraries take."""
+"""All views of a window; importing this module takes seconds."""
 
 from collections.abc import Callable
 from functools import partial
@@ -29,24 +29,7 @@ if TYPE_CHECKING:
 
 
 class Views(QObject):
-    """Makes the views and tells them what to show.
-
-    Attributes
-    ----------
-    scene : SceneView
-        The lens in three dimensions.
-    docked : dict of str to View
-        All others, by the names of their docks.
-    derivative : DerivativeView
-    focus : FocusView
-    loss : LossView
-    photo : PhotoView
-        Four of these.
-    history_slider : HistorySlider
-        Below the loss.
-    link : ImageLink
-        What images of the screen have in common.
-    """
+    """Creates the views and connects them."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -71,7 +54,7 @@ class Views(QObject):
         self.scene.picked.connect(self.derivative.choose)
 
     def follow(self, shown: "ShownLens", history: "FrameHistory") -> None:
-        """Show what is shown; look-back slider and loss curve show the history of the run."""
+        """Connect the views to the shown lens; slider and loss curve show the history."""
         for view in (self.scene, *self.docked.values()):
             shown.add(view)
         self.history_slider.frame_chosen.connect(shown.frame_changed)
@@ -79,7 +62,7 @@ class Views(QObject):
         history.changed.connect(lambda: self.loss.show_verified(history.checks))
 
     def plots(self) -> dict[str, PlotView]:
-        """Those that are drawn on axes, by the names of their docks."""
+        """Views with axes, by dock name."""
         return {name: view for name, view in self.docked.items() if isinstance(view, PlotView)}
 
     def show_colours(self, name: str) -> None:
@@ -88,14 +71,14 @@ class Views(QObject):
         self.scene.show_colours(name)
 
     def slots(self) -> dict[str, Callable[[], object]]:
-        """What commands do here."""
+        """Functions of commands."""
         return {
             "fit_view": self.scene.fit,
             **{f"{view}_view": partial(self.scene.fit, view) for view in VIEWS},
         }
 
     def choices(self) -> dict[str, Callable[[], object]]:
-        """What commands do here of which one is on."""
+        """Functions of exclusive commands."""
         return {
             **{name: partial(self.scene.show_rays, rays) for name, rays in RAYS.items()},
             **{name: partial(self.scene.colour_rays, by) for name, by in RAYS_BY.items()},
@@ -104,7 +87,7 @@ class Views(QObject):
         }
 
     def toggles(self) -> dict[str, Callable[[bool], object]]:
-        """What commands that are on or off do here."""
+        """Functions of checkable commands."""
         return {
             "exploded": self.scene.explode,
             "perspective": self.scene.see_in_perspective,
@@ -112,7 +95,7 @@ class Views(QObject):
         }
 
     def close(self) -> None:
-        """Free plotter and threads; safe to call twice."""
+        """Release plotter and threads; safe to call twice."""
         self.scene.close_plotter()
         self.derivative.close_thread()
         self.focus.close_threads()

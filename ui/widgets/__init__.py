@@ -1,1 +1,1 @@
-"""Widgets and looks that know nothing of designs."""
+"""Widgets and themes, independent of designs."""

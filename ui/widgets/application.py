@@ -1,16 +1,10 @@
-"""The application that all widgets belong to."""
+"""The Qt application."""
 
 from PySide6.QtWidgets import QApplication
 
 
 def application() -> QApplication:
-    """The one application.
-
-    Raises
-    ------
-    RuntimeError
-        If there is none yet; nothing of a window can be made before it.
-    """
+    """Return the application; raise RuntimeError if there is none yet."""
     found = QApplication.instance()
     if not isinstance(found, QApplication):
         raise RuntimeError("make the application before its widgets")

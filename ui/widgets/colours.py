@@ -6,7 +6,7 @@ from PySide6.QtGui import QImage
 
 
 def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
-    """A picture of its own of colours (n_y, n_x, 3), red, green and blue."""
+    """Return an image from colours (n_y, n_x, 3), with its own copy of the data."""
     rows, columns, _ = colours.shape
     data = np.ascontiguousarray(colours)
     image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)

@@ -1,4 +1,4 @@
-"""A line of text that is cut with an ellipsis where there is too little room for it."""
+"""Labels: elided, or wrapped without breaks between a number and its unit."""
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy
 
 
 class ElidedLabel(QLabel):
-    """Asks for the room that its text needs, makes do with less, and has all of it as a tip."""
+    """Label that cuts its text with an ellipsis and shows all of it as a tip."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -14,15 +14,15 @@ class ElidedLabel(QLabel):
 
     @property
     def shown(self) -> str:
-        """What of the text is seen."""
+        """Visible part of the text."""
         return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.width())
 
     def minimumSizeHint(self) -> QSize:
-        """Any width."""
+        """Allow any width."""
         return QSize(0, super().minimumSizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw what has room."""
+        """Draw the text that fits."""
         shown = self.shown
         self.setToolTip("" if shown == self.text() else self.text())
         painter = QPainter(self)

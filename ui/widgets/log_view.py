@@ -1,4 +1,4 @@
-"""What happened in this window, line by line with the time of day."""
+"""Log of the window, with the time of day."""
 
 from datetime import datetime
 
@@ -11,7 +11,7 @@ _LINES = 2000  # of which the oldest give way
 
 
 class LogView(QPlainTextEdit):
-    """Text to read and to copy, not to edit; its end, or where one has scrolled to."""
+    """Read-only text that stays at its end unless the user scrolls."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -27,7 +27,7 @@ class LogView(QPlainTextEdit):
         bar.valueChanged.connect(self._note_place)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Stay at the end, which lies elsewhere with lines of another width."""
+        """Stay at the end, which moves when lines are wrapped differently."""
         at_end = self._at_end
         super().resizeEvent(event)
         if at_end:

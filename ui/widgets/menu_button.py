@@ -1,4 +1,4 @@
-"""A flat button with a menu of choices, for a plot that has no room for a row of them."""
+"""Flat button with a menu of choices."""
 
 from collections.abc import Sequence
 
@@ -8,18 +8,7 @@ from PySide6.QtWidgets import QMenu, QToolButton
 
 
 class MenuButton(QToolButton):
-    """Opens its menu by a click or a key.
-
-    Parameters
-    ----------
-    text, tip : str
-        What it is called, and what it is for.
-
-    Attributes
-    ----------
-    chosen : Signal()
-        Something in the menu is chosen.
-    """
+    """Button that opens its menu by a click or a key."""
 
     chosen = Signal()
 
@@ -33,14 +22,14 @@ class MenuButton(QToolButton):
         self.setMenu(QMenu(self))
 
     def add_choice(self, texts: Sequence[str]) -> QActionGroup:
-        """Add texts of which one is chosen, the first to begin with."""
+        """Add exclusive choices; the first is checked."""
         group = QActionGroup(self)
         for text in texts:
             group.addAction(self.add_toggle(text, on=not group.actions()))
         return group
 
     def add_toggle(self, text: str, on: bool) -> QAction:
-        """Add a text that is on or off."""
+        """Add a checkable choice."""
         action = self.menu().addAction(text)
         action.setCheckable(True)
         action.setChecked(on)
@@ -49,10 +38,10 @@ class MenuButton(QToolButton):
 
 
 def chosen_of(group: QActionGroup) -> int:
-    """Which one of a group is chosen."""
+    """Index of the checked action of a group."""
     return group.actions().index(group.checkedAction())
 
 
 def choose(group: QActionGroup, number: int) -> None:
-    """Choose one of a group without telling."""
+    """Check an action of a group without a signal."""
     group.actions()[number].setChecked(True)

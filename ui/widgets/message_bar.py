@@ -1,4 +1,4 @@
-"""One sentence over the 3D scene, until it is read and closed."""
+"""Message over the 3D view, shown until it is closed."""
 
 from collections.abc import Callable, Sequence
 
@@ -24,15 +24,7 @@ Offer = tuple[str, Callable[[], object]]
 
 
 class MessageBar(QFrame):
-    """Shows failures and notes without stopping anybody; hidden while there is nothing to say.
-
-    Attributes
-    ----------
-    buttons : list of QPushButton
-        What the message offers, in its order.
-    message : Signal(str)
-        Each of them as it is shown.
-    """
+    """Shows failures and notes without blocking the user; hidden while empty."""
 
     message = Signal(str)
 
@@ -64,46 +56,46 @@ class MessageBar(QFrame):
 
     @property
     def text(self) -> str:
-        """What it says; empty while hidden."""
+        """The message; empty while hidden."""
         return self._text.text()
 
     @property
     def taken(self) -> bool:
-        """Whether it says what should be read first; what is done may give way to a warning."""
+        """Whether a message must be read first; a report of success may be replaced."""
         return bool(self.text) and not self._done
 
     def warn(self, text: str, *offers: Offer) -> None:
-        """Say what went wrong, and what to do."""
+        """Show a failure, with buttons."""
         self._show("warning", QStyle.StandardPixmap.SP_MessageBoxWarning, text, offers)
 
     def note(self, text: str, *offers: Offer, lasts: bool = False) -> None:
-        """Say something good to know; that lasts which is as true when a run begins."""
+        """Show a note, with buttons; ``lasts`` keeps it when a run begins."""
         self._show("note", QStyle.StandardPixmap.SP_MessageBoxInformation, text, offers)
         self._lasts = lasts
 
     def done(self, text: str) -> None:
-        """Say what is done, as a file that is written."""
+        """Show that something is finished, such as a written file."""
         self.note(text, lasts=True)
         self._done = True
 
     def amend(self, beginning: str, text: str) -> None:
-        """Go on with a message that begins so, as with progress, unless another stands there."""
+        """Replace a message that has this beginning, as for progress."""
         if beginning and self.text.startswith(beginning):
             self._text.setText(text)
             self.setAccessibleName(text)
 
     def withdraw(self, text: str) -> None:
-        """Take a message back, unless another one stands there by now."""
+        """Remove a message if it is still shown."""
         if text and text == self.text:
             self.clear()
 
     def make_way(self) -> None:
-        """Say nothing any more of the lens before a run."""
+        """Remove messages about the lens before a run."""
         if not self._lasts:
             self.clear()
 
     def clear(self) -> None:
-        """Say nothing any more."""
+        """Remove the message."""
         self._set_buttons(())
         self._text.clear()
         self.hide()

@@ -6,11 +6,11 @@ from PySide6.QtWidgets import QWidget
 
 
 def make_native(widget: QWidget) -> None:
-    """Give a widget a window of its own.
+    """Give a widget a native window.
 
-    The 3D scene needs one, and lies then above all that Qt paints in the window around it; so does
-    whatever shall be seen over the scene. What lies beside it does not: menus over a native dock
-    would count as belonging to no window.
+    The 3D view is native, and lies above everything that Qt paints in the window. So does
+    everything shown over the 3D view. Widgets beside it are not native: menus over a native dock
+    would belong to no window.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_DontCreateNativeWidgetSiblings)
     widget.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)
@@ -18,15 +18,10 @@ def make_native(widget: QWidget) -> None:
 
 
 class Uncovered(QObject):
-    """Paints a window again where menus, dialogs and other windows have lain over it.
+    """Repaints a window where other windows covered it.
 
-    Qt leaves that to a compositor in a window with OpenGL anywhere in it, also where OpenGL draws
-    into a native window of its own. Without a compositor remains of other windows would stay.
-
-    Parameters
-    ----------
-    window : QWidget
-        A window; it owns this.
+    Qt leaves that to a compositor if the window contains OpenGL. Without a compositor, remains of
+    other windows would stay.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -36,7 +31,7 @@ class Uncovered(QObject):
         window.windowHandle().installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Paint what the display has lost; nothing is filtered out."""
+        """Repaint uncovered areas; filter nothing."""
         if isinstance(event, QPaintEvent):
             self._window.update(event.region())
         return False

@@ -1,4 +1,4 @@
-"""Words in pictures of the engine, in the language of the window."""
+"""Translation of texts in matplotlib figures."""
 
 import re
 from collections.abc import Collection, Iterable
@@ -43,16 +43,9 @@ _FLUX = re.compile(r"(10\S+ )?flux / (.*)")
 
 
 def translate(figure: Figure, names: Collection[str] = ()) -> None:
-    """Say labels and legends of a picture that has just begun in the language that is spoken.
+    """Translate labels and legends of a new figure, but not ``names``.
 
-    Lines are named in it, too, since a legend may be made of them later.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Shows the picture.
-    names : collection of str
-        Texts in it that are no words of the program and stay.
+    Labels of lines are translated too, for later legends.
     """
     texts = cast("list[Text]", figure.findobj(Text))
     _say(text for text in texts if text.get_text() not in names)
@@ -62,7 +55,7 @@ def translate(figure: Figure, names: Collection[str] = ()) -> None:
 
 
 def translate_axes(figure: Figure) -> None:
-    """Say labels of axes that have changed with what is shown in the language that is spoken."""
+    """Translate axis labels that changed with the data."""
     _say([axis.label for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)])
 
 

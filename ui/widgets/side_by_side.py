@@ -1,4 +1,4 @@
-"""A picture and what belongs to it: beside each other where there is width, else one below."""
+"""Layout of a picture and its form: side by side if wide, else one above the other."""
 
 from collections.abc import Sequence
 
@@ -19,19 +19,7 @@ _HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
 
 
 class SideBySide(QWidget):
-    """Gives the picture all room that the other does not need; that one scrolls where it must.
-
-    Buttons stay in sight below what scrolls.
-
-    Parameters
-    ----------
-    picture : QWidget
-        Takes what room there is.
-    other : QWidget
-        Fields and figures.
-    buttons : sequence of QPushButton
-        What can be done with them.
-    """
+    """Gives the picture all space that the form does not need; the form scrolls."""
 
     def __init__(self, picture: QWidget, other: QWidget, buttons: Sequence[QPushButton]) -> None:
         super().__init__()
@@ -51,7 +39,7 @@ class SideBySide(QWidget):
         picture.setMinimumHeight(_HIGH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Follow the shape of the room."""
+        """Choose the direction by the aspect ratio."""
         super().resizeEvent(event)
         wide = self.width() > _WIDE * self.height()
         directions = QBoxLayout.Direction
@@ -59,8 +47,6 @@ class SideBySide(QWidget):
 
 
 class _Scrolled(QScrollArea):
-    """Asks for all the room that what it holds needs, and makes do with less."""
-
     def __init__(self, held: QWidget, least: int) -> None:
         super().__init__()
         self._held, self._least = held, least
@@ -70,17 +56,14 @@ class _Scrolled(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Ask anew when what it holds has grown or shrunk."""
         if event.type() == QEvent.Type.LayoutRequest:
             self.updateGeometry()
         return super().eventFilter(watched, event)
 
     def sizeHint(self) -> QSize:
-        """That of what it holds, and of a bar to scroll it."""
         bar = self.verticalScrollBar().sizeHint().width()
         return self._held.sizeHint() + QSize(bar, 0)
 
     def minimumSizeHint(self) -> QSize:
-        """Enough to see where to begin."""
         least = super().minimumSizeHint()
         return QSize(least.width(), min(self.sizeHint().height(), self._least))

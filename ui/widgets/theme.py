@@ -1,4 +1,4 @@
-"""How the window looks: Fusion in the system's colours, and icons drawn in the text's colour."""
+"""Theme of the window: Fusion in the system's colours, and icons in the text colour."""
 
 from pathlib import Path
 
@@ -42,7 +42,7 @@ _HIGHLIGHT = "#308cc6"
 
 
 def apply(application: QApplication) -> None:
-    """Dress the application, now and whenever the system turns light or dark."""
+    """Set style and colours, now and whenever the system's scheme changes."""
     application.setStyle("Fusion")
     application.setWindowIcon(QIcon(str(_icon_file("workbench"))))
     _colour(application)
@@ -53,19 +53,19 @@ def apply(application: QApplication) -> None:
 
 
 def choose(application: QApplication, name: str) -> None:
-    """Be "light" or "dark", or as the "system" is."""
+    """Choose the "light" or "dark" scheme, or that of the "system"."""
     application.styleHints().setColorScheme(_SCHEMES[name])  # for what the system draws itself
     application.setPalette(_palette(name) if name in _GROUNDS else QPalette())
     _colour(application)
 
 
 def is_dark(palette: QPalette) -> bool:
-    """Whether text is brighter than its ground."""
+    """Whether text is brighter than the background."""
     return palette.windowText().color().lightness() > palette.window().color().lightness()
 
 
 def icon(name: str, palette: QPalette) -> QIcon:
-    """An icon of resources/icons in the palette's text colour, paler where it is disabled."""
+    """Return an icon of resources/icons in the text colour, paler when disabled."""
     drawing = _icon_file(name).read_text(encoding="utf-8")
     made = QIcon()
     groups = {
@@ -80,14 +80,13 @@ def icon(name: str, palette: QPalette) -> QIcon:
 
 
 def restyle(widget: QWidget) -> None:
-    """Apply the style sheet again after a property that it asks for has changed."""
+    """Apply the style sheet again after a property changed."""
     for changed in (widget, *widget.findChildren(QWidget)):
         changed.style().unpolish(changed)
         changed.style().polish(changed)
 
 
 def _palette(name: str) -> QPalette:
-    """Fusion's palette for a ground; it makes shades of its own."""
     ground, field, text = (QColor(colour) for colour in _GROUNDS[name])
     palette = QPalette(ground, ground)
     roles = QPalette.ColorRole

@@ -1,4 +1,4 @@
-"""A veil over what is out of date."""
+"""Overlay over outdated content."""
 
 from PySide6.QtCore import QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
@@ -13,13 +13,7 @@ _MARGIN = 6  # pixels around the words
 
 
 class Veil(QWidget):
-    """Greys the widget that it lies on and says why; mouse and keyboard pass through.
-
-    Parameters
-    ----------
-    below : QWidget
-        What is covered; it owns this.
-    """
+    """Greys a widget and says why; mouse and keyboard pass through."""
 
     def __init__(self, below: QWidget) -> None:
         super().__init__(below)
@@ -31,20 +25,20 @@ class Veil(QWidget):
         below.installEventFilter(self)
 
     def cover(self, covered: bool) -> None:
-        """Cover what lies below, or uncover it."""
+        """Show or hide the overlay."""
         if covered:
             self.setGeometry(self._below.rect())
             self.raise_()
         self.setVisible(covered)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Stay as large as what lies below."""
+        """Keep the size of the covered widget."""
         if event.type() == QEvent.Type.Resize and self.isVisible():
             self.setGeometry(self._below.rect())
         return False
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground's colour over all, and the words at the top."""
+        """Paint the overlay and its text."""
         painter = QPainter(self)
         ground = QColor(self.palette().window().color())
         words = QRect(self.rect())

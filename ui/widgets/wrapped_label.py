@@ -13,12 +13,7 @@ _BETWEEN = re.compile(rf"(?<=[\d⁰¹²³⁴⁵⁶⁷⁸⁹])( / | )(?={_UNIT})|
 
 
 def kept_together(text: str) -> str:
-    """A text with no-break spaces between numbers and their units, for what is wrapped.
-
-    Parameters
-    ----------
-    text : str
-        What is to be shown.
+    """Return a text with no-break spaces between numbers and their units.
 
     Examples
     --------
@@ -29,29 +24,21 @@ def kept_together(text: str) -> str:
 
 
 class WrappedLabel(QLabel):
-    """Wraps its text, and keeps numbers together with their units.
-
-    Parameters
-    ----------
-    text : str
-        What it says at first.
-    **properties
-        Those of a `QLabel`.
-    """
+    """Label that wraps its text and keeps numbers with their units."""
 
     def __init__(self, text: str = "", **properties: Any) -> None:
         super().__init__(wordWrap=True, **properties)
         self.setText(text)
 
     def text(self) -> str:
-        """What it says, with the spaces that it was given."""
+        """The text as it was set."""
         return self._said
 
     def setText(self, text: str) -> None:
-        """Say something else."""
+        """Set the text."""
         self._said = text
         super().setText(kept_together(text))
 
     def clear(self) -> None:
-        """Say nothing."""
+        """Remove the text."""
         self.setText("")

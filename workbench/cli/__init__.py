@@ -1,6 +1,6 @@
-"""The same verbs without a window: ``freeform``, the same as ``python -m workbench``.
+"""Command line: ``freeform``, the same as ``python -m workbench``.
 
-Exit status 0 done, 1 failed, 2 wrong use or refused input, 128 and the signal's number where one
+Exit status 0 done, 1 failed, 2 wrong use or refused input, 128 and the signal's number if a signal
 ended it (130 after Ctrl-C, 143 after SIGTERM, 129 after a hangup); the reason is one line on
 standard error.
 """
@@ -12,7 +12,6 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import NoReturn
 
-from workbench.cli.garbage import collect_seldom
 from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
@@ -20,20 +19,13 @@ from workbench.errors import Refused, RunFailed, visible
 from workbench.library_threads import calm_library_threads
 from workbench.utf8_mode import restart_in_utf8_mode
 
+# Imports create 300,000 objects that live as long as the process. At the default thresholds Python
+# searches them repeatedly during the imports: a quarter of the time of a short command.
+_GARBAGE_THRESHOLDS = 400_000, 50, 1000
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command.
-
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Command line without the program's name; that of this process by default.
-
-    Returns
-    -------
-    int
-        Exit status.
-    """
+    """Run a command, by default that of this process, and return its exit status."""
     calm_library_threads()
     with Streams() as streams, _logging():
         try:
@@ -45,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _fail(1, str(failure))
         except KeyboardInterrupt as stop:
             return _fail(128 + number_of(stop), str(stop) or "interrupted")
-        except SystemExit:  # help and version, which are done
+        except SystemExit:  # help and version
             if streams.failure is None:
                 raise
         except Exception as error:  # a defect: its traceback goes to a file
@@ -59,22 +51,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def command() -> NoReturn:
     """Run the command of this process, and end the process with its exit status."""
     restart_in_utf8_mode()
-    collect_seldom()
+    gc.set_threshold(*_GARBAGE_THRESHOLDS)
     status = main()
-    gc.freeze()  # else Python searches 300,000 objects for garbage at its end: a second
+    gc.freeze()  # else Python searches 300,000 objects for garbage at exit: one second
     sys.exit(status)
 
 
 class _Printer(logging.Handler):
-    """Prints on standard error."""
-
     def emit(self, record: logging.LogRecord) -> None:
         print(f"freeform: {self.format(record)}", file=sys.stderr, flush=True)
 
 
 @contextmanager
 def _logging() -> Iterator[None]:
-    """Print what the engine logs."""
     logger, printer = logging.getLogger("workbench"), _Printer()
     level = logger.level
     logger.addHandler(printer)
@@ -87,7 +76,7 @@ def _logging() -> Iterator[None]:
 
 
 def _run(arguments: Sequence[str] | None) -> None:
-    from workbench.cli.arguments import parse  # here, where Ctrl-C is reported already
+    from workbench.cli.arguments import parse  # late, so that Ctrl-C during the import is reported
 
     options = parse(arguments)
     options.command(options)

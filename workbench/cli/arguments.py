@@ -1,34 +1,32 @@
-"""What can be typed."""
+"""Commands and their arguments."""
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from workbench import __version__
-from workbench.cli.verbs import (
-    benchmark,
-    bound,
-    design,
-    export,
-    manufacture,
-    pictures,
-    report,
-    sweep,
-    tolerances,
-    validate,
+from workbench.cli.design_arguments import add_benchmark, add_bound, add_design, add_sweep
+from workbench.cli.lens_arguments import (
+    add_export,
+    add_manufacture,
+    add_pictures,
+    add_report,
+    add_tolerances,
+    add_validate,
 )
-from workbench.cli.verbs.parser import Parser
+from workbench.cli.parser import Parser
 
-VERBS = {
-    "design": design,
-    "bound": bound,
-    "sweep": sweep,
-    "validate": validate,
-    "tolerances": tolerances,
-    "manufacture": manufacture,
-    "export": export,
-    "pictures": pictures,
-    "report": report,
-    "benchmark": benchmark,
+VERBS: dict[str, tuple[str, Callable[[Any], None]]] = {
+    "design": ("design a lens", add_design),
+    "bound": ("tell the least error that any lens can reach", add_bound),
+    "sweep": ("design many lenses: several scenes, fields that vary", add_sweep),
+    "validate": ("check a lens by an independent trace", add_validate),
+    "tolerances": ("see what small errors of a lens do to its image", add_tolerances),
+    "manufacture": ("tell thickness, slope and radii, and judge them by limits", add_manufacture),
+    "export": ("write a lens for manufacture and for other programs", add_export),
+    "pictures": ("draw a lens and its light", add_pictures),
+    "report": ("tell all of a lens on some pages (HTML, PDF)", add_report),
+    "benchmark": ("measure run time against error", add_benchmark),
 }
 _EXAMPLES = """\
 examples:
@@ -44,19 +42,11 @@ Exit status: 0 done, 1 failed, 2 refused; 130 after Ctrl-C, 143 after SIGTERM,
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
-    """Read a command line.
+    """Parse a command line; raise Refused if that fails.
 
-    Returns
-    -------
-    argparse.Namespace
-        With ``command``, a function to be called with the namespace itself.
-
-    Raises
-    ------
-    Refused
-        If it is not understood.
+    ``command`` of the result is a function to be called with the result.
     """
-    verbs = "\n".join(f"  {name:<13}{verb.DOES}" for name, verb in VERBS.items())
+    verbs = "\n".join(f"  {name:<13}{does}" for name, (does, _) in VERBS.items())
     parser = Parser(
         prog="freeform",
         usage="freeform COMMAND ...",
@@ -67,6 +57,6 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     commands = parser.add_subparsers(
         prog=parser.prog, metavar="COMMAND", required=True, help=argparse.SUPPRESS
     )
-    for verb in VERBS.values():
-        verb.add(commands)
+    for _, add in VERBS.values():
+        add(commands)
     return parser.parse_args(arguments)

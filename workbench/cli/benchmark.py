@@ -22,16 +22,12 @@ def benchmark(
 ) -> None:
     """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
 
-    Raises
-    ------
-    Refused
-        If there is no such benchmark, the folder cannot be written, or the earlier result has no
-        curves or one of the benchmarks has none.
-    KeyboardInterrupt
-        After Ctrl-C; what was finished is written.
+    Raise Refused if there is no such benchmark, the folder is not writable, or the earlier result
+    or one of the benchmarks has no curves; KeyboardInterrupt after Ctrl-C, with finished benchmarks
+    written.
     """
     _check(names, folder, against)
-    from workbench.analysis.benchmark.machine import Machine  # late: torch
+    from workbench.analysis.benchmark.machine import Machine  # slow import
 
     earlier = _earlier(against)
     machine = Machine.here()
@@ -53,25 +49,17 @@ def benchmark(
 
 
 def draw_result(name: str, result: Path, folder: Path, against: Path | None) -> None:
-    """Draw the picture of a benchmark that was measured before.
-
-    Raises
-    ------
-    Refused
-        If there is no such benchmark, it has no curves, the folder cannot be written, or one of
-        the results cannot be read.
-    """
+    """Draw the picture of a finished benchmark; raise Refused if that is not possible."""
     if name not in WITH_CURVES:
         raise Refused(name, f"has no curves; --result is for {', '.join(WITH_CURVES)}")
     _check([name], folder, against)
-    from workbench.analysis.benchmark.earlier import kept_courses  # late: torch
+    from workbench.analysis.benchmark.earlier import kept_courses  # slow import
 
     _draw(name, kept_courses(result), _earlier(against), folder)
     print(folder / f"{name}.png")
 
 
 def _check(names: Sequence[str], folder: Path, against: Path | None) -> None:
-    """Refuse what cannot be measured, drawn or written, before anything is measured."""
     for name in names:
         if name not in BENCHMARKS:
             raise Refused(name, f"is no benchmark; there are {', '.join(BENCHMARKS)}")
@@ -86,7 +74,6 @@ def _check(names: Sequence[str], folder: Path, against: Path | None) -> None:
 
 
 def _earlier(against: Path | None) -> Sequence[Any]:
-    """Courses of an earlier result; late, since they need what the benchmarks need."""
     if against is None:
         return ()
     from workbench.analysis.benchmark.earlier import earlier_courses
@@ -97,7 +84,6 @@ def _earlier(against: Path | None) -> Sequence[Any]:
 def _measure(
     name: str, iterations: int | None
 ) -> tuple[list[Any], float, KeyboardInterrupt | None]:
-    """Rows of a benchmark, the time it took, and what interrupted it."""
     from workbench.analysis.benchmark.suite import SUITE
 
     rows: list[Any] = []
@@ -137,7 +123,6 @@ def _write(
 
 
 def _draw(name: str, rows: Sequence[Any], earlier: Sequence[Any], folder: Path) -> None:
-    """Draw a picture, with what there was before of the same scenes."""
     from workbench.pictures.benchmark import draw
 
     seen = [each for each in earlier if any(each.scene == row.scene for row in rows)]
@@ -146,7 +131,7 @@ def _draw(name: str, rows: Sequence[Any], earlier: Sequence[Any], folder: Path) 
 
 
 class _Progress:
-    """Tells on standard error what is measured: one line that changes on a terminal, else many."""
+    """Progress on standard error: one changing line on a terminal, else many lines."""
 
     _SECONDS = 10.0  # from one line to the next
 
@@ -157,7 +142,6 @@ class _Progress:
         self._is_terminal = sys.stderr.isatty()
 
     def tell(self, case: str, state: str) -> None:
-        """Say how far a case is."""
         now = time.perf_counter()
         line = f"{self._name}: {case}  {state}".rstrip()
         if self._is_terminal:
@@ -170,6 +154,5 @@ class _Progress:
         self._case = case
 
     def close(self) -> None:
-        """Leave the line."""
         if self._is_terminal:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)

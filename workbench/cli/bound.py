@@ -10,13 +10,7 @@ from workbench.system_memory import keep_freed_memory
 
 
 def bound(path: Path, as_json: bool) -> None:
-    """Print the least error that a lens can reach with the source of a scene.
-
-    Raises
-    ------
-    Refused
-        If the scene cannot be read.
-    """
+    """Print the lower bound of the error for a scene; raise Refused if it cannot be read."""
     keep_freed_memory()  # a search makes the same arrays over and over
     session = open_design(path)
     for remark in session.picture_remarks:

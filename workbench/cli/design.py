@@ -8,8 +8,8 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
+from workbench.cli.checkpoints import CheckpointWriter
 from workbench.cli.interruption import EndedBySignal, Interruption
-from workbench.cli.keeping import Keeper
 from workbench.cli.progress import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.light_files import why_light_is_not_kept
@@ -22,7 +22,7 @@ from workbench.files.session import is_session, open_design
 from workbench.interruption import given_up_when, interrupted_when
 from workbench.system_memory import keep_freed_memory
 
-# Pixels from which on freed memory is given back: with 4096 × 4096 a run takes 3.1 GB, not 5.2.
+# From this many pixels on freed memory is returned: a run of 4096 × 4096 takes 3.1 GB, not 5.2.
 _MANY = 1 << 22
 
 
@@ -31,17 +31,12 @@ def design(
 ) -> None:
     """Run a design until a deadline of `time.perf_counter`, and write it however the run ends.
 
-    Raises
-    ------
-    Refused
-        If the scene cannot be run or the output not be written; a lens is then kept elsewhere.
-    RunFailed
-        If the run cannot go on; the best lens before is written.
-    EndedBySignal
-        After a signal; the best lens so far is written.
+    Raise Refused if the scene cannot be run or the output not be written (the lens is then kept
+    elsewhere), RunFailed if the run cannot go on (the best lens is written), EndedBySignal after a
+    signal (the best lens is written).
     """
     session = open_design(path)
-    if _pixels(session) < _MANY:  # larger arrays would leave gaps that nothing else fits into
+    if _pixels(session) < _MANY:  # gaps of larger arrays would not be reused
         keep_freed_memory()
     if not is_session(path):
         for why in filter(None, map(why_not_kept, session.scene.single, session.pictures)):
@@ -53,27 +48,27 @@ def design(
     run = DesignRun(session, iterations)
     session = run.session
     check_writable(output)
-    keeper = Keeper(output, lambda result: replace(session, result=result))
-    _tell_left_behind(keeper, path)
+    checkpoints = CheckpointWriter(output, lambda result: replace(session, result=result))
+    _print_abandoned(checkpoints, path)
     with Interruption() as interruption:
         try:
             with (
                 interrupted_when(lambda: interruption.asked > 0 or _is_over(deadline)),
-                # A first lens, at least the undesigned one, is written in any case.
+                # At least the starting lens is written in any case.
                 given_up_when(lambda: _is_over(deadline) and run.history.result() is not None),
                 closing(Progress(session.scene, deadline)) as progress,
                 closing(iter(run)) as snapshots,
             ):
                 for snapshot in snapshots:
                     progress.show(snapshot)
-                    keeper.keep(run.history)
+                    checkpoints.write_if_due(run.history)
                     if interruption.asked or _is_over(deadline):
                         break
         finally:
             interruption.settle()
             result = run.history.result()
             if result is not None:
-                keeper.finish(result)
+                checkpoints.finish(result)
     if result is not None:
         _print(result, session.scene.receiver.place, as_json)
         if _is_over(deadline) and not result.iterations:
@@ -82,7 +77,7 @@ def design(
         if not as_json and not interruption.asked and not _is_over(deadline):
             _print_bound(session, result)
     if interruption.asked:
-        raise EndedBySignal(interruption.asked, f"interrupted; {_held(result, output)}")
+        raise EndedBySignal(interruption.asked, f"interrupted; {_what_is_written(result, output)}")
 
 
 def _is_over(deadline: float) -> bool:
@@ -90,8 +85,7 @@ def _is_over(deadline: float) -> bool:
 
 
 def _print_hint(session: Session, result: Result) -> None:
-    """What keeps the lens from its target, where that is known, and what would help."""
-    from workbench.design.coarse_net import coarse_net  # late: a refusal does not wait for it
+    from workbench.design.coarse_net import coarse_net  # slow import, not needed for a refusal
 
     if result.state.shortfall is not None:
         print(result.state.shortfall.at_field(session.scene), file=sys.stderr)
@@ -102,8 +96,7 @@ def _print_hint(session: Session, result: Result) -> None:
 
 
 def _print_bound(session: Session, result: Result) -> None:
-    """The error beside what no lens can be below, where the size of the source says that."""
-    # Late: a refusal does not wait for these.
+    # Slow imports, not needed for a refusal.
     from workbench.design.loss import relative_error
     from workbench.extended.bound import Bound, percent
 
@@ -113,19 +106,18 @@ def _print_bound(session: Session, result: Result) -> None:
         print(f"error {percent(error)} as the run sees it; {bound.short}")
 
 
-def _held(result: Result | None, output: Path) -> str:
-    """What a run that was interrupted has left."""
+def _what_is_written(result: Result | None, output: Path) -> str:
     if result is None:
         return "there was no lens yet, and nothing is written"
     lens = "the best lens so far" if result.iterations else "the lens before its first iteration"
     return f"{lens} is in {output}"
 
 
-def _tell_left_behind(keeper: Keeper, path: Path) -> None:
-    left = keeper.left_behind()
-    if left is not None and not left.samefile(path):
+def _print_abandoned(checkpoints: CheckpointWriter, path: Path) -> None:
+    found = checkpoints.find_abandoned()
+    if found is not None and not found.samefile(path):
         print(
-            f"{left} is what a run left that was cut off; given as SCENE, it is gone on from",
+            f"{found} is what a run left that was cut off; given as SCENE, it is gone on from",
             file=sys.stderr,
             flush=True,
         )

@@ -1,7 +1,7 @@
-"""Signals that ask a command to end: Ctrl-C, SIGTERM, and SIGHUP when its terminal goes away.
+"""Signals that end a command: Ctrl-C, SIGTERM, and SIGHUP when the terminal closes.
 
-What the surroundings ignore, as a shell asks of its background jobs and nohup of a hangup, is
-ignored here too.
+Signals that the parent process ignores, such as those of background jobs of a shell or of nohup,
+stay ignored.
 """
 
 import _thread
@@ -15,20 +15,12 @@ from typing import Self
 _ENDING = tuple(
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
 )
-_AGAIN = 0.05  # seconds after which a signal comes again that found a module being loaded
+_REPEAT_SECONDS = 0.05  # after which a signal that interrupted an import is repeated
 _LOADER = "<frozen importlib._bootstrap>"
 
 
 class EndedBySignal(KeyboardInterrupt):
-    """A signal has ended a command.
-
-    Parameters
-    ----------
-    number : int
-        Which.
-    reason : str
-        What it has left, in one sentence.
-    """
+    """A signal has ended a command; the reason is one sentence."""
 
     def __init__(self, number: int, reason: str = "interrupted") -> None:
         super().__init__(reason)
@@ -36,13 +28,11 @@ class EndedBySignal(KeyboardInterrupt):
 
 
 def number_of(stop: KeyboardInterrupt) -> int:
-    """The signal that an interruption is about."""
+    """Return the signal of an interruption."""
     return stop.number if isinstance(stop, EndedBySignal) else signal.SIGINT
 
 
 class _Handling(ABC):
-    """While entered, ``_handle`` is called for signals that ask to end."""
-
     def __enter__(self) -> Self:
         self._before = {number: signal.getsignal(number) for number in _ENDING}
         for number, handler in self._before.items():
@@ -60,15 +50,14 @@ class _Handling(ABC):
             signal.signal(number, handler)
 
     @abstractmethod
-    def _handle(self, number: int, frame: FrameType | None) -> None:
-        """Take a signal in the main thread."""
+    def _handle(self, number: int, frame: FrameType | None) -> None: ...
 
 
 class Interruptible(_Handling):
-    """While entered, signals raise `EndedBySignal`, but not while a module is being loaded.
+    """Context in which signals raise `EndedBySignal`, but not while a module is being loaded.
 
-    Libraries take an exception in their midst for a part that is missing, and say so or go on
-    without it; the signal then comes again after a moment. A second Ctrl-C does not wait.
+    Libraries take an exception during an import for a missing module; the signal is then repeated
+    after a moment. A second Ctrl-C raises at once.
     """
 
     def __init__(self) -> None:
@@ -90,7 +79,9 @@ class Interruptible(_Handling):
         is_second = self._later is not None and not is_repeated and number == signal.SIGINT
         if is_second or not _is_loading(frame):
             raise EndedBySignal(number)
-        self._later = threading.Timer(_AGAIN, self._repeat, [threading.get_ident(), number])
+        self._later = threading.Timer(
+            _REPEAT_SECONDS, self._repeat, [threading.get_ident(), number]
+        )
         self._later.daemon = True
         self._later.start()
 
@@ -99,21 +90,20 @@ class Interruptible(_Handling):
         if sys.platform == "win32":
             _thread.interrupt_main(number)
         else:
-            signal.pthread_kill(thread, number)  # which also ends what it waits for
+            signal.pthread_kill(thread, number)  # also interrupts a blocking call
 
 
 def _is_loading(frame: FrameType | None) -> bool:
-    """Whether a module is being loaded somewhere below a frame."""
     while frame is not None and frame.f_code.co_filename != _LOADER:
         frame = frame.f_back
     return frame is not None
 
 
 class Interruption(_Handling):
-    """While entered, a signal is noted in ``asked`` instead of raised.
+    """Context in which a signal is stored in ``asked`` instead of raised.
 
-    A second Ctrl-C raises, for those who do not wait for the iteration; not so other signals,
-    which come twice when a terminal closes, and nothing after `settle`.
+    A second Ctrl-C raises, for users who do not wait for the iteration. Other signals do not, as
+    they come twice when a terminal closes, and nothing raises after `settle`.
     """
 
     def __init__(self) -> None:
@@ -121,7 +111,7 @@ class Interruption(_Handling):
         self._settled = False
 
     def settle(self) -> None:
-        """From here on nothing is raised: what is left to do is short and must not be lost."""
+        """Raise nothing from now on: the remaining work is short and must complete."""
         self._settled = True
 
     def _handle(self, number: int, frame: FrameType | None) -> None:

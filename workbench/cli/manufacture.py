@@ -7,34 +7,32 @@ from dataclasses import replace
 from pathlib import Path
 
 from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture, surface_maps
-from workbench.analysis.manufacture import manufacture as look_at
+from workbench.analysis.manufacture import manufacture as compute_figures
 from workbench.analysis.manufacture_limits import Limits, Verdict, verdicts
-from workbench.cli.designed import read_designed
+from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
+from workbench.files.session import read_session
 from workbench.geometry.body import check_body
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.units import sized
 
-# Places of a map along the longer side of the lens.
-_PLACES = 513
+# Samples of a map along the longer side of the lens.
+_SAMPLES = 513
 
 
 def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) -> None:
-    """Print what a shop asks of the lens of a session, and whether it keeps to limits.
+    """Print the manufacturing figures of a session's lens, and whether limits are met.
 
-    Raises
-    ------
-    Refused
-        If the session cannot be read or holds no lens, or the plot cannot be written.
-    RunFailed
-        If the lens is beyond a limit or no body; after all is printed and drawn.
+    Raise Refused if the session has no lens or the plot cannot be written; RunFailed, after
+    printing, if a limit is not met or the lens is no solid body.
     """
-    session, result = read_designed(path)
+    session = read_session(path)
+    result = result_of(session, str(path))
     scene = session.scene
     if plot is not None:
         check_writable(plot)
-    found = look_at(scene.optic, result.state.heights)
+    found = compute_figures(scene.optic, result.state.heights)
     if limits.min_thickness is None:
         limits = replace(limits, min_thickness=scene.optic.least_thickness)
     if limits.min_tool_radius is None:
@@ -46,9 +44,9 @@ def manufacture(path: Path, limits: Limits, plot: Path | None, as_json: bool) ->
     else:
         _print(found, judged, scene.unit)
     if plot is not None:
-        from workbench.pictures.manufacture import write_manufacture  # late: draws
+        from workbench.pictures.manufacture import write_manufacture  # slow import
 
-        count = even_counts(scene.optic.half_width, _PLACES)
+        count = even_counts(scene.optic.half_width, _SAMPLES)
         maps = {
             scene.optic.face_in_words(face): surface_maps(
                 scene.optic, result.state.heights, count, face

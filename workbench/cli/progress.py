@@ -10,20 +10,14 @@ from workbench.design.pace import Pace
 from workbench.design.snapshot import Snapshot
 from workbench.scene import Scene
 
-# Elsewhere than on a terminal a line is due after this part of the run or this many seconds.
+# Without a terminal a line is printed after this part of the run or this many seconds.
 _PART, _SECONDS = 0.05, 10.0
-_DELAY = 0.5  # seconds, before which nobody looks for a bar
-_LINES = 10.0  # seconds from one line to the next, where parts are printed
+_DELAY = 0.5  # seconds before a bar appears
+_LINES = 10.0  # seconds between lines of fractions
 
 
 class PartProgress:
-    """Shows which part of something is done, if it takes long.
-
-    Parameters
-    ----------
-    name : str
-        What is done.
-    """
+    """Progress of a named task as a fraction, if it takes long."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -41,7 +35,7 @@ class PartProgress:
             )
 
     def show(self, fraction: float) -> None:
-        """Show the part that is done."""
+        """Show the finished fraction."""
         if self._bar is not None:
             self._bar.update(fraction - self._bar.n)
         elif time.monotonic() - self._last > _LINES:
@@ -49,32 +43,24 @@ class PartProgress:
             print(f"{self._name}  {100 * fraction:.0f} %", file=sys.stderr, flush=True)
 
     def close(self) -> None:
-        """Take the bar away."""
+        """Remove the bar."""
         if self._bar is not None:
             self._bar.close()
 
 
 class Progress:
-    """Shows where a run is, its loss and the time left.
-
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    deadline : float
-        Time of `time.perf_counter` at which the run is stopped; may be infinite.
-    """
+    """Progress of a run: iteration, loss and time left until the end or a deadline."""
 
     def __init__(self, scene: Scene, deadline: float) -> None:
         self._scene, self._deadline = scene, deadline
         self._pace = Pace()
         self._lacks_printed = False
         self._bar: tqdm | None = None
-        self._line: Snapshot | None = None  # the last one that got a line
+        self._line: Snapshot | None = None  # last printed snapshot
         self._notes: tuple[str, ...] = ()
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show the next snapshot of the run; what its trace chose, and what it lacks, once."""
+        """Show the next snapshot; each note, and missing resolution, is printed once."""
         self._pace.note(snapshot.seconds, snapshot.iteration)
         if sys.stderr.isatty():
             self._draw(snapshot)
@@ -92,7 +78,7 @@ class Progress:
             tqdm.write(lacks.at_field(self._scene), file=sys.stderr)
 
     def close(self) -> None:
-        """Leave the bar as it is and go on below it."""
+        """Leave the bar and continue below it."""
         if self._bar is not None:
             self._bar.close()
 
@@ -109,7 +95,7 @@ class Progress:
 
     def _is_due(self, snapshot: Snapshot) -> bool:
         last = self._line
-        if snapshot.judged:  # which the figures of the result say
+        if snapshot.judged:  # the figures of the result say that
             return False
         return (
             last is None
@@ -122,7 +108,7 @@ class Progress:
         loss = f"loss {snapshot.state.loss:.4g}"
         measured = self._pace.left(snapshot.iterations - snapshot.iteration)
         left = min(self._deadline - time.perf_counter(), math.inf if measured is None else measured)
-        if math.isinf(left):  # a number of the first moments would be wrong
+        if math.isinf(left):  # too early for an estimate
             return loss
         at_most = "at most " if self._scene.run.method == "auto" else ""
         return f"{loss}  {at_most}{tqdm.format_interval(max(left, 0.0))} left"

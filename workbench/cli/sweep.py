@@ -27,14 +27,8 @@ def sweep(
 ) -> None:
     """Design a lens for each scene and each combination of values, in one table.
 
-    Raises
-    ------
-    Refused
-        If no point is possible, the folder cannot be written or the cluster not be reached.
-    RunFailed
-        If there is no lens for some points; those of the others are kept.
-    KeyboardInterrupt
-        After Ctrl-C; what is finished is kept.
+    Raise Refused if no point is possible, the folder is not writable or the cluster not reachable;
+    RunFailed if some points have no lens; KeyboardInterrupt after Ctrl-C. Finished points are kept.
     """
     points = points_of(scenes, [Variation.parse(text) for text in vary])
     store = Store(folder)
@@ -62,26 +56,24 @@ def _workers(jobs: int | None, dask: str | None, points: int) -> Cluster | Proce
 def _work(
     points: Sequence[Point], store: Store, workers: Cluster | Processes, rays: int
 ) -> tuple[list[PointRow], KeyboardInterrupt | None]:
-    """Rows of all points that were worked on, and what interrupted that."""
     rows: dict[int, PointRow] = {}
     stop = None
     try:
         with workers:
             for number, row in sweep_all(points, store, workers, rays):
                 rows[number] = row
-                _tell(points[number].name, row, len(rows), len(points))
+                _print_row(points[number].name, row, len(rows), len(points))
     except KeyboardInterrupt as error:
         stop = error
     return [rows[number] for number in sorted(rows)], stop
 
 
-def _tell(name: str, row: PointRow, done: int, of: int) -> None:
+def _print_row(name: str, row: PointRow, done: int, of: int) -> None:
     outcome = row.reason or f"error {verified_error(row.verified)}"
     print(f"{done}/{of}  {name}: {outcome}", file=sys.stderr, flush=True)
 
 
 def _text(rows: Sequence[PointRow]) -> str:
-    """The table for people."""
     several = len({row.scene for row in rows}) > 1
     paths = list(rows[0].changes) if rows else []
     head = [*(["scene"] if several else []), *paths]
@@ -101,7 +93,7 @@ def _text(rows: Sequence[PointRow]) -> str:
                 row.session or "",
             ]
         lines.append([*start, *end])
-    # A reason is long, and nothing stands beside it.
+    # A reason is long; no cell follows it.
     full = [line for line in lines if len(line) == len(lines[0])]
     widths = [max(map(len, cells)) for cells in zip(*full, strict=True)]
     return "\n".join(

@@ -6,10 +6,11 @@ from pathlib import Path
 
 from workbench.analysis.tolerance_fields import ABOUT, Tolerances
 from workbench.analysis.tolerances import Distribution, Perturbed, perturbed
-from workbench.cli.designed import read_designed
 from workbench.cli.interruption import EndedBySignal, number_of
+from workbench.design.session import result_of
 from workbench.errors import Refused
 from workbench.files.atomic import check_writable, replacing
+from workbench.files.session import read_session
 
 
 def tolerances(
@@ -20,17 +21,11 @@ def tolerances(
     plot: Path | None,
     as_json: bool,
 ) -> None:
-    """Perturb the lens of a session at random and print how its error is distributed.
+    """Perturb the lens of a session at random and print the distribution of its error.
 
-    Raises
-    ------
-    Refused
-        If the session cannot be read or holds no lens, a tolerance is not possible or the plot
-        cannot be written.
-    RunFailed
-        If no light of the lens as designed reaches the screen.
-    KeyboardInterrupt
-        After Ctrl-C; what the lenses so far came to is printed and written.
+    Raise Refused if the session has no lens, a tolerance is not possible or the plot cannot be
+    written; RunFailed if no light of the nominal lens reaches the receiver; KeyboardInterrupt after
+    Ctrl-C, with the finished lenses printed.
     """
     if not within.any:
         names = [f"--{name.replace('_', '-')}" for name in ABOUT]
@@ -38,7 +33,8 @@ def tolerances(
             "usage",
             f"nothing is off; give {', '.join(names[:-1])} or {names[-1]}",
         )
-    session, result = read_designed(path)
+    session = read_session(path)
+    result = result_of(session, str(path))
     if plot is not None:
         check_writable(plot)
     found: list[Perturbed] = []
@@ -48,10 +44,10 @@ def tolerances(
             session.scene, session.target, result.state.heights, within, samples, rays
         ):
             found.append(each)
-            _tell(len(found) - 1, samples)
+            _print_progress(len(found) - 1, samples)
     except KeyboardInterrupt as error:
         stop = error
-    _tell_end()
+    _clear_line()
     if len(found) > 1:
         nominal, *others = found
         _report(nominal, others, as_json)
@@ -82,18 +78,17 @@ def _report(nominal: Perturbed, others: list[Perturbed], as_json: bool) -> None:
 
 
 def _write(plot: Path, nominal: Perturbed, others: list[Perturbed]) -> None:
-    from workbench.pictures.error_curves import write_errors  # late: draws, takes long to import
+    from workbench.pictures.error_curves import write_errors  # slow import
 
     with replacing(plot) as file:
         write_errors(file, nominal.relative_l2, [each.relative_l2 for each in others])
 
 
-def _tell(done: int, samples: int) -> None:
-    """On a terminal, how many lenses are done."""
+def _print_progress(done: int, samples: int) -> None:
     if sys.stderr.isatty():
         print(f"\r\x1b[K{done}/{samples} lenses", end="", file=sys.stderr, flush=True)
 
 
-def _tell_end() -> None:
+def _clear_line() -> None:
     if sys.stderr.isatty():
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)

@@ -12,15 +12,15 @@ from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.analysis.focus import Focus, focus_series
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import with_screen_at
-from workbench.analysis.validation import validate as trace_anew
+from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
-from workbench.cli.designed import read_designed
 from workbench.cli.progress import PartProgress
-from workbench.design.session import verified_error
+from workbench.design.session import result_of, verified_error
 from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
+from workbench.files.session import read_session
 from workbench.scene import AnyReceiver, Scene
 
 
@@ -33,19 +33,14 @@ def validate(
     plot: Path | None,
     as_json: bool,
 ) -> None:
-    """Trace the lens of a session anew, by cells and by random rays, and print what that shows.
+    """Check the lens of a session by beam mesh and by random rays, and print the result.
 
-    Raises
-    ------
-    Refused
-        If the session cannot be read or holds no lens, a screen may touch the lens, or is to be
-        elsewhere where there are several images, the plot cannot be written, or Mitsuba is asked
-        for and not installed.
-    RunFailed
-        If no light reaches the screen, or, after the figures, if the two traces of the check
-        contradict each other.
+    Raise Refused if the session has no lens, a screen may touch the lens, or is moved although
+    there are several images, the plot cannot be written, or Mitsuba is not installed; RunFailed if
+    no light reaches the screen, or, after printing, if the two checks contradict each other.
     """
-    session, result = read_designed(path)
+    session = read_session(path)
+    result = result_of(session, str(path))
     if screen_z is not None:
         session.scene.check_one_image("--screen-z")
     scene = session.scene if screen_z is None else with_screen_at(session.scene, screen_z)
@@ -59,8 +54,8 @@ def validate(
         with closing(PartProgress("with Mitsuba")) as progress:
             compared = cross_check(*task, watch=progress.show)
     with closing(PartProgress("check")) as progress:
-        found = trace_anew(*task, accuracy=ACCURACY, watch=progress.show)
-    # The optimiser's image is one on the scene's screen.
+        found = compute_check(*task, accuracy=ACCURACY, watch=progress.show)
+    # The optimiser's image is on the receiver of the scene.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
     # The blur of a source through several elements is not known.
@@ -84,7 +79,7 @@ def validate(
         if series:
             _print_series(series)
     if plot is not None:
-        from workbench.pictures.error_curves import write_focus  # late: draws, takes long to import
+        from workbench.pictures.error_curves import write_focus  # slow import
 
         with replacing(plot) as file:
             write_focus(file, scene, session.target, series)
@@ -93,7 +88,6 @@ def validate(
 
 
 def _figures(found: Validation, lights: Sequence[Array | None], scene: Scene) -> dict[str, Any]:
-    """What was found, and how far the optimiser's own images are from that."""
     figures = found.to_data()
     each = figures, *figures.get("further_images", ())
     for data, image, own, place in zip(each, found.images, lights, scene.receivers, strict=True):
@@ -114,7 +108,7 @@ def _print_images(found: Validation, lights: Sequence[Array | None], scene: Scen
 
 
 def print_image(found: Validation, own: Array | None, receiver: AnyReceiver) -> None:
-    """Print what the check says of an image, and how far the optimiser's ``own`` is from it."""
+    """Print the check of an image, and its difference to the optimiser's ``own``."""
     if found.by_cells:
         _print_cells(found.by_cells, own, receiver.place)
     if found.left_out:
@@ -161,12 +155,11 @@ def _print(found: Validation, difference: float | None) -> None:
     }
     for name, value in lines.items():
         print(f"{name:<18}{value}" if len(name) < 18 else f"{name}: {value}")
-    for light in found.regions:  # two may have one name
+    for light in found.regions:  # regions may share a name
         print(f"{light.name}: {light.words}")
 
 
 def _error(found: ByCells | Validation, of_what: str) -> str:
-    """The error of the lens itself, and where it lies."""
     interval = _interval(found.relative_l2_corrected_interval)
     return f"{verified_error(found, '{:.5f}'.format)}  ({of_what}{interval})"
 
@@ -208,5 +201,4 @@ def _interval(ends: tuple[float, float]) -> str:
 
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:
-    """A figure, or a dash where it has no meaning."""
     return "-" if value is None else f"{value:{form}}{tail}"

@@ -29,7 +29,7 @@ from torch import Tensor
 
 from workbench.design.blurred_light import LightBlurring
 from workbench.design.lens_blur import LensBlur
-from workbench.extended.blur_changes import changes_at
+from workbench.extended.blur import changes_at
 from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light

@@ -1,1 +1,1 @@
-"""Light of sources that are no point: their blur on a receiver, and what it allows."""
+"""Extended sources: their blur on a receiver, and the lower bound that it sets."""

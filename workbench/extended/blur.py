@@ -1,4 +1,4 @@
-"""The blur that a source of some size lays over the pixels of a receiver."""
+"""Blur of an extended source on the pixels of a receiver, its derivatives, and diffraction."""
 
 import math
 from dataclasses import dataclass, replace
@@ -11,38 +11,40 @@ from workbench.geometry.outlines import outline_named
 from workbench.measured.lamps import of_known_size
 from workbench.scene import Scene
 
-# Where a blur is smooth along an axis, so many places of it in each pixel tell it from all others:
-# (least width in pixels, places).
+# Sufficient positions per pixel by the width of a smooth blur along an axis: (least width in
+# pixels, positions).
 _PLACES = ((20.0, 1), (9.0, 2), (0.0, 4))
-# Places in a pixel along an axis, at most.
+# Most positions in a pixel along an axis.
 _MOST_PLACES = 8
-# Places of evenly spread light in the width of an even blur: only at its edge do they differ.
+# Positions of uniform light within the width of a uniform blur: they differ at its edge only.
 _EVEN_PLACES = 128.0
-# Light that is to be blurred is divided into so many parts of the blur's width, but not in more
-# than so many parts of a pixel: of a lens that blurs the sun over 4.6 pixels, the image is 0.43 %
-# off with thirds and 0.33 % with quarters, which take 1.3 times the time.
+# Subdivisions of light within the blur's width, and most subdivisions of a pixel: with a sun
+# blurred over 4.6 pixels, the image has an error of 0.43 % with thirds and of 0.33 % with quarters,
+# which take 1.3 times the time.
 _PARTS, _MOST_PARTS = 16.0, 4
-# A blur that is wider than so many images is as good as one of this width: wherever its light is
-# put, one edge of it is in the image at most. Transforms of all of it would take all memory.
+# A blur wider than this many images is equivalent to one of this width: at most one of its edges is
+# in the image. Transforms of the full width would exceed the memory.
 _WIDEST = 2.0
-# Half-widths of the lens that a source is away, at least, for one blur over all of it.
+# Least distance of a source in half-widths of the lens for one blur over the whole lens.
 _FAR = 4.0
-# Width in pixels of what has none along an axis.
+# Stands for a width of 0, in pixels.
 _LEAST = 1e-6
+# Half-width in pixels of what has none along an axis.
+_MICRO = 1e-3  # millimetres
 
 
 @dataclass(frozen=True)
 class Blur:
-    """What one place of a lens makes of a source on the pixels of a receiver.
+    """Image that one point of a lens makes of an extended source, in pixels of a receiver.
 
     Attributes
     ----------
     widths : tuple[float, float]
         Full widths along x and y, pixels.
     shape : str
-        An evenly bright rectangle or ellipse of these widths.
+        Uniform rectangle or ellipse of these widths.
     points : tuple[int, int], optional
-        In place of an even shape, so many points along x and y, the outer ones on its rim.
+        Instead of a uniform shape, points along x and y, the outer ones on its rim.
 
     Examples
     --------
@@ -61,22 +63,15 @@ class Blur:
 
     @classmethod
     def of(cls, scene: Scene, exit_z: float | None = None) -> Self:
-        """The blur that a scene's source lays over its receiver, the same all over the lens.
+        """Return the blur of a scene's source on its receiver, the same for the whole lens.
 
-        Points that are closer than a pixel are the even light that they stand for, each that of a
-        cell about it.
-
-        Parameters
-        ----------
-        scene : Scene
-            The design task.
-        exit_z : float, optional
-            Where the exit face is, scene units; where that of the undesigned lens is nearest to
-            the receiver by default.
+        Points closer than a pixel become the uniform light that they stand for. ``exit_z`` is z of
+        the exit face, scene units; by default the point of the undesigned lens nearest to the
+        receiver.
         """
         scene = scene.alone
         source, receiver = of_known_size(scene.source, scene.optic), scene.receiver
-        nearer = _nearer(scene, source.place, exit_z)
+        nearer = _relative_widths(scene, source.place, exit_z)
         x, y = (
             width * part * pixels / (2 * half)
             for width, part, pixels, half in zip(
@@ -95,10 +90,10 @@ class Blur:
         return cls((x, y), source.blur_shape, points)
 
     def seen_in(self, pixels: tuple[int, int]) -> Self:
-        """A blur that makes the same images of so many pixels along x and y, up to their flux.
+        """Return a blur that makes the same images of so many pixels, up to their flux.
 
-        Edges of it that can never be in the image together are brought nearer to each other; of
-        points, which stay as far apart as they are, some are left out.
+        Edges that can never be in the image together are moved closer; of points, which keep their
+        distance, some are dropped.
         """
         widths, counts = list(self.widths), list(self.points or ())
         for axis, count in enumerate(pixels):
@@ -113,49 +108,40 @@ class Blur:
         return replace(self, widths=(widths[0], widths[1]), points=points)
 
     def part_in(self, seen: Self) -> float:
-        """Which part of its light one that is `seen_in` an image has."""
+        """Part of the flux that the blur from `seen_in` has."""
         if self.points is not None and seen.points is not None:
             return math.prod(seen.points) / math.prod(self.points)
         pairs = zip(seen.widths, self.widths, strict=True)
         return math.prod(narrow / wide for narrow, wide in pairs if narrow != wide)
 
     def scaled(self, factor: float) -> Self:
-        """That of a source so many times as wide, or on so many times as many pixels."""
+        """Blur of a source so many times as wide, or on so many times as many pixels."""
         x, y = self.widths
         return replace(self, widths=(factor * x, factor * y))
 
     @property
     def within_a_pixel(self) -> bool:
-        """Whether it hides nothing: all of it fits into one pixel."""
+        """Whether the blur fits into one pixel and has no effect."""
         return max(self.widths) <= 1
 
     @property
     def parts(self) -> int:
-        """Into how many parts along each axis pixels are cut for light that it is to blur."""
+        """Subdivisions of a pixel along each axis for light that is to be blurred."""
         return min(math.ceil(_PARTS / max(min(self.widths), 1.0)), _MOST_PARTS)
 
     @property
     def margin(self) -> tuple[int, int]:
-        """Pixels along x and y that it takes on each side of the one that its middle is in."""
+        """Pixels along x and y that the blur needs on each side of its middle pixel."""
         x, y = (math.floor(width / 2 + 1) for width in self.widths)
         return x, y
 
     def offsets(self, finer: int = 1) -> tuple[Array, Array]:
-        """Places of its middle along x and y to look at, pixels from the middle of a pixel.
+        """Return positions of the blur's middle within a pixel, along x and y.
 
-        The light of a rectangle in a pixel is linear between the places where one of its edges
-        meets one of a pixel, that of points is the same all the way between two such places: these
-        few places stand for all. Of an ellipse there are some, evenly spread.
-
-        Parameters
-        ----------
-        finer : int
-            Times as many places, where a few do not stand for all.
-
-        Returns
-        -------
-        tuple of two ndarray
-            In (-0.5, 0.5], ascending.
+        The light of a rectangle in a pixel is linear between the positions where one of its edges
+        meets an edge of a pixel, that of points is constant between two such positions: these few
+        positions represent all. An ellipse has some equidistant ones, ``finer`` times as many. In
+        (-0.5, 0.5], ascending.
         """
         x, y = (self._offsets(axis, finer) for axis in (0, 1))
         return x, y
@@ -173,17 +159,13 @@ class Blur:
         return _in_pixel(np.arange(count) / count)
 
     def kernels(self, finer: int = 1) -> Array:
-        """Light in each pixel about that of its middle, for all pairs of `offsets`.
+        """Kernels (positions, 2 m_y + 1, 2 m_x + 1) for all pairs of `offsets`.
 
-        Returns
-        -------
-        ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
-            Exact integrals over pixels, each kernel summing to 1, for margins m; rows go up.
+        Exact integrals over pixels, each kernel summing to 1, for margins m; rows go up.
         """
         return self._at(*self.offsets(finer))
 
     def _at(self, x: Array, y: Array, more: int = 0) -> Array:
-        """Kernels with the middle at places x, y in a pixel, or up to ``more`` pixels beyond."""
         (left, right), (low, high) = (
             (edges[..., :-1], edges[..., 1:])
             for edges in (
@@ -208,42 +190,23 @@ class Blur:
         return np.asarray(found.reshape(-1, *found.shape[2:]))
 
     def at(self, places: Array) -> Array:
-        """Kernels for a middle at all pairs of places in a pixel; see `kernels`.
+        """Kernels (m m, 2 m_y + 1, 2 m_x + 1) for all pairs of positions (m,) in a pixel.
 
-        Parameters
-        ----------
-        places : ndarray, shape (m,)
-            In (-0.5, 0.5], along each axis.
-
-        Returns
-        -------
-        ndarray, shape (m m, 2 m_y + 1, 2 m_x + 1)
-            Those of the same place along y one after the other.
+        Positions are in (-0.5, 0.5]; those of the same y follow each other. See `kernels`.
         """
         return self._at(places, places)
 
     def spread(self, parts: int = 1, wider: float = 1.0) -> Array:
-        """Light in each pixel about parts of one whose light is spread evenly before it is blurred.
+        """Kernels (parts parts, 2 m_y + 1, 2 m_x + 1) of parts of a pixel with uniform light.
 
-        Parameters
-        ----------
-        parts : int
-            Into so many along each axis a pixel is cut.
-        wider : float
-            The light of each part is spread over a square so many times as wide about its middle.
-
-        Returns
-        -------
-        ndarray, shape (parts parts, 2 m_y + 1, 2 m_x + 1)
-            Parts in the same row one after the other. Margins m are wider where light is spread
-            beyond the pixel.
+        The light of each part fills a square ``wider`` times as wide about its middle; margins are
+        then wider. Parts in the same row follow each other.
         """
         across, up = (self._even_places(axis, parts, wider) for axis in (0, 1))
         more = max(math.ceil((wider - 1) / (2 * parts)), 0)
         return np.stack([self._at(x, y, more).mean(axis=0) for y in up for x in across])
 
     def _even_places(self, axis: int, parts: int, wider: float) -> Array:
-        """Places that stand for the light about each part of a pixel, shape (parts, places)."""
         most: float = _MOST_PLACES
         if self.points is None:
             most = min(most, _EVEN_PLACES / max(self.widths[axis], _LEAST))
@@ -254,7 +217,6 @@ class Blur:
         return middles[:, None] + each * (wider / parts)
 
     def _points(self, axis: int) -> Array:
-        """Where its points are along an axis, pixels from its middle."""
         assert self.points is not None
         count, half = self.points[axis], self.widths[axis] / 2
         return np.linspace(-half, half, count) if count > 1 else np.zeros(1)
@@ -263,10 +225,10 @@ class Blur:
 def one_over_the_lens(scene: Scene) -> bool:
     """Whether a source is far enough away for one blur over the whole lens.
 
-    The rim sees one that is near at a slant and from farther away, and blurs it less: at this
-    distance by 6 %. A torch 1.5 half-widths away made an image that was 11.7 % off where one blur
-    allowed no less than 12.6 %, and where a design took it for the same everywhere, an LED one
-    half-width away made a rectangle that was 4.8 % off in place of 2.1 %.
+    The rim sees a near source at a slant and from farther away, and blurs it less: at this distance
+    by 6 %. A torch at 1.5 half-widths made an image with an error of 11.7 % where one blur has a
+    lower bound of 12.6 %; a design with one blur for an LED at one half-width made a rectangle with
+    an error of 4.8 % instead of 2.1 %.
     """
     scene = scene.alone
     optic = scene.optic
@@ -274,28 +236,82 @@ def one_over_the_lens(scene: Scene) -> bool:
     return place is None or abs(optic.datum - place[2]) >= _FAR * max(optic.half_width)
 
 
-def _nearer(
+def _relative_widths(
     scene: Scene, place: tuple[float, float, float] | None, exit_z: float | None
 ) -> tuple[float, float]:
-    """How much narrower along x and y a blur is from an exit face elsewhere."""
     optic, receiver = scene.optic, scene.receiver
     if exit_z is None:
         return 1.0, 1.0
     there, here = (receiver.per_radian(z) for z in (exit_z, optic.leaving_z))
-    # In the glass, light goes on at a smaller angle from a source that is near.
+    # In the glass, the light of a near source has a smaller angle.
     glass = (exit_z - optic.front_z) / optic.index
-    way = 1.0 if place is None else 1 + glass / (optic.front_z - place[2])
-    x, y = (new / old / way for new, old in zip(there, here, strict=True))
+    path = 1.0 if place is None else 1 + glass / (optic.front_z - place[2])
+    x, y = (new / old / path for new, old in zip(there, here, strict=True))
     return x, y
 
 
 def _in_pixel(places: Array) -> Array:
-    """Different places within a pixel, in (-0.5, 0.5]."""
     found = np.unique(np.round(places - np.ceil(places - 0.5), 9))
     return found[found > -0.5]
 
 
 def _shares(points: Array, edges: tuple[Array, Array]) -> Array:
-    """Parts of points in cells between low and high edges; shape of these."""
     low, high = (each[..., None] for each in edges)
     return np.asarray(((points >= low) & (points < high)).mean(axis=-1))
+
+
+def changes_at(blur: Blur, places: Array) -> Array:
+    """Derivatives (3, m m, 2 m_y + 1, 2 m_x + 1) of `Blur.at` at positions (m,) in a pixel.
+
+    By the relative width along x and along y, and by the correlation of x and y: a shear, half of
+    which moves x and half y. Each sums to 0. Raise TypeError for a blur of points, whose light
+    jumps from pixel to pixel.
+    """
+    if blur.points is not None:
+        raise TypeError("light of points jumps from pixel to pixel as their distance changes")
+    r_x, r_y = (max(width / 2, _LEAST) for width in blur.widths)
+    area = outline_named(blur.shape, (r_x, r_y)).area
+    # Sides of pixels, all with the axes [places along y, places along x, rows, columns].
+    sides_x, sides_y = (np.arange(-m - 0.5, m + 1) - places[:, None] for m in blur.margin)
+    x, y = sides_x[None, :, None, :], sides_y[:, None, :, None]
+    across = r_y * _chord(blur.shape, x / r_x), y[:, :, :-1], y[:, :, 1:]
+    along = r_x * _chord(blur.shape, y / r_y), x[..., :-1], x[..., 1:]
+    wider = -np.diff(x * _length(*across), axis=3)
+    higher = -np.diff(y * _length(*along), axis=2)
+    by_y, by_x = np.diff(_moment(*across), axis=3), np.diff(_moment(*along), axis=2)
+    leaning = -(r_x / r_y * by_y + r_y / r_x * by_x) / 2
+    found = np.stack([wider, higher, leaning]) / area
+    return np.asarray(found.reshape(3, -1, *found.shape[3:]))
+
+
+def _chord(shape: str, part: Array) -> Array:
+    inside = np.abs(part) < 1
+    half = np.sqrt(1 - np.square(part.clip(-1, 1))) if shape == "ellipse" else 1.0
+    return np.where(inside, half, 0.0)
+
+
+def _length(half: Array, low: Array, high: Array) -> Array:
+    return np.asarray(np.clip(high, -half, half) - np.clip(low, -half, half))
+
+
+def _moment(half: Array, low: Array, high: Array) -> Array:
+    ends = (np.square(np.clip(end, -half, half)) for end in (high, low))
+    return np.asarray((next(ends) - next(ends)) / 2)
+
+
+def diffraction(scene: Scene) -> float:
+    """Return the scale below which diffraction removes details, in the receiver's measure.
+
+    √(λ · distance) on a screen: a wider part of the lens could focus better, a narrower one spreads
+    more. In a far field, wavelength over width of the lens.
+    """
+    optic, receiver = scene.optic, scene.receiver
+    wavelength = _MICRO * wavelength_um(scene)
+    if not receiver.at_distance:
+        return float(np.degrees(wavelength / (2 * min(optic.half_width))))
+    return math.sqrt(wavelength * abs(receiver.plane_z - optic.leaving_z))
+
+
+def wavelength_um(scene: Scene) -> float:
+    """Wavelength of the scene's light; that of green light by default."""
+    return scene.source.wavelength_um or 0.55

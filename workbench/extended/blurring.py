@@ -1,4 +1,4 @@
-"""Light to its blurred image and back, by Fourier transforms."""
+"""Blurring of light and its adjoint, by Fourier transforms."""
 
 import numpy as np
 import numpy.typing as npt
@@ -8,27 +8,20 @@ from workbench.arrays import AnyArray, Array
 
 
 class Blurring:
-    """Blurs light at a few places in each pixel.
+    """Blurs light at some positions in a pixel, by kernels (positions, 2 m_y + 1, 2 m_x + 1).
 
-    Light lies on a grid whose opposite ends meet. It is as large as the image with twice the blur's
-    margin on each side, so that light beside the image does not come in from the other end.
-
-    Parameters
-    ----------
-    kernels : ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
-        The blur of light at each of the places; see `Blur.kernels`.
-    shape : tuple[int, int]
-        (n_y, n_x) of the image.
+    Light lies on a periodic grid: the image (n_y, n_x) with twice the blur's margin on each side,
+    so that light beside the image does not wrap around.
 
     Attributes
     ----------
     grid : tuple[int, int]
         Shape of the grid.
     places : tuple of two slice
-        Where on the grid light may reach the image: shape (n_y + 2 m_y, n_x + 2 m_x).
+        Part of the grid whose light may reach the image: (n_y + 2 m_y, n_x + 2 m_x).
     seen : tuple of two slice
-        Where on the grid the image is: shape (n_y, n_x).
-    kernels : ndarray, complex, shape (places, ...)
+        The image on the grid: (n_y, n_x).
+    kernels : ndarray, complex, shape (positions, ...)
         The blur of each frequency.
     """
 
@@ -44,30 +37,30 @@ class Blurring:
         self.kernels = self.waves(kernels)
 
     def waves(self, images: AnyArray) -> npt.NDArray[np.complexfloating]:
-        """Frequencies of images on the grid; smaller ones are padded."""
+        """Fourier transforms of images on the grid; smaller ones are padded."""
         return np.asarray(fft.rfft2(images, self.grid, workers=-1))
 
     def images(self, waves: npt.NDArray[np.complexfloating]) -> Array:
-        """Images on the grid of their frequencies."""
+        """Images on the grid of their Fourier transforms."""
         return np.asarray(fft.irfft2(waves, self.grid, workers=-1, overwrite_x=True))
 
     def on_grid(self, image: AnyArray) -> AnyArray:
-        """An image in its place on the grid, dark around it."""
+        """An image at its position on the grid, dark around it."""
         wide = np.zeros(self.grid, image.dtype)
         wide[self.seen] = image
         return wide
 
     def image(self, light: Array) -> Array:
-        """What light on the grid, shape (places, *grid), makes of the image."""
+        """The image of light on the grid, (positions, *grid)."""
         return self.images((self.waves(light) * self.kernels).sum(axis=0))[self.seen]
 
     def back(self, image: Array) -> Array:
-        """Mean of an image over the blur about each place, without the sum: shape (places, *grid).
+        """Mean of an image over the blur about each position, (positions, *grid).
 
         The adjoint of `image`.
         """
         return self.back_from(self.waves(self.on_grid(image)))
 
     def back_from(self, waves: npt.NDArray[np.complexfloating]) -> Array:
-        """`back` of the image on the grid that has these frequencies."""
+        """`back` of the image on the grid with this Fourier transform."""
         return self.images(waves * self.kernels.conj())

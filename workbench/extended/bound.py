@@ -1,4 +1,4 @@
-"""The least error that any lens can reach with a source of some size, and the light it can use."""
+"""Lower bound of the error that any lens can reach with an extended source, and of lost light."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -21,14 +21,7 @@ _ALL = 0.995
 
 @dataclass(frozen=True, eq=False)
 class Bound:
-    """What no lens of a scene can be better than. Each figure is found when it is asked for.
-
-    Parameters
-    ----------
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, row 0 at +y.
+    """Lower bounds of a scene and its target (n_y, n_x); each is computed when it is read.
 
     Examples
     --------
@@ -53,15 +46,15 @@ class Bound:
 
     @cached_property
     def deblurred(self) -> Deblurred:
-        """The light that, blurred, comes closest to the target; a second or some."""
+        """The light that, blurred, is closest to the target; takes seconds."""
         return deblur(self.target, self._seen)
 
     def finding(self) -> Generator[None, None, Deblurred]:
-        """Find `deblurred` step by step, so that one can leave it; it is kept for later."""
+        """Compute `deblurred` in short steps, so that it can be cancelled."""
         return deblurring(self.target, self._seen)
 
     def finding_soon(self) -> Generator[None, None, float]:
-        """Find an error that the blur allows, hardly above that of `deblurred`, step by step.
+        """Compute an error that the blur allows, slightly above that of `deblurred`, in steps.
 
         256 × 200 pixels blurred over eight take 2.6 s, and 15 s for `deblurred`.
         """
@@ -69,7 +62,7 @@ class Bound:
 
     @property
     def relative_l2(self) -> float:
-        """The least error, certified: relative L2, images divided by their sums."""
+        """The certified lower bound: relative L2, images divided by their sums."""
         return self.deblurred.bound
 
     @cached_property
@@ -78,7 +71,7 @@ class Bound:
         return error_allowed(self.target, self._narrower)
 
     def finding_half_as_wide(self) -> Generator[None, None, float]:
-        """Find `half_as_wide` step by step, so that one can leave it."""
+        """Compute `half_as_wide` in short steps, so that it can be cancelled."""
         return error_allowing(self.target, self._narrower)
 
     @property
@@ -87,20 +80,15 @@ class Bound:
 
     @cached_property
     def on_receiver(self) -> float:
-        """The most that can land on the receiver, as a part of the light that leaves the lens."""
+        """Upper bound of the part of the flux behind the lens that reaches the receiver."""
         return self._most_light(np.ones_like(self.target))
 
     @cached_property
     def on_target(self) -> float:
-        """The most that can land where the target is not black, as a part of that light."""
+        """Upper bound of the part of that flux on the lit target."""
         return self._most_light((self.target > _BLACK * self.target.max()).astype(np.float64))
 
     def _most_light(self, region: Array) -> float:
-        """Étendue: the largest part of a blur that fits into a region.
-
-        What the source sends through each part of the lens fills its blur evenly, and no lens can
-        make that smaller.
-        """
         if self.blur.within_a_pixel:
             return 1.0
         shape = region.shape[0], region.shape[1]
@@ -109,7 +97,7 @@ class Bound:
 
     @property
     def known(self) -> bool:
-        """Whether the source's size sets a bound at all; without one there is nothing to find.
+        """Whether the size of the source sets a bound.
 
         Of several images, each may be worse than alone: none is known of them together; nor of
         rays of a file, whose blur need not be even; nor of a train of several elements.
@@ -120,12 +108,11 @@ class Bound:
 
     @property
     def _measured(self) -> bool:
-        """Whether its light stands in a file: its blur is then only about that of even light."""
         return bool(self.scene.source.light_files)
 
     @property
     def certified(self) -> bool:
-        """Whether it is known, and no lens can be below it; else it is a guess at most."""
+        """Whether the bound is known and holds for all lenses; else it is an estimate."""
         return self.known and self.one_blur
 
     @property
@@ -135,12 +122,12 @@ class Bound:
 
     @property
     def short(self) -> str:
-        """The least error in a few words."""
+        """The bound in a few words."""
         return f"no lens of this size below {percent(self.relative_l2)}"
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """What the figures rest on."""
+        """Assumptions of the bounds."""
         x, y = self.blur.widths
         if self.blur.within_a_pixel:
             return ("small angles: each part of the lens blurs as a pinhole in it",)
@@ -158,7 +145,7 @@ class Bound:
 
     @property
     def sentences(self) -> tuple[str, ...]:
-        """All that is to be said of it."""
+        """The bounds as sentences."""
         if max(self.blur.widths) == 0:
             return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:
@@ -199,5 +186,5 @@ class Bound:
 
 
 def percent(error: float) -> str:
-    """An error with two or three figures."""
+    """An error with two or three digits."""
     return f"{100 * error:.{1 if error >= 0.01 else 2}f} %"

@@ -1,27 +1,27 @@
-"""What no image of blurred light can be below: the dual of its distance from a target.
+"""Certified lower bound of the distance of blurred light from a target, by duality.
 
-All images v of light have v = Σ u_y k_y, where k_y ≥ 0 is the blur about a place y and u ≥ 0; only
-their shape counts, so Σ v = 1 as for the target t. For any image w and any number c with
+All images v of light have v = Σ u_y k_y, where k_y ≥ 0 is the blur about a position y and u ≥ 0;
+only their shape counts, so Σ v = 1 as for the target t. For any image w and any number c with
 
-    ⟨k_y, w⟩ ≥ c ⟨k_y, 1⟩  for all places y
+⟨k_y, w⟩ ≥ c ⟨k_y, 1⟩ for all positions y
 
 follows ⟨v, w⟩ ≥ c, and with the inequality of Cauchy and Schwarz
 
-    ‖v − t‖ ‖w‖ ≥ ⟨v − t, w⟩ ≥ c − ⟨t, w⟩.
+‖v − t‖ ‖w‖ ≥ ⟨v − t, w⟩ ≥ c − ⟨t, w⟩.
 
 So no image comes closer to t than (c − ⟨t, w⟩) / ‖w‖. For the closest image v, both sides are equal
-for w = v − t and c = ⟨v, w⟩. For an image that is merely close some places fail, by
+for w = v − t and c = ⟨v, w⟩. For an image that is merely close some positions fail, by
 
-    r(y) = c − ⟨k_y, w⟩ / ⟨k_y, 1⟩ > 0.
+r(y) = c − ⟨k_y, w⟩ / ⟨k_y, 1⟩ > 0.
 
-Let δ(x) be the largest r of all places whose blur touches the pixel x. Then ⟨k_y, δ⟩ is at least
-r(y) ⟨k_y, 1⟩, and w + δ fails nowhere.
+Let δ(x) be the largest r of all positions whose blur touches the pixel x. Then ⟨k_y, δ⟩ is at least
+r(y) ⟨k_y, 1⟩, and no position fails for w + δ.
 
-Before that, w is raised some times where places fail: each pixel by the mean of what the failing
-places that touch it lack. That costs less than their largest lack. At the rim, a place whose blur
-grazes one pixel lacks a thousand times as much as others do: a photograph in the sun was certified
-to 0.97 % without it and is to 1.18 % with it, where light that makes 1.43 % is known (128 ×
-128 pixels, 240 steps).
+Before that, w is raised a few times where positions fail: each pixel by the mean deficit of the
+failing positions that touch it, which costs less than the largest deficit. At the rim, a position
+whose blur grazes one pixel has a deficit a thousand times that of others: a photograph in the sun
+was certified to 0.97 % without it and is to 1.18 % with it, where light that makes 1.43 % is known
+(128 × 128 pixels, 240 steps).
 """
 
 from collections.abc import Iterator
@@ -31,23 +31,18 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.extended.blurring import Blurring
 
-# Less than this part of the blur in the image is rounding.
+# Less than this part of the blur within the image is rounding.
 _GRAZING = 1e-9
-# So many times an image is raised where places fail, by so many times what they lack.
+# Number of raises of an image where positions fail, and their factor on the deficit.
 _RAISES, _RAISED = 3, 1.8
-# The number c is sought this far about its first guess, in typical sizes of w, with so many tries.
+# Search range of c about its first guess, in typical sizes of w, and number of evaluations.
 _BELOW, _ABOVE, _TRIES = 1.0, 0.1, 8
 
 
 class Certifier:
-    """Certifies bounds for one blur and one target.
+    """Certifies bounds for kernels (positions, 2 m_y + 1, 2 m_x + 1) and a target of sum 1.
 
-    Parameters
-    ----------
-    kernels : ndarray, shape (places, 2 m_y + 1, 2 m_x + 1)
-        The blur of light at each of some places in a pixel, which stand for all; float64.
-    target : ndarray, shape (n_y, n_x)
-        The wanted image; its sum is 1.
+    The positions in a pixel represent all.
     """
 
     def __init__(self, kernels: Array, target: Array) -> None:
@@ -56,21 +51,18 @@ class Certifier:
         self._footprint = kernels.shape[1:]
         margins = kernels.shape[1] // 2, kernels.shape[2] // 2
         self._image = tuple(slice(m, m + n) for m, n in zip(margins, target.shape, strict=True))
-        # One place after the other: there may be many. They have one grid.
+        # One position after the other limits the memory; all have the same grid.
         self._each = [Blurring(kernel[None], (n_y, n_x)) for kernel in kernels]
         self._first = self._each[0]
         ones = np.ones_like(target)
         self._shares = [blurring.back(ones)[0][blurring.places] for blurring in self._each]
 
     def bound(self, residual: Array) -> float:
-        """The least error, relative L2, that an image w = ``residual`` certifies.
+        """Return the lower bound, relative L2, that an image w (n_y, n_x) certifies.
 
-        Parameters
-        ----------
-        residual : ndarray, shape (n_y, n_x)
-            Any image; that of blurred light less the target where this is close.
+        Any image; best that of blurred light less the target, close to the optimum.
         """
-        from scipy.optimize import minimize_scalar  # late: it takes long to import
+        from scipy.optimize import minimize_scalar  # slow import
 
         w = residual.astype(np.float64)  # a copy
         spread = float(np.linalg.norm(w)) / np.sqrt(w.size)
@@ -78,12 +70,12 @@ class Certifier:
             return 0.0
         guess = float(((self._target + w) * w).sum() / (self._target + w).sum())
         for _ in range(_RAISES):
-            w += _RAISED * self._lack(w, guess)
+            w += _RAISED * self._deficit(w, guess)
         least = self._least_means(w)
 
         def lost(c: float) -> float:
-            mended = w + self._mending(c, least)
-            return -(c - float((self._target * mended).sum())) / float(np.linalg.norm(mended))
+            corrected = w + self._correction(c, least)
+            return -(c - float((self._target * corrected).sum())) / float(np.linalg.norm(corrected))
 
         tried = minimize_scalar(
             lost,
@@ -94,10 +86,6 @@ class Certifier:
         return max(-min(lost(guess), float(tried.fun)) / self._size, 0.0)
 
     def _means(self, w: Array) -> Iterator[tuple[Blurring, Array, Array]]:
-        """⟨k_y, w⟩ / ⟨k_y, 1⟩ of each place in a pixel, which is infinite where it has no light.
-
-        With each come its blurring and 1 / ⟨k_y, 1⟩, which is 0 there.
-        """
         waves = self._first.waves(self._first.on_grid(w))
         for blurring, share in zip(self._each, self._shares, strict=True):
             seen = share > _GRAZING
@@ -105,8 +93,7 @@ class Certifier:
             means = blurring.back_from(waves)[0][blurring.places] * inverse
             yield blurring, np.where(seen, means, np.inf), inverse
 
-    def _lack(self, w: Array, c: float) -> Array:
-        """The mean of what the failing places lack that touch a pixel, for each pixel."""
+    def _deficit(self, w: Array, c: float) -> Array:
         waves = np.zeros((2, *self._first.kernels.shape[1:]), self._first.kernels.dtype)
         light = np.zeros((2, *self._first.grid))
         places = light[:, *self._first.places]
@@ -115,21 +102,19 @@ class Certifier:
             places[:] = fails * inverse, (fails > 0) * inverse
             waves += blurring.waves(light) * blurring.kernels
         lacking, touching = self._first.images(waves)[:, *self._first.seen]
-        # Where the transforms' rounding is all there is, no place fails.
+        # Only rounding of the transforms: no position fails.
         touched = touching > _GRAZING * max(float(touching.max()), 1.0)
         mean = np.divide(lacking, touching, out=np.zeros_like(w), where=touched)
         return np.asarray(mean.clip(min=0.0))
 
     def _least_means(self, w: Array) -> Array:
-        """The least mean of all places in each pixel and about the image."""
         least = np.full(self._shares[0].shape, np.inf)
         for _, means, _ in self._means(w):
             np.minimum(least, means, out=least)
         return least
 
-    def _mending(self, c: float, least: Array) -> Array:
-        """The image δ that has to be added to w."""
-        from scipy.ndimage import maximum_filter  # late, too
+    def _correction(self, c: float, least: Array) -> Array:
+        from scipy.ndimage import maximum_filter  # slow import
 
         fails = (c - least).clip(min=0.0)
         return np.asarray(maximum_filter(fails, self._footprint, mode="constant")[self._image])

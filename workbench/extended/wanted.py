@@ -1,7 +1,7 @@
-"""What is wanted of light whose source blurs it: the target, and what has to fall beside it.
+"""Target of blurred light, including the light that must fall beside the receiver.
 
-Light of a source of some size that makes a bright border also falls beyond it. Where that counted
-as an error, borders would be left dark.
+Light of an extended source that makes a bright border also falls beyond it. If that counted as an
+error, borders would be left dark.
 """
 
 from functools import lru_cache
@@ -13,26 +13,14 @@ from workbench.extended.blur import Blur
 
 
 def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:
-    """The light that is wanted on a receiver and around it.
+    """Return the light wanted on a receiver and around it, (n_y + 2 m_y, n_x + 2 m_x), sum 1.
 
-    Parameters
-    ----------
-    target : ndarray, shape (n_y, n_x)
-        The wanted image in any scale, as light in each pixel; not negative and not dark.
-    blur : Blur
-        What the source makes of light.
-    margin : tuple[int, int]
-        Pixels (m_x, m_y) around the receiver.
-
-    Returns
-    -------
-    ndarray, shape (n_y + 2 m_y, n_x + 2 m_x)
-        Sums to 1. On the receiver it is the target; beside it, what falls there of the light that,
-        blurred, comes closest to the target.
+    On the receiver it is the target (n_y, n_x); beside it, the light there of the light that,
+    blurred, is closest to the target.
 
     Examples
     --------
-    Of a bright border, as much as half of the blur falls beyond:
+    Half of the blur of a bright border falls beyond it:
 
     >>> import numpy as np
     >>> bool(wanted_light(np.ones((40, 40)), Blur((5.0, 5.0)), (2, 2))[0].sum() > 0)
@@ -56,8 +44,7 @@ def wanted_light(target: Array, blur: Blur, margin: tuple[int, int]) -> Array:
 
 @lru_cache(maxsize=4)
 def _blurred(target: bytes, shape: tuple[int, int], blur: Blur) -> Array:
-    """All of the closest light, blurred; a second or so, and several images want it."""
-    # Late: these take long to import, and light from points or from one direction wants none of it.
+    # Slow imports, not needed for point sources and collimated light.
     from scipy.signal import fftconvolve
 
     from workbench.extended.deblur import spread_light

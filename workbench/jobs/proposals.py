@@ -3,8 +3,7 @@
 import math
 from typing import Any
 
-from workbench.extended.blur import Blur
-from workbench.extended.diffraction import diffraction
+from workbench.extended.blur import Blur, diffraction
 from workbench.jobs.slopes import needed_slopes
 from workbench.scene import Scene
 

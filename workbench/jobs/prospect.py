@@ -10,8 +10,8 @@ from workbench.analysis.tracing.trace import Trace, added
 from workbench.arrays import Array
 from workbench.design.needs import grazed
 from workbench.design.session import Session
+from workbench.extended.blur import diffraction
 from workbench.extended.bound import Bound, percent
-from workbench.extended.diffraction import diffraction
 from workbench.jobs.estimate import Estimate, estimating
 from workbench.jobs.proposals import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes

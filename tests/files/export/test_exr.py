@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from workbench.files.export.exr import write_exr
+from workbench.files.export.maps import write_exr
 
 OpenEXR = pytest.importorskip("OpenEXR")
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from workbench.errors import Refused
-from workbench.files.export.cutting import Cutting
 from workbench.files.export.gcode import planning, write_gcode
+from workbench.files.export.options import Cutting
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
@@ -151,7 +151,7 @@ def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, 
         side_z = path[:, 2] + ball - np.sqrt(square.clip(0))
         left.append(side_z[square > 0].min() - z_k)
     assert -1e-3 * 0.01 * mm < min(left)
-    assert finished(planning(replace(design, cutting=cutting))).remains.cut_off < 1e-3 * 0.01
+    assert finished(planning(replace(design, cutting=cutting))).errors.cut_off < 1e-3 * 0.01
     assert max(left) < 1.3 * deviation.size * mm
 
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import RectBivariateSpline
 
-from workbench.files.export.grid_sag import write_grid_sag
+from workbench.files.export.tables import write_grid_sag
 
 pytestmark = pytest.mark.usefixtures("small_grids")
 

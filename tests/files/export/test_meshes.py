@@ -5,11 +5,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from workbench.files.export.gltf import write_glb
-from workbench.files.export.obj import write_obj
-from workbench.files.export.ply import write_ply
-from workbench.files.export.stl import write_stl
-from workbench.files.export.threemf import write_3mf
+from workbench.files.export.meshes import write_3mf, write_glb, write_obj, write_ply, write_stl
 
 WRITERS = {
     ".stl": write_stl,

@@ -5,11 +5,8 @@ import pytest
 from PIL import Image
 
 from workbench.files.export import maps
-from workbench.files.export.gltf import write_glb
-from workbench.files.export.obj import write_obj
-from workbench.files.export.ply import write_ply
+from workbench.files.export.meshes import write_glb, write_obj, write_ply, write_stl
 from workbench.files.export.step import write_step
-from workbench.files.export.stl import write_stl
 
 ROUND = {"lens.outline": "ellipse"}
 MESHES = {".stl": write_stl, ".obj": write_obj, ".ply": write_ply, ".glb": write_glb}

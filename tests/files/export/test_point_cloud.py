@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import RectBivariateSpline
 
-from workbench.files.export.point_cloud import write_points
+from workbench.files.export.tables import write_points
 
 pytestmark = pytest.mark.usefixtures("small_grids")
 

@@ -9,8 +9,7 @@ from workbench.analysis.validation import validate
 from workbench.design.run import run
 from workbench.design.snapshot import History
 from workbench.files.export.design import Design
-from workbench.files.export.grid_sag import write_grid_sag
-from workbench.files.export.point_cloud import write_points
+from workbench.files.export.tables import write_grid_sag, write_points
 from workbench.geometry.surface import ControlNet
 from workbench.targets import load_target
 

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from tests.files.export.test_solids import is_spline, points_of
-from workbench.files.export.grid_sag import write_grid_sag
 from workbench.files.export.iges import write_iges
-from workbench.files.export.point_cloud import write_points
 from workbench.files.export.step import write_step
+from workbench.files.export.tables import write_grid_sag, write_points
 
 NETS = {
     "the same net": {"shape": "freeform"},

@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QTimer
 
-from workbench.files.export.cutting import Cutting
 from workbench.files.export.design import Design
 from workbench.files.export.gcode import planning
+from workbench.files.export.options import Cutting
 from workbench.watch import finished
 
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from tests.ui.hands import fill
 from ui.manufacture.cut_fields import CutFields, keep_cutting
 from ui.manufacture.cutter import AskCutting, CutterDialog
-from workbench.files.export.cutting import PLAIN, Cutting
+from workbench.files.export.options import PLAIN, Cutting
 
 COARSE = Cutting(tool_radius=0.2, scallop=0.002)
 
@@ -117,7 +117,7 @@ def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     open_dialog, qtbot, monkeypatch
 ):
-    monkeypatch.setattr("workbench.files.export.cut_plan._LEFT", -1.0)
+    monkeypatch.setattr("workbench.files.export.gcode._LEFT", -1.0)
     dialog = open_dialog(Cutting(0.9, 0.002))
     qtbot.waitUntil(dialog.fit.isVisible)
     assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.found.text()

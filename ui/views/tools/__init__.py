@@ -1,1 +1,1 @@
-"""What the mouse does in the 3D scene: one tool at a time."""
+"""Tools of the 3D view: interaction of mouse and keyboard, one tool at a time."""

@@ -20,7 +20,11 @@ _ZOOM = 1.25
 
 
 def steer(camera: "FittedCamera", event: QKeyEvent) -> bool:
-    """Do what a key stands for; False if that is nothing."""
+    """Move the camera by a key; return whether the key was used.
+
+    Arrows turn it about the middle of the picture, with Shift they shift it, + and − zoom, Home
+    shows everything.
+    """
     key, keys = event.key(), event.modifiers()
     if keys & COMMANDS:
         return False

@@ -27,17 +27,7 @@ _KEYS = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 
 class ToolInput(QObject):
-    """Tells the tool what it needs to know of the events of the plotter.
-
-    Attributes
-    ----------
-    clicked : Signal(Pointer)
-        Without a tool.
-    wheeled : Signal(Pointer, float)
-        The wheel was turned by so many notches, up or away from the hand, for no tool.
-    escaped : Signal()
-        Esc, while nothing was dragged.
-    """
+    """Passes events of the plotter to the tool."""
 
     clicked = Signal(object)
     wheeled = Signal(object, float)
@@ -55,7 +45,7 @@ class ToolInput(QObject):
         self._pressed_at: QPointF | None = None
 
     def take(self, tool: Tool | None) -> None:
-        """Take another tool; what the one before has under way is taken back."""
+        """Use another tool; cancel that before."""
         self._find_released()
         if self._tool is not None:
             self.drop()
@@ -63,13 +53,13 @@ class ToolInput(QObject):
         self._tool, self._held, self._lifted = tool, None, False
 
     def drop(self) -> None:
-        """Take back what is under way; until the next press, movements and held keys do nothing."""
+        """Cancel the present drag; movements and held keys do nothing until the next press."""
         if self._tool is not None and self._works:
             self._works = False
             self._tool.cancel()
 
     def keeps(self, plotter: QWidget, event: QEvent) -> bool:
-        """Whether an event is kept from the plotter that it is for."""
+        """Whether an event is kept from the plotter."""
         tool = self._tool
         if isinstance(event, QKeyEvent) and event.key() != self._held:
             self._find_released()
@@ -113,7 +103,6 @@ class ToolInput(QObject):
         return False
 
     def _use_key(self, tool: Tool, event: QKeyEvent) -> bool:
-        """Whether the key is for the tool."""
         key, again, keys = event.key(), event.isAutoRepeat(), event.modifiers()
         if event.type() == QEvent.Type.KeyRelease:
             if key == self._held and not again:
@@ -132,12 +121,10 @@ class ToolInput(QObject):
         return True
 
     def _find_released(self) -> None:
-        """Let go of a key whose release was one."""
         if self._lifted:
             self._let_go()
 
     def _let_go(self) -> None:
-        """Leave what is under way as it is."""
         self._held, self._lifted = None, False
         if self._tool is not None and self._works:
             self._works = False
@@ -161,7 +148,6 @@ class ToolInput(QObject):
             self.wheeled.emit(_pointer(plotter, event), notches)
 
     def _escape(self) -> bool:
-        """Whether there was anything to leave."""
         if self._works:
             self.drop()
             return True

@@ -13,9 +13,9 @@ from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
 from workbench.arrays import Array
+from workbench.extended.blur import diffraction
 from workbench.extended.bound import Bound
 from workbench.extended.deblur import deblur_into_spots
-from workbench.extended.diffraction import diffraction
 
 _PICTURES = ("letter", "photo", "ball", "flame")
 _RAYS = 1 << 20

@@ -1,1 +1,1 @@
-"""The lens and its light in the formats of others: one file per format."""
+"""Exports of a lens and its light in formats of other programs."""

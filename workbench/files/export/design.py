@@ -1,4 +1,4 @@
-"""What exporters start from, and what they say of the file that they wrote."""
+"""Input of exporters, and the deviation of a written file from the design."""
 
 import math
 from dataclasses import dataclass, replace
@@ -10,50 +10,48 @@ import numpy as np
 from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
-from workbench.files.export.cutting import PLAIN, Cutting
-from workbench.files.export.mesh_unit import MILLIMETRES
+from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.scene import Scene
 from workbench.watch import Watch, unwatched
 
 if TYPE_CHECKING:
-    from workbench.files.export.cut_plan import CutPlan
+    from workbench.files.export.gcode import CutPlan
 
 METRES = {unit: float(metres) for unit, metres in units.METRES.items()}
-"""Length of each of the scene's units."""
+"""Units of length in metres."""
 
-# Default of the chord error over the larger half-width of the lens.
+# Default chord error over the larger half-width.
 _FINE = 1e-4
-# Least number of steps of a lattice, and of each span between knots: with one in a span, splines
-# through the points of a flame on 416 × 416 control points lean by 1° at the rim where it does not.
+# Least number of steps of a lattice, and of each knot span: with one step a span, splines through
+# the points of a flame on 416 × 416 control points have slope errors of 1° at the rim.
 _STEPS, _IN_SPAN = 256, 2
 
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A lens that has been designed, seen at one of its freeform faces.
+    """A designed lens, seen at one of its freeform faces.
 
     Attributes
     ----------
     scene : Scene
         The design task.
     result : Result
-        The lens found for it.
+        The lens.
     chord_error : float, optional
-        How far a mesh may be from the freeform faces, scene units; 1e-4 of the larger half-width
-        by default.
+        Largest distance of a mesh from the freeform faces, scene units; 1e-4 of the larger
+        half-width by default.
     face : str, optional
-        Name of the face that ``net`` and ``heights`` are of: "entrance" or, by default, the face
-        that every task shapes.
+        Face of ``net`` and ``heights``: "entrance" or, by default, the designed face.
     cutting : Cutting
-        How it is cut, where that is asked for.
+        Options of G-code.
     mesh_unit : str
         Unit of lengths in meshes; glTF has metres.
     plan : CutPlan, optional
-        The cuts, where they have been planned before.
+        A finished plan of the cuts.
     watch : callable
-        Is told which part of a file is done, where it takes long.
+        Called with the finished fraction of a slow file.
     """
 
     scene: Scene
@@ -72,7 +70,7 @@ class Design:
 
     @property
     def metres(self) -> float:
-        """Length of the scene's unit."""
+        """The scene's unit in metres."""
         return METRES[self.unit]
 
     @property
@@ -92,13 +90,13 @@ class Design:
 
     @cached_property
     def faces(self) -> tuple["Design", ...]:
-        """The lens seen at each of its freeform faces; last the entrance face, if it is one."""
+        """The lens seen at each of its freeform faces, the entrance face last."""
         names = reversed(freeform_nets(self.scene.optic))
         return tuple(replace(self, face=name) for name in names)
 
     @cached_property
     def outline(self) -> Outline:
-        """What of the aperture is glass."""
+        """Outline of the element."""
         return outline_of(self.scene.optic)
 
     @property
@@ -108,12 +106,12 @@ class Design:
 
     @property
     def flat_z(self) -> float:
-        """Where the flat side of the solid part is, scene units."""
+        """Z of the flat side of the solid part, scene units."""
         return self.scene.optic.flat_z(self.heights)
 
     @property
     def largest_chord_error(self) -> float:
-        """How far a mesh may be from the freeform faces, scene units."""
+        """Largest distance of a mesh from the freeform faces, scene units."""
         if self.chord_error is not None:
             return self.chord_error
         return _FINE * max(self.scene.optic.half_width)
@@ -121,7 +119,7 @@ class Design:
     def basis(self, x: Array, y: Array) -> GridBasis[Array]:
         """Basis values of the face on the grid of x (m_x,) and y (m_y,), scene units.
 
-        Beyond the edge the face goes on smoothly, as the polynomials at its rim do.
+        Beyond the edge the polynomials at the rim continue.
         """
         r_x, r_y = self.scene.optic.half_width
         return self.net.grid((x / r_x + 1) / 2, (y / r_y + 1) / 2)
@@ -131,18 +129,9 @@ class Design:
         return self.basis(x, y).evaluate(self.heights)
 
     def lattice(self, margin: int = 0) -> tuple[Array, Array]:
-        """Equal steps across the aperture that include its rim and all knots.
+        """Return x (m_x,) and y (m_y,) in equal steps that include the rim and all knots.
 
-        Parameters
-        ----------
-        margin : int
-            Steps that are added beyond the rim.
-
-        Returns
-        -------
-        x : ndarray, shape (m_x,)
-        y : ndarray, shape (m_y,)
-            Scene units.
+        ``margin`` steps are added beyond the rim; scene units.
         """
         x, y = (
             _steps(n - p, r, margin)
@@ -152,19 +141,7 @@ class Design:
 
 
 class Deviation(NamedTuple):
-    """How far what stands in a file is from the design, measured.
-
-    Attributes
-    ----------
-    kind : str
-        What has been measured.
-    size : float
-        The largest found.
-    unit : str
-        Unit of ``size``.
-    note : str
-        What who reads the file has to know besides.
-    """
+    """Measured deviation of a file from the design: kind, size, unit, and a note for users."""
 
     kind: str
     size: float

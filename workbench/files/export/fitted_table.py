@@ -1,10 +1,9 @@
-"""A table of intensity on planes of C and angles γ, as fine as the light of a lens needs.
+"""Table of intensity on planes C and angles γ, as fine as the light of a lens needs.
 
-The values are the best fit: of all tables on the same angles without a value below 0, theirs is
-nearest to the light in the square over the solid angle, linear between the angles. At edges of the
-light that table is closer by a third than one of the light's own values at the angles.
+The values are a non-negative least-squares fit of the piecewise linear table over the solid angle.
+At edges of the light its error is a third smaller than that of sampled values.
 
-Planes and angles get closer, whichever of both helps more, until the table is close enough or as
+Planes or angles are refined, whichever helps more, until the error is small enough or the table as
 large as programs can read.
 """
 
@@ -19,43 +18,100 @@ from scipy.sparse.linalg import splu
 
 from workbench.arrays import Array, Mask
 from workbench.files.export.far_light import FarLight, directions_of
-from workbench.files.export.table_axis import TableAxis
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.table import table_of
 
+# Dark planes and angles are left out if there are as many as lit ones.
+_DARK = 2
 GOAL = 0.01
-"""Relative L2 error at which a table is fine enough."""
+"""Relative L2 error of a table that is fine enough."""
 MOST_VALUES = 600_000
 """Most intensities of a table: some 5 MB of text."""
-
-# Steps of γ: 10° and halves of it. Steps of C: none where all planes are alike, 30°, and the same.
+# Steps of γ: 10°, halved repeatedly. Steps of C: none if all planes are equal, 30°, then as γ.
 _COARSEST, _PLANES = 10.0, (360.0, 30.0)
-# Light may differ by such a part from its mirror image, of which one half is written then.
-_ALIKE = GOAL / 5
-# Width of samples of the light over that of its pixels, and most samples.
+# Relative difference of light from its mirror image up to which only one half is written.
+_SYMMETRIC = GOAL / 5
+# Width of samples over that of pixels; most samples.
 _SAMPLE, _MOST_SAMPLES = 0.7, 1 << 22
-# Steps towards the best values that are not negative: each has a ninth of the way left at most.
+# Iterations of the non-negative fit: each reduces the error to a ninth or less.
 _ROUNDS = 12
-# Pixels by which steps are chosen, and pixels compared at once.
+# Pixels compared for choosing steps, and pixels compared at once.
 _CHOOSING, _AT_ONCE = 1 << 16, 1 << 20
-# Places in all pixels, and in each of them, where a table is read to tell its error.
-_PLACES, _MOST_PLACES = 1 << 21, 8
-# No light is less than such a part of the brightest.
+# Points in all pixels, and most points in a pixel, where the error of a table is sampled.
+_POINTS, _MOST_POINTS = 1 << 21, 8
+# Relative to the brightest, less counts as no light.
 _NONE = 1e-6
-# Steps of the light with which to begin, pixels beside it that are lit, decimals of an angle.
+# Steps over the light to begin with, margin in pixels, decimals of an angle.
 _SEVERAL, _RIM, _DIGITS = 8, 4, 9
-_NARROW = 60.0  # degrees of C within which light is on few planes
+_NARROW = 60.0  # degrees of C: narrower light starts with finer planes
 _MORE_DIAGONAL = 1e-6
 
 
+class TableAxis(NamedTuple):
+    """Samples of the light along C or γ.
+
+    Attributes
+    ----------
+    lit : tuple[float, float]
+        Range of angles with light, degrees; samples exceed it.
+    samples, weight : ndarray, shape (m,)
+        Degrees, ascending, and their weights.
+    ends : tuple[float, float], optional
+        First and last angle of a table; None along an arc of C in a dark circle.
+    around : bool
+        Whether the last angle equals the first.
+    """
+
+    lit: tuple[float, float]
+    samples: Array
+    weight: Array
+    ends: tuple[float, float] | None
+    around: bool = False
+
+    def nodes(self, step: float) -> Array:
+        """Angles of a table: multiples of a step around the light, or everywhere if few more."""
+        if step >= 360:
+            return np.zeros(1)
+        low, high = math.floor(self.lit[0] / step) - 1, math.ceil(self.lit[1] / step) + 1
+        if self.ends is None:
+            return np.asarray(step * np.arange(low, high + 1), dtype=np.float64)
+        first, last = (round(end / step) for end in self.ends)
+        low, high = max(low, first), min(high, last)
+        if last - first <= _DARK * (high - low):
+            low, high = first, last
+        inner = step * np.arange(low, high + 1)
+        ends = np.array(self.ends)
+        return np.asarray(np.unique(np.concatenate([ends, inner])), dtype=np.float64)
+
+    def lights(self, nodes: Array) -> Mask:
+        """Mask of the angles with light between them and their neighbours."""
+        if self.around or len(nodes) == 1:
+            return np.ones(max(len(nodes) - self.around, 1), dtype=bool)
+        before, behind = np.append(nodes[:1], nodes[:-1]), np.append(nodes[1:], nodes[-1:])
+        return np.asarray((behind > self.lit[0]) & (before < self.lit[1]))
+
+    def hats(self, nodes: Array) -> csr_array:
+        """Weights of each angle in each sample, shape (angles, m)."""
+        count = max(len(nodes) - self.around, 1)
+        if count == 1:
+            return csr_array(np.ones((1, len(self.samples))))
+        low = np.clip(np.searchsorted(nodes, self.samples, side="right") - 1, 0, len(nodes) - 2)
+        part = (self.samples - nodes[low]) / (nodes[low + 1] - nodes[low])
+        beyond = (part < 0) | (part > 1)  # outside an arc: dark
+        values = np.where(beyond, 0.0, [1 - part, part]).ravel()
+        rows = np.concatenate([low, (low + 1) % count if self.around else low + 1])
+        at = rows, np.tile(np.arange(len(part)), 2)
+        return csr_array((values, at), shape=(count, len(part)))
+
+
 class FittedTable(NamedTuple):
-    """Intensity of a lens as a file holds it.
+    """Intensity of a lens as stored in a file.
 
     Attributes
     ----------
     c : ndarray, shape (n_c,)
-        Degrees: 0 alone where all planes are alike; 0 to 90 or 0 to 180 where others are mirror
-        images of these; else 0 to 360, both included.
+        Degrees: 0 alone if all planes are equal; 0 to 90 or 0 to 180 if others are mirror images;
+        else 0 to 360, both included.
     intensity : ndarray, shape (n_c, n_g)
         Flux per solid angle.
     gamma : ndarray, shape (n_g,)
@@ -68,60 +124,49 @@ class FittedTable(NamedTuple):
 
     @property
     def table(self) -> IntensityTable:
-        """The same all around."""
+        """The table for all planes."""
         return table_of(self.c, self.gamma, self.intensity)
 
     def times(self, factor: float) -> Self:
-        """The same light, so many times as much."""
+        """The table multiplied by a factor."""
         return self._replace(intensity=self.intensity * factor)
 
 
 class TableError(NamedTuple):
-    """Relative L2 distance of a table from the light of a lens, over the solid angle.
-
-    Attributes
-    ----------
-    in_cells : float
-        Of the means in cells; see `FarLight`.
-    in_pixels : float
-        Of the means in pixels, which are narrower.
-    """
+    """Relative L2 error of a table over the solid angle, of means in cells and in pixels."""
 
     in_cells: float
     in_pixels: float
 
 
 def fitted_table(light: FarLight) -> FittedTable:
-    """Return a small table that is close enough to the light of a lens, or the largest one.
-
-    Its flux is that of the light.
-    """
+    """Return a small table within the error `GOAL`, or the largest, with the light's flux."""
     samples, choosing = _Samples.of(light), _SomeCells.of(light)
     level = samples.coarsest
     best = samples.fit(level)
     error = choosing.error(best.table)
     while error > GOAL:
-        ways = []
+        candidates = []
         for finer in ((level[0] + 1, level[1]), (level[0], level[1] + 1)):
             if samples.resolve(finer) and samples.values(finer) <= MOST_VALUES:
                 table = samples.fit(finer)
                 left = choosing.error(table.table)
                 more = math.log(table.intensity.size / best.intensity.size)
-                ways.append((math.log(left / error) / more, finer, table, left))
-        if not ways:
+                candidates.append((math.log(left / error) / more, finer, table, left))
+        if not candidates:
             break
-        _, level, best, error = min(ways, key=lambda way: way[0])
+        _, level, best, error = min(candidates, key=lambda candidate: candidate[0])
     return best.times(light.flux / best.table.lumens)
 
 
 def error_of(table: IntensityTable, light: FarLight) -> TableError:
-    """Return how far a table is from the light of a lens, both of a source of flux 1.
+    """Return the error of a table for a source of flux 1.
 
-    The table is read at random places of each pixel: a fit is closer in the middles of pixels.
+    The table is read at random points of each pixel: at middles of pixels a fit is better.
     """
     read = np.empty_like(light.intensity)
     rows, generator = max(_AT_ONCE // len(light.h), 1), np.random.default_rng(1)
-    places = int(np.clip(_PLACES // read.size, 1, _MOST_PLACES))
+    places = int(np.clip(_POINTS // read.size, 1, _MOST_POINTS))
     pixel = light.h[1] - light.h[0], light.v[1] - light.v[0]
     for first in range(0, len(light.v), rows):
         some = slice(first, first + rows)
@@ -144,15 +189,7 @@ def error_of(table: IntensityTable, light: FarLight) -> TableError:
 
 
 class _Samples(NamedTuple):
-    """The light on a fine grid of C and γ, to which tables are fitted.
-
-    Attributes
-    ----------
-    c, gamma : TableAxis
-        The axes.
-    intensity : ndarray, shape (m_c, m_g)
-        Flux per solid angle.
-    """
+    """Light on a fine grid of C and γ, to which tables are fitted; intensity (m_c, m_g)."""
 
     c: TableAxis
     gamma: TableAxis
@@ -160,7 +197,6 @@ class _Samples(NamedTuple):
 
     @classmethod
     def of(cls, light: FarLight) -> Self:
-        """Sample the light of a lens."""
         x, y, z = light.directions()[light.intensity > _NONE * light.intensity.max()].T
         gamma = np.degrees(np.arctan2(np.hypot(x, y), z))
         pixel = light.cell / light.finer
@@ -187,20 +223,16 @@ class _Samples(NamedTuple):
 
     @property
     def coarsest(self) -> tuple[int, int]:
-        """Numbers of the steps of C and γ with which to begin."""
         arc, wide = (axis.lit[1] - axis.lit[0] for axis in (self.c, self.gamma))
         return len(_PLANES) + _halvings(arc) if arc < _NARROW else 0, _halvings(wide)
 
     def values(self, level: tuple[int, int]) -> int:
-        """How many intensities a table with steps of these numbers has."""
         return math.prod(len(axis.nodes(step)) for axis, step in self._steps(level))
 
     def resolve(self, level: tuple[int, int]) -> bool:
-        """Whether steps of these numbers are wider than those from sample to sample."""
         return all(step > axis.samples[1] - axis.samples[0] for axis, step in self._steps(level))
 
     def fit(self, level: tuple[int, int]) -> FittedTable:
-        """Return the best table with steps of these numbers."""
         nodes = [axis.nodes(step) for axis, step in self._steps(level)]
         hats = [axis.hats(each) for axis, each in zip((self.c, self.gamma), nodes, strict=True)]
         weighed = [
@@ -210,8 +242,8 @@ class _Samples(NamedTuple):
         wanted = (weighed[1] @ (weighed[0] @ self.intensity).T).T
         c, gamma = (csr_array(some @ hat.T) for some, hat in zip(weighed, hats, strict=True))
         lit = [axis.lights(each) for axis, each in zip((self.c, self.gamma), nodes, strict=True)]
-        values = _without_negative(c, gamma, wanted, lit)
-        if nodes[1][0] == 0 and gamma[0, 0] > 0:  # one direction in all planes
+        values = _fit_non_negative(c, gamma, wanted, lit)
+        if nodes[1][0] == 0 and gamma[0, 0] > 0:  # γ = 0 is one direction in all planes
             beside = (c @ values[:, 1]).sum() * gamma[0, 1]
             values[:, 0] = max((wanted[:, 0].sum() - beside) / (c.sum() * gamma[0, 0]), 0.0)
         return FittedTable(*_closed(nodes[0], values, self.c), nodes[1])
@@ -222,14 +254,10 @@ class _Samples(NamedTuple):
         return (self.c, step), (self.gamma, _COARSEST / 2 ** level[1])
 
 
-def _without_negative(c: csr_array, gamma: csr_array, wanted: Array, lit: Sequence[Mask]) -> Array:
-    """Values without a negative one for which C · values · Γ is nearest to what is wanted.
-
-    Projected steps of Richardson's method, from the solution that may be negative. Angles that are
-    not lit stay dark.
-    """
+# Projected Richardson iteration from the solution of the unconstrained fit. Unlit angles stay 0.
+def _fit_non_negative(c: csr_array, gamma: csr_array, wanted: Array, lit: Sequence[Mask]) -> Array:
     inner = np.ix_(*lit)
-    # A bit more on the diagonal: at a rim, few samples may not tell neighbours apart.
+    # Regularisation: at a rim few samples may not separate neighbours.
     c, gamma = (
         csr_array(each + _MORE_DIAGONAL * diags_array(each.diagonal() + _NONE * each.max()))
         for each in (each[some][:, some] for each, some in zip((c, gamma), lit, strict=True))
@@ -247,14 +275,10 @@ def _without_negative(c: csr_array, gamma: csr_array, wanted: Array, lit: Sequen
 
 
 class _SomeCells(NamedTuple):
-    """Cells of the light by which tables are compared while their steps are chosen.
+    """Cells of the light that are compared while steps are chosen.
 
-    Attributes
-    ----------
-    directions : ndarray, shape (k, pixels, 3)
-        Of their pixels.
-    measure, intensity : ndarray, shape (k, pixels)
-        Solid angle up to a factor, and flux per solid angle.
+    Unit vectors (k, pixels, 3) of their pixels, solid angle up to a factor and intensity (k,
+    pixels).
     """
 
     directions: Array
@@ -263,7 +287,6 @@ class _SomeCells(NamedTuple):
 
     @classmethod
     def of(cls, light: FarLight) -> Self:
-        """Choose among the cells in and beside the light."""
         size = light.finer
         lit = binary_dilation(light.in_cells(light.intensity) > 0, iterations=2)
         row, column = np.nonzero(lit)
@@ -283,7 +306,6 @@ class _SomeCells(NamedTuple):
         return cls(directions, light.row_measure[v], light.intensity[v, h])
 
     def error(self, table: IntensityTable) -> float:
-        """Relative L2 distance of the means in cells."""
         wrong, known = (
             (values * self.measure).sum(axis=1) / np.sqrt(self.measure.sum(axis=1))
             for values in (table.at(self.directions) - self.intensity, self.intensity)
@@ -294,19 +316,8 @@ class _SomeCells(NamedTuple):
 def _planes_of(
     light: FarLight, c: Array, rim: float
 ) -> tuple[tuple[float, float], tuple[float, float] | None]:
-    """Between which planes light is, and with which planes a table begins and ends.
-
-    Parameters
-    ----------
-    light : FarLight
-        The light.
-    c : ndarray
-        Planes of its pixels, degrees.
-    rim : float
-        How far light may be beside these, as seen from the nadir, radians.
-    """
     cells = light.in_cells(light.intensity)
-    most = 2 * _ALIKE * np.linalg.norm(cells)
+    most = 2 * _SYMMETRIC * np.linalg.norm(cells)
     in_c0, in_c90 = (
         bool(np.linalg.norm(cells - np.flip(cells, axis)) <= most and middle)
         for axis, middle in (
@@ -331,12 +342,11 @@ def _planes_of(
 
 
 def _closed(c: Array, values: Array, axis: TableAxis) -> tuple[Array, Array]:
-    """Planes and their values as a file has them: from 0 to 360 where no others are alike."""
     if axis.around and len(c) > 1:
         return c, np.vstack([values, values[:1]])
     if axis.ends is not None or len(c) == 1:
         return c, values
-    # Angles that are multiples of a step come together again beyond the circle.
+    # Multiples of a step coincide again after a full circle.
     turned = np.round(c % 360, _DIGITS) % 360
     order = np.argsort(turned)
     turned, values = turned[order], values[order]
@@ -346,7 +356,6 @@ def _closed(c: Array, values: Array, axis: TableAxis) -> tuple[Array, Array]:
 
 
 def _middles(ends: tuple[float, float], count: float) -> tuple[Array, Array]:
-    """Middles of so many equal parts between two angles in degrees, and their width in radians."""
     parts = max(math.ceil(count), 2)
     width = (ends[1] - ends[0]) / parts
     return np.asarray(ends[0] + width * (np.arange(parts) + 0.5)), np.full(
@@ -355,7 +364,6 @@ def _middles(ends: tuple[float, float], count: float) -> tuple[Array, Array]:
 
 
 def _sampled(light: FarLight, c: Array, gamma: Array) -> Array:
-    """Intensity in directions, linear between the middles of pixels; shape (m_c, m_g)."""
     found = np.empty((len(c), len(gamma)))
     rows = max(_AT_ONCE // len(gamma), 1)
     sin, cos = np.sin(np.radians(gamma)), np.cos(np.radians(gamma))
@@ -372,5 +380,4 @@ def _sampled(light: FarLight, c: Array, gamma: Array) -> Array:
 
 
 def _halvings(width: float) -> int:
-    """How often 10° is halved so that a width has several steps."""
     return max(math.ceil(math.log2(_SEVERAL * _COARSEST / width)), 0)

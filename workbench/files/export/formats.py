@@ -1,6 +1,6 @@
-"""The formats, by the endings of file names.
+"""Formats of exports, by the endings of file names.
 
-What writes them is imported when it is needed: torch and OpenCASCADE take long.
+Writers are imported when they are needed: torch and OpenCASCADE import slowly.
 """
 
 from collections.abc import Callable, Collection
@@ -22,17 +22,17 @@ class Format(NamedTuple):
     Attributes
     ----------
     endings : tuple of str
-        Endings of file names that ask for it, in lower case.
+        Endings of file names, in lower case.
     name : str
-        What people call it.
+        Name for users.
     module, writer : str
-        The function that writes it, and the module of this package that has it.
+        Module of this package and its function that writes the format.
     content : str, optional
-        The function of that module that makes what is written.
+        Function of that module that computes the written data.
     face : str, optional
-        The face that a file holds, where it is not the one that each task shapes.
+        Face of the file, if it is not the designed one.
     takes_unit : bool
-        Whether its lengths are in the unit of meshes that is asked for.
+        Whether lengths are in the requested unit of meshes.
     """
 
     endings: tuple[str, ...]
@@ -45,13 +45,13 @@ class Format(NamedTuple):
 
     @property
     def of_entrance(self) -> "Format":
-        """The same for files of a freeform entrance face, which is named before the ending."""
+        """The same format for the freeform entrance face, named before the ending."""
         endings = tuple(f".entrance{ending}" for ending in self.endings)
         name = f"{self.name}, entrance face"
         return self._replace(endings=endings, name=name, face="entrance")
 
     def load(self) -> "Callable[[Design, BinaryIO], Deviation]":
-        """The function that writes a design."""
+        """Import and return the function that writes a design."""
         module = import_module(f"{__package__}.{self.module}")
         write: Callable[[Any, BinaryIO], Deviation] = getattr(module, self.writer)
         content = (lambda design: design) if self.content is None else getattr(module, self.content)
@@ -59,28 +59,28 @@ class Format(NamedTuple):
 
 
 GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode")
-"""The one that asks how the face is cut."""
+"""The format with options of cutting."""
 
 OF_ONE_FACE = (
     Format((".face.step", ".face.stp"), "STEP sheet", "step", "write_step_face"),
     Format((".face.iges", ".face.igs"), "IGES sheet", "iges", "write_iges_face"),
-    Format((".xyz", ".asc"), "point cloud with normals", "point_cloud", "write_points"),
-    Format((".dat",), "OpticStudio grid sag", "grid_sag", "write_grid_sag"),
+    Format((".xyz", ".asc"), "point cloud with normals", "tables", "write_points"),
+    Format((".dat",), "OpticStudio grid sag", "tables", "write_grid_sag"),
     GCODE,
     Format((".height.png",), "height map, 16 bit", "maps", "write_png", "height"),
     Format((".height.npy",), "height map", "maps", "write_npy", "height"),
     Format((".height.csv",), "height map", "maps", "write_csv", "height"),
 )
-"""Those of the face that each task shapes, alone."""
+"""Formats of the designed face only."""
 
 FORMATS = (
     Format((".step", ".stp"), "STEP solid", "step", "write_step"),
     Format((".iges", ".igs"), "IGES solid", "iges", "write_iges"),
-    Format((".stl",), "STL mesh", "stl", "write_stl", takes_unit=True),
-    Format((".obj",), "OBJ mesh", "obj", "write_obj", takes_unit=True),
-    Format((".ply",), "PLY mesh", "ply", "write_ply", takes_unit=True),
-    Format((".3mf",), "3MF mesh", "threemf", "write_3mf", takes_unit=True),
-    Format((".glb",), "glTF mesh", "gltf", "write_glb"),
+    Format((".stl",), "STL mesh", "meshes", "write_stl", takes_unit=True),
+    Format((".obj",), "OBJ mesh", "meshes", "write_obj", takes_unit=True),
+    Format((".ply",), "PLY mesh", "meshes", "write_ply", takes_unit=True),
+    Format((".3mf",), "3MF mesh", "meshes", "write_3mf", takes_unit=True),
+    Format((".glb",), "glTF mesh", "meshes", "write_glb"),
     *OF_ONE_FACE,
     Format((".irradiance.png",), "irradiance, 16 bit", "maps", "write_png", "irradiance"),
     Format(
@@ -90,36 +90,29 @@ FORMATS = (
         "write_tiff",
         "irradiance",
     ),
-    Format((".irradiance.exr",), "irradiance, 32 bit", "exr", "write_exr"),
+    Format((".irradiance.exr",), "irradiance, 32 bit", "maps", "write_exr"),
     Format((".irradiance.npy",), "irradiance", "maps", "write_npy", "irradiance"),
     Format((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
     Format((".ies",), "intensity, IES LM-63", "photometric", "write_ies"),
     Format((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt"),
-    Format((".tm25ray",), "rays behind the lens, IES TM-25", "tm25", "write_tm25"),
+    Format((".tm25ray",), "rays behind the lens, IES TM-25", "rays", "write_tm25"),
     Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),
     *(each.of_entrance for each in OF_ONE_FACE),
 )
-"""All formats. What can be written in the same kind of file is distinguished by a double ending."""
+"""All formats; formats of the same kind of file are distinguished by a double ending."""
 
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
-"""Endings of all formats."""
 
 
 def formats_for(faces: Collection[str]) -> list[Format]:
-    """The formats for a lens with freeform faces of these names."""
+    """Formats for a lens with these freeform faces."""
     return [found for found in FORMATS if found.face is None or found.face in faces]
 
 
 def format_of(path: Path) -> Format:
-    """The format that the ending of a file's name asks for.
-
-    Raises
-    ------
-    Refused
-        If it asks for none.
-    """
+    """Return the format of a file name's ending; raise Refused if there is none."""
     name = path.name.lower()
-    # Those of one face end like those of the body, and those of the entrance face, which come
+    # Endings of one face end like those of the body, and those of the entrance face, which come
     # last, like those of the exit face.
     for found in reversed(FORMATS):
         if name.endswith(found.endings):

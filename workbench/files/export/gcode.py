@@ -1,47 +1,94 @@
-"""G-code of a finishing pass over a face, in millimetres: what GRBL and LinuxCNC both take.
+"""G-code of a finishing pass over a face, in millimetres, for GRBL and LinuxCNC.
 
 Zero is the middle of the lens at the highest point of the face, which looks up. A face that looks
-to -z is turned over about the y axis, and so is a mould. Programs are simulated as they are
-written: the ball is swept over the rounded numbers, and what is left is compared with the face.
+to -z is turned over about the y axis, and so is a mould. Programs are simulated as written: the
+ball is swept over the rounded numbers, and the result is compared with the face.
 """
 
 import math
 from collections.abc import Iterator
 from functools import partial
-from typing import BinaryIO
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
-from workbench.files.export.cut_plan import CutPlan
+from workbench.errors import Refused
 from workbench.files.export.design import Design, Deviation
-from workbench.geometry.ball_cutter import CutFace, Raster
+from workbench.files.export.options import Cutting
+from workbench.geometry.ball_cutter import CutErrors, CutFace, Raster
 from workbench.powers import written
+from workbench.said import Said
 from workbench.watch import Steps, finished, within
 
-_FINE = 1e-4  # height of ridges over the larger half-width
-_DIGITS = 5  # behind the point; GRBL reads seven in all
+# Allowed excess and gouge over the scallop height: a cutter that fits has less.
+_EXCESS, _GOUGE = 2.0, 0.25
+_FINE = 1e-4  # scallop height over the larger half-width
+_DIGITS = 5  # decimals; GRBL reads seven digits
 _MOST = 1_000_000  # moves of a program
-_LEAST_RIDGES = 1e-4  # mm, unless they are asked for: programs round to 1e-5 mm
-_TRIES, _SMALLER = 8, 0.6  # radii of a cutter that nobody has asked for
-_PLANNED = 0.8  # of the time that a program takes
+_LEAST_SCALLOP = 1e-4  # mm, unless requested: programs round to 1e-5 mm
+_TRIES, _SMALLER = 8, 0.6  # radii tried for a default cutter, and their ratio
+_PLANNED = 0.8  # part of the time for planning
+
+
+class CutPlan(NamedTuple):
+    """Cuts of a face as written, and the errors that they leave.
+
+    Attributes
+    ----------
+    cutting : Cutting
+        Requested options.
+    raster : Raster
+        The cuts, scene units.
+    scallop : float
+        Planned scallop height.
+    errors : CutErrors
+        Errors of the simulated cut, at a place in the scene's x and y.
+    top : float
+        Highest control height of the face as it lies below the cutter.
+    default_radius : float
+        Radius of a ball that fits everywhere, scene units; infinite if unknown, as for a face
+        with edges.
+    """
+
+    cutting: Cutting
+    raster: Raster
+    scallop: float
+    errors: CutErrors
+    top: float
+    default_radius: float
+
+    def refusal(self, unit: str) -> Refused | None:
+        """Return why the plan is not written: the cutter leaves more than scallops; else None."""
+        cut_off, left, (x, y) = self.errors
+        if cut_off <= _GOUGE * self.scallop and left <= _EXCESS * self.scallop:
+            return None
+        return Refused(
+            "tool_radius",
+            Said(
+                "a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and "
+                "cuts off {cut}; {cure}",
+                radius=written(self.raster.radius, unit),
+                left=written(left, unit, 2),
+                x=written(x, unit),
+                y=written(y, unit),
+                cut=written(max(cut_off, 0), unit, 2),
+                cure=self._cure(unit),
+            ),
+        )
+
+    def _cure(self, unit: str) -> Said:
+        if self.default_radius < self.raster.radius:
+            return Said("one of {fitting} fits", fitting=written(self.default_radius, unit, 2))
+        return Said("a smaller one or higher ridges are needed")
 
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
-    """Write the cuts, and what they leave.
-
-    Raises
-    ------
-    Refused
-        If the cutter does not fit, or there are too many cuts.
-    """
+    """Write the cuts; raise Refused if the cutter does not fit or there are too many cuts."""
     return finished(writing(design, file), design.watch)
 
 
 def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
-    """Plan and simulate the cuts, unless the design has a plan, and write them; see `write_gcode`.
-
-    Each step takes a moment.
-    """
+    """Plan and simulate the cuts, unless the design has a plan, and write them, in short steps."""
     plan = design.plan
     if plan is None:
         plan = yield from within(planning(design), lambda done: _PLANNED * done)
@@ -57,7 +104,7 @@ def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
         file.write(lines.encode("ascii"))
         yield begin + (1 - begin) * (row + 1) / rows
     file.write("".join(f"{line}\n" for line in _footer(design, plan)).encode("ascii"))
-    radius, (cut_off, left, _) = plan.raster.radius, plan.remains
+    radius, (cut_off, left, _) = plan.raster.radius, plan.errors
     return Deviation(
         "simulated cut off by",
         max(left, cut_off),
@@ -70,14 +117,10 @@ def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:
 
 
 def planning(design: Design) -> Steps[CutPlan]:
-    """Find the cuts of a design's face and simulate them, in steps of a moment.
+    """Plan and simulate the cuts of a design's face, in short steps.
 
-    A cutter that nobody has asked for is smaller the next time if it does not fit.
-
-    Raises
-    ------
-    Refused
-        If there are too many cuts.
+    A default cutter that does not fit is replaced by smaller ones. Raise Refused if there are too
+    many cuts.
     """
     heights = design.heights if _looks_up(design) > 0 else -design.heights[::-1]
     face = CutFace(design.net, heights, design.outline)
@@ -93,41 +136,33 @@ def planning(design: Design) -> Steps[CutPlan]:
 
 
 def _planning(design: Design, face: CutFace, radius: float) -> Steps[CutPlan]:
-    """Find the cuts by one cutter."""
     mm, top = 1e3 * design.metres, float(face.heights.max())
-    fine = max(_FINE * max(design.net.half_width), _LEAST_RIDGES / mm)
+    fine = max(_FINE * max(design.net.half_width), _LEAST_SCALLOP / mm)
     scallop = design.cutting.scallop or face.finest_scallop(radius, min(fine, radius / 2), _MOST)
     raster = yield from within(face.plan_raster(radius, scallop, _MOST), lambda done: 0.8 * done)
     raster = _rounded(raster, mm, top)
-    remains = yield from within(face.cut_errors(raster), lambda done: 0.8 + 0.2 * done)
+    errors = yield from within(face.cut_errors(raster), lambda done: 0.8 + 0.2 * done)
     if _looks_up(design) < 0:  # the face lies turned over about y
-        remains = remains._replace(place=(-remains.place[0], remains.place[1]))
+        errors = errors._replace(place=(-errors.place[0], errors.place[1]))
     fitting = face.default_radius if min(design.net.degree) > 1 else math.inf
-    return CutPlan(design.cutting, raster, scallop, remains, top, fitting)
+    return CutPlan(design.cutting, raster, scallop, errors, top, fitting)
 
 
 def _looks_up(design: Design) -> int:
-    """1 if what is cut looks to the scene's +z, -1 if to -z."""
     return -design.outward if design.cutting.negative else design.outward
 
 
 def _from(begin: float, done: float) -> float:
-    """The part of the whole that is done, of what is done of the rest."""
     return begin + (1 - begin) * done
 
 
 def _rounded(raster: Raster, millimetres: float, top: float) -> Raster:
-    """The numbers that a program has, in scene units; tips are rounded up, away from the face.
-
-    Zero of the program is at the top.
-    """
     step = 10.0**-_DIGITS / millimetres
     x, y = np.round(raster.x / step) * step, np.round(raster.y / step) * step
     return Raster(x, y, top + np.ceil((raster.tip - top) / step) * step, raster.radius)
 
 
 def _heights(design: Design, plan: CutPlan) -> tuple[float, float]:
-    """How high the cutter travels, and its highest cut, mm over the zero of the program."""
     raster, mm = plan.raster, 1e3 * design.metres
     clear = plan.cutting.safe_height or 2 * raster.radius
     highest = float(raster.tip.max()) - plan.top
@@ -135,7 +170,6 @@ def _heights(design: Design, plan: CutPlan) -> tuple[float, float]:
 
 
 def _header(design: Design, plan: CutPlan) -> Iterator[str]:
-    """What the program is, and how it begins: no line has 80 characters, which GRBL cannot take."""
     cutting, raster, mm = plan.cutting, plan.raster, 1e3 * design.metres
     width, height = (2 * mm * (r + cutting.rim) for r in design.net.half_width)
     deep = mm * (plan.top - float(raster.tip.min()))
@@ -163,7 +197,6 @@ def _header(design: Design, plan: CutPlan) -> Iterator[str]:
 
 
 def _cuts(design: Design, plan: CutPlan, row: int) -> Iterator[str]:
-    """One line of cuts; every second one goes back."""
     mm, turn = 1e3 * design.metres, 1 if row % 2 == 0 else -1
     x = (mm * plan.raster.x)[::turn].tolist()
     z = (mm * (plan.raster.tip[:, row] - plan.top))[::turn].tolist()

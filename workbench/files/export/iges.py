@@ -1,4 +1,4 @@
-"""IGES: the shape of the STEP file, as OpenCASCADE writes it (optional extra ``iges``)."""
+"""IGES: the shape of the STEP file, converted by OpenCASCADE (optional extra ``iges``)."""
 
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
@@ -14,24 +14,19 @@ from workbench.files.export.step import write_step, write_step_face
 from workbench.said import Said
 
 _UNIT = {"mm": "MM", "cm": "CM", "m": "M", "inch": "INCH"}
-_PLACES = 33  # along each axis, where the face that has been written is measured
+_SAMPLES = 33  # along each axis, for measuring the written face
 
 
 def write_iges(design: Design, file: BinaryIO) -> Deviation:
-    """Write the solid, and measure the freeform faces that are read back.
+    """Write the solid, and measure the freeform faces as read back.
 
-    Raises
-    ------
-    Refused
-        If OpenCASCADE is not installed.
-    RunFailed
-        If it fails.
+    Raise Refused if OpenCASCADE is not installed, RunFailed if it fails.
     """
     return _write(design, design.faces, write_step, file)
 
 
 def write_iges_face(design: Design, file: BinaryIO) -> Deviation:
-    """Write the face that a design is seen at as a sheet, and measure it; see `write_iges`."""
+    """Write the face of a design as a sheet, and measure it; see `write_iges`."""
     return _write(design, [design], write_step_face, file)
 
 
@@ -48,7 +43,7 @@ def _write(
             ".iges",
             Said("needs OpenCASCADE, which pip install 'freeform-lens-workbench[iges]' brings"),
         ) from error
-    _be_quiet()
+    _silence()
     with tempfile.TemporaryDirectory() as folder:
         step, iges = Path(folder, "lens.step"), Path(folder, "lens.iges")
         with step.open("wb") as shape:
@@ -60,8 +55,7 @@ def _write(
     return Deviation(f"error of the {called}", error_found, design.unit)
 
 
-def _be_quiet() -> None:
-    """Keep OpenCASCADE from telling standard output what it reads."""
+def _silence() -> None:
     from OCP.Message import Message, Message_Gravity
 
     for printer in Message.DefaultMessenger_s().Printers():
@@ -73,12 +67,12 @@ def _convert(step: Path, iges: Path, unit: str) -> None:
     from OCP.STEPControl import STEPControl_Reader
     from OCP.TCollection import TCollection_HAsciiString as Text
 
-    solids = 1  # not faces alone, where there is one
+    solids = 1  # write solids, not only faces
     writer = IGESControl_Writer(unit, solids)
     if not writer.AddShape(_read(STEPControl_Reader(), step)):
         raise RunFailed(Said("OpenCASCADE could not turn the shape into IGES"))
     writer.ComputeModel()
-    # Neither user nor time, so that the same lens gives the same file.
+    # Neither user nor time: the same lens gives the same file.
     model = writer.Model()
     header = model.GlobalSection()
     header.SetAuthorName(Text(""))
@@ -103,7 +97,6 @@ def _read(reader: Any, path: Path) -> Any:
 
 
 def _face_error(faces: Sequence[Design], path: Path) -> float:
-    """Largest distance, along z, of the B-spline faces in a file from those of the lens."""
     found = [_places(faces[0], surface) for surface in _spline_faces(path)]
     if not found:
         raise RunFailed(Said("OpenCASCADE finds no B-spline face in the IGES file that it wrote"))
@@ -111,22 +104,20 @@ def _face_error(faces: Sequence[Design], path: Path) -> float:
 
 
 def _places(design: Design, surface: Any) -> Array:
-    """Places x, y, z on a face of a file, shape (3, m)."""
     low_u, high_u, low_v, high_v = surface.Bounds()
     places = [
         surface.Value(u, v)
-        for u in np.linspace(low_u, high_u, _PLACES).tolist()
-        for v in np.linspace(low_v, high_v, _PLACES).tolist()
+        for u in np.linspace(low_u, high_u, _SAMPLES).tolist()
+        for v in np.linspace(low_v, high_v, _SAMPLES).tolist()
     ]
     # OpenCASCADE reads into millimetres.
     return np.array([[p.X(), p.Y(), p.Z()] for p in places]).T * 1e-3 / METRES[design.unit]
 
 
 def _distance(face: Design, places: Array) -> float:
-    """Largest distance, along z, of places from a face of the lens."""
     x, y, z = places
     r_x, r_y = face.net.half_width
-    # Rounding may lead a hair beyond the rim, where the polynomials go on.
+    # Rounding may exceed the rim slightly, where the polynomials continue.
     basis = face.net.points((x / r_x + 1) / 2, (y / r_y + 1) / 2)
     return float(np.abs(basis.evaluate(face.heights)[0] - z).max())
 
@@ -139,7 +130,7 @@ def _spline_faces(path: Path) -> Iterator[Any]:
     from OCP.TopExp import TopExp_Explorer
     from OCP.TopoDS import TopoDS
 
-    as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face  # its name before and since 8.0
+    as_face = getattr(TopoDS, "Face_s", None) or TopoDS.Face  # name before and since version 8.0
     faces = TopExp_Explorer(_read(IGESControl_Reader(), path), TopAbs_ShapeEnum.TopAbs_FACE)
     while faces.More():
         surface = BRep_Tool.Surface_s(as_face(faces.Current()))

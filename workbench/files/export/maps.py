@@ -1,9 +1,10 @@
-"""Pictures in numbers: the height of the exit face, the light on the receiver.
+"""Maps as numbers: height of a face, irradiance of the receiver.
 
 Rows run from +y down and columns from −x on, as in image files.
 """
 
 import io
+import struct
 from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
@@ -19,25 +20,14 @@ from workbench.scene.fields import ANGLE
 
 _DEEPEST = 65535
 _DESCRIPTION = 270  # TIFF tag
+_MAGIC, _VERSION = 20000630, 2
+_FLOAT = 2  # type of a channel
 
 
 class Map(NamedTuple):
-    """Values on a grid.
+    """Values (n_y, n_x) on a grid, NaN where there are none.
 
-    Attributes
-    ----------
-    name, unit : str
-        What they are.
-    x : ndarray, shape (n_x,)
-        Of the columns, ascending; in ``length``.
-    y : ndarray, shape (n_y,)
-        Of the rows, descending.
-    length : str
-        Unit of x and y.
-    values : ndarray, shape (n_y, n_x)
-        NaN where there is nothing.
-    axes : tuple[str, str]
-        Names of x and y.
+    ``x`` (n_x,) ascends, ``y`` (n_y,) descends; ``length`` is their unit, ``axes`` their names.
     """
 
     name: str
@@ -50,7 +40,7 @@ class Map(NamedTuple):
 
 
 def height(design: Design) -> Map:
-    """Height z of the exit face, rim included; beside an elliptic lens there is no number."""
+    """Height z of a face, rim included; NaN outside the outline."""
     x, y = design.lattice()
     z = design.surface(x, y)[0]
     z[~design.outline.contains(x[:, None], y)] = np.nan
@@ -58,7 +48,7 @@ def height(design: Design) -> Map:
 
 
 def irradiance(design: Design) -> Map:
-    """Density of light at the middle of each pixel, as the design run saw it at its end."""
+    """Irradiance or intensity at the middle of each pixel, from the end of the design run."""
     design.scene.check_one_image("exports of light")
     receiver = design.scene.receiver
     places = zip(receiver.pixels, receiver.half_extent, receiver.middle, strict=True)
@@ -69,9 +59,9 @@ def irradiance(design: Design) -> Map:
 
 
 def write_png(shown: Map, file: BinaryIO) -> Deviation:
-    """Write 16-bit grey values; the text in the file tells what black and white stand for.
+    """Write 16-bit grey values; text in the file gives the values of black and white.
 
-    Where there is nothing, values are black, too, which the text says.
+    Missing values are black, as the text says.
     """
     low, high = float(np.nanmin(shown.values)), float(np.nanmax(shown.values))
     step = (high - low) / _DEEPEST
@@ -93,7 +83,7 @@ def write_png(shown: Map, file: BinaryIO) -> Deviation:
 
 
 def write_tiff(shown: Map, file: BinaryIO) -> Deviation:
-    """Write single-precision values; the description tells unit and extent."""
+    """Write single-precision values; the description gives unit and extent."""
     with io.BytesIO() as tiff:
         image = Image.fromarray(shown.values.astype(np.float32))
         image.save(tiff, "TIFF", tiffinfo={_DESCRIPTION: described(shown)})
@@ -114,7 +104,7 @@ def write_npy(shown: Map, file: BinaryIO) -> Deviation:
 
 
 def write_csv(shown: Map, file: BinaryIO) -> Deviation:
-    """Write a line x, y, value per point, along the rows; none where there is nothing."""
+    """Write a line x, y, value per point, along the rows; missing values have no line."""
     there = np.isfinite(shown.values)
     columns = [c[there] for c in np.broadcast_arrays(shown.x, shown.y[:, None], shown.values)]
     length, (x, y) = shown.length, shown.axes
@@ -124,7 +114,6 @@ def write_csv(shown: Map, file: BinaryIO) -> Deviation:
 
 
 def _extent(shown: Map) -> dict[str, str | float]:
-    """Unit of the values, and where the middle of the first and last columns and rows are."""
     x, y = shown.axes
     angle = shown.length == ANGLE.words
     return {
@@ -144,5 +133,50 @@ def described(shown: Map) -> str:
 
 
 def rounding_of(shown: Map, found: npt.NDArray[Any]) -> Deviation:
-    """How far values of a file are from those shown."""
+    """Deviation of values of a file from a map."""
     return Deviation("rounding", float(np.nanmax(np.abs(found - shown.values))), shown.unit)
+
+
+def write_exr(design: Design, file: BinaryIO) -> Deviation:
+    """Write the irradiance as OpenEXR in single precision; comments give unit and extent.
+
+    One channel, luminance, in uncompressed lines, by the "OpenEXR File Layout" document for files
+    of a single part.
+    """
+    shown = irradiance(design)
+    values = shown.values.astype("<f4")
+    rows, columns = values.shape
+    window = struct.pack("<4i", 0, 0, columns - 1, rows - 1)
+    # Name, type, then: is it perceptual, three bytes of nothing, sampling along x and y.
+    channels = b"Y\0" + struct.pack("<iB3x2i", _FLOAT, 0, 1, 1) + b"\0"
+    header = struct.pack("<2i", _MAGIC, _VERSION) + b"".join(
+        _attribute(name, kind, content)
+        for name, kind, content in (
+            ("channels", "chlist", channels),
+            ("comments", "string", described(shown).encode()),
+            ("compression", "compression", b"\0"),
+            ("dataWindow", "box2i", window),
+            ("displayWindow", "box2i", window),
+            ("lineOrder", "lineOrder", b"\0"),  # from the top
+            ("pixelAspectRatio", "float", struct.pack("<f", _aspect(shown))),
+            ("screenWindowCenter", "v2f", struct.pack("<2f", 0.0, 0.0)),
+            ("screenWindowWidth", "float", struct.pack("<f", 1.0)),
+        )
+    )
+    line = np.dtype([("y", "<i4"), ("size", "<i4"), ("values", "<f4", columns)])
+    lines = np.empty(rows, dtype=line)
+    lines["y"], lines["size"], lines["values"] = np.arange(rows), 4 * columns, values
+    first = len(header) + 1 + 8 * rows
+    file.write(header + b"\0")
+    file.write((first + line.itemsize * np.arange(rows)).astype("<u8").tobytes())
+    file.write(lines.tobytes())
+    return rounding_of(shown, values)
+
+
+def _attribute(name: str, kind: str, content: bytes) -> bytes:
+    return f"{name}\0{kind}\0".encode() + struct.pack("<i", len(content)) + content
+
+
+def _aspect(shown: Map) -> float:
+    steps = [abs(float(c[-1] - c[0])) / max(len(c) - 1, 1) for c in (shown.x, shown.y)]
+    return steps[0] / steps[1] if min(steps) > 0 else 1.0

@@ -1,7 +1,7 @@
-"""Intensity of the finished lens by direction: IES LM-63-2002 and EULUMDAT.
+"""Intensity of a designed lens: IES LM-63-2002 and EULUMDAT.
 
-The nadir is where light goes on to: +z behind a lens, −z before a mirror. C0 is +x and C90 is −y
-for a lens, +y for a mirror. The source is the one lamp, with its flux; a source of unknown flux
+The nadir is the direction of the light: +z behind a lens, −z before a mirror. C0 is +x and C90 is
+−y for a lens, +y for a mirror. The source is the only lamp, with its flux; a source of unknown flux
 counts as 1000 lm.
 """
 
@@ -27,21 +27,15 @@ from workbench.measured.photometry.ies import read_ies
 from workbench.measured.photometry.ldt import read_ldt
 from workbench.scene import RayFileSource
 
-_UNKNOWN = 1000.0  # lm, of a source that does not say its flux
-_PER_LAMPS = 1000.0  # lm of lamps for which EULUMDAT gives intensities
-_TOLERABLE = 0.02  # error of a table that needs no warning
+_UNKNOWN = 1000.0  # lm, of a source of unknown flux
+_PER_LAMPS = 1000.0  # EULUMDAT gives intensities per 1000 lm of lamps
+_TOLERABLE = 0.02  # largest error of a table without a warning
 _MM = 1e-3
 _PROGRAM = f"Freeform Lens Workbench {__version__}"
 
 
 def write_ies(design: Design, file: BinaryIO) -> Deviation:
-    """Write the intensity as IES LM-63-2002; see `Deviation`.
-
-    Raises
-    ------
-    Refused
-        If no light leaves the lens.
-    """
+    """Write the intensity as IES LM-63-2002; raise Refused if no light leaves the lens."""
     light, lumens = far_light(design), _lumens(design)
     lamp = fitted_table(light).times(lumens)
     width, length = (f"{side:.6g}" for side in _luminous_sides(design))
@@ -63,7 +57,7 @@ def write_ies(design: Design, file: BinaryIO) -> Deviation:
 
 
 def write_ldt(design: Design, file: BinaryIO) -> Deviation:
-    """Write the intensity as EULUMDAT; raises as `write_ies`."""
+    """Write the intensity as EULUMDAT; raise as `write_ies`."""
     light, lumens = far_light(design), _lumens(design)
     optic = design.scene.optic
     lamp = fitted_table(light).times(_PER_LAMPS)
@@ -95,12 +89,10 @@ def write_ldt(design: Design, file: BinaryIO) -> Deviation:
 
 
 def _lumens(design: Design) -> float:
-    """Flux of the source, lm."""
     return light_unit(design.scene).lumens or _UNKNOWN
 
 
 def _luminous_sides(design: Design) -> tuple[float, float]:
-    """Width along C90 and length along C0 in metres; negative where the outline is round."""
     optic = design.scene.optic
     sign = -1 if optic.outline == "ellipse" else 1
     r_x, r_y = optic.half_width
@@ -108,33 +100,28 @@ def _luminous_sides(design: Design) -> tuple[float, float]:
 
 
 def _all_planes(lamp: FittedTable) -> tuple[int, Array]:
-    """Number of the symmetry in EULUMDAT, and the planes of the whole circle."""
     if len(lamp.c) == 1:
         return 1, lamp.c
     return {90.0: 4, 180.0: 2, 360.0: 0}[float(lamp.c[-1])], lamp.table.c[:-1]
 
 
 def _step(angles: Array) -> float:
-    """The step of angles; 0 where there is more than one."""
     steps = np.diff(angles)
     return float(steps[0]) if np.allclose(steps, steps[0], rtol=1e-6) else 0.0
 
 
 def _rows(values: Iterable[float], digits: int) -> list[str]:
-    """Numbers in lines that old programs can read."""
     words = [f"{value:.{digits}g}" for value in values]
     return [" ".join(words[first : first + 10]) for first in range(0, len(words), 10)]
 
 
 def _written(lines: list[str], file: BinaryIO) -> bytes:
-    """Write lines to a file, and return what stands there."""
     content = ("\r\n".join(lines) + "\r\n").encode("ascii")
     file.write(content)
     return content
 
 
 def _deviation(table: IntensityTable, light: FarLight, lumens: float, design: Design) -> Deviation:
-    """How far the table, as read again, is from the light of the lens."""
     optic = design.scene.optic
     read = IntensityTable(table.c, table.gamma, table.candela / lumens)
     error = error_of(read, light)

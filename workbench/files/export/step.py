@@ -1,24 +1,25 @@
-"""STEP (ISO 10303-21, AP214): the lens as one solid; freeform faces are *the* B-spline surfaces.
+"""STEP (ISO 10303-21, AP214): the lens as one solid with exact B-spline faces.
 
 Four sides and a flat entrance face are planes, bounded by straight lines and by the B-spline curves
-at the rims of freeform faces. Nothing is fitted, and no number is rounded. The wall of an elliptic
-lens is an ellipse that is extruded, in four quarters; there the rim of a freeform face is fitted,
-as no B-spline curve is on both it and the wall, and what remains is reported. The header has
-neither user nor time, so the same lens gives the same file. A face alone is written as an open
-sheet.
+at the rims of freeform faces. Nothing is fitted or rounded. The wall of an elliptic lens is an
+extruded ellipse, in four quarters; there the rim of a freeform face is fitted, as no B-spline curve
+lies on both face and wall, and the error is reported. The header has neither user nor time: the
+same lens gives the same file. A single face is written as an open sheet.
 """
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
-from scipy.interpolate import BSpline
+from scipy.interpolate import BSpline, make_interp_spline
 
 from workbench.arrays import Array
 from workbench.files.export.design import METRES, Design, Deviation
-from workbench.files.export.rim import Rim
 
-# Points closer than this part of the lens count as one.
+# Least and most pieces of a quarter of the rim.
+_FEWEST, _MOST = 64, 4096
+_DEGREE = 3
+# Points closer than this part of the half-width count as one.
 _TOLERANCE = 1e-8
 _HEADER = """ISO-10303-21;
 HEADER;
@@ -35,7 +36,48 @@ _SI_PREFIX = {"mm": ".MILLI.", "cm": ".CENTI.", "m": "$"}
 _CORNERS = ((0, 0), (-1, 0), (-1, -1), (0, -1))
 _OUTWARD = ((0, -1, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0))
 _ALONG = ((1, 0, 0), (0, 1, 0), (1, 0, 0), (0, 1, 0))  # rising coordinate of each side
-_RISING = (True, True, False, False)  # whether that is the way around
+_RISING = (True, True, False, False)  # whether that is counterclockwise
+
+
+class Rim(NamedTuple):
+    """Curves along the quarters of the rim of an elliptic face, counterclockwise from +x.
+
+    ``quarters`` are cubic splines from 0 to 1 with values (3,) in scene units, with ends on the
+    axes. ``off`` is their largest distance from face and wall.
+    """
+
+    quarters: tuple[BSpline, ...]
+    off: float
+
+    @classmethod
+    def of(cls, design: Design, tolerance: float) -> "Rim":
+        """Return the rim of a lens within a tolerance, or with the most pieces."""
+        count = _FEWEST
+        while True:
+            found = cls._through(design, count)
+            if found.off <= tolerance or count >= _MOST:
+                return found
+            count *= 2
+
+    @classmethod
+    def _through(cls, design: Design, count: int) -> "Rim":
+        r_x, r_y = design.net.half_width
+        part = np.linspace(0, 1, count + 1)
+        between = (part[1:] + part[:-1]) / 2
+        quarters, off = [], 0.0
+        for number in range(4):
+            angle = (number + part) * (np.pi / 2)
+            x, y = r_x * np.cos(angle), r_y * np.sin(angle)
+            for ends, r in ((x, r_x), (y, r_y)):  # exactly on the axes
+                ends[np.abs(ends) < 1e-9 * r] = 0.0
+            z = design.net.at(x, y, design.heights)[0]
+            curve = make_interp_spline(part, np.stack([x, y, z], axis=1), _DEGREE)
+            x, y, z = curve(between).T
+            aside = np.abs(np.hypot(x / r_x, y / r_y) - 1).max() * max(r_x, r_y)
+            above = np.abs(z - design.net.at(x, y, design.heights)[0]).max()
+            quarters.append(curve)
+            off = max(off, float(aside), float(above))
+        return cls(tuple(quarters), off)
 
 
 def write_step(design: Design, file: BinaryIO) -> Deviation:
@@ -45,14 +87,13 @@ def write_step(design: Design, file: BinaryIO) -> Deviation:
 
 
 def write_step_face(design: Design, file: BinaryIO) -> Deviation:
-    """Write the face that a design is seen at as a sheet; its normal points out of the body."""
+    """Write the face of a design as a sheet; its normal points out of the body."""
     return _write(_SURFACE, _sheet, _Model(design.outward < 0), [design], file)
 
 
 def _write(
     kind: str, shape: "_Shape", model: "_Model", faces: Sequence[Design], file: BinaryIO
 ) -> Deviation:
-    """Write a shape of some faces, and measure what is rounded or fitted in it."""
     design = faces[0]
     near = _TOLERANCE * max(design.scene.optic.half_width)
     rims = [] if design.outline.whole else [Rim.of(face, near) for face in faces]
@@ -70,20 +111,13 @@ def _write(
 
 
 class _Model:
-    """Entities, numbered from 1.
-
-    Parameters
-    ----------
-    turned : bool
-        Whether the freeform face is below the flat one: then outside is where inside would be.
-    """
+    """Numbered entities; ``turned`` swaps inside and outside, for a face below the flat side."""
 
     def __init__(self, turned: bool) -> None:
         self.entities: list[str] = []
         self.turned = turned
 
     def add(self, entity: str) -> str:
-        """Take in an entity; its reference."""
         self.entities.append(entity)
         return f"#{len(self.entities)}"
 
@@ -113,9 +147,9 @@ class _Model:
         return self.add(f"EDGE_CURVE('',{start},{end},{curve},.T.)")
 
     def face(self, surface: str, loop: Sequence[tuple[str, bool]], turned: bool = False) -> str:
-        """A face whose normal is that of its surface, its loop counterclockwise around it.
+        """Add a face with the normal of its surface and a counterclockwise loop.
 
-        Where it or the model is turned, the normal and the loop are the other way.
+        Where the face or the model is turned, normal and loop are reversed.
         """
         turned = turned != self.turned
         if turned:
@@ -130,17 +164,7 @@ class _Model:
 
 
 class _Net(NamedTuple):
-    """The control net of a freeform face.
-
-    Attributes
-    ----------
-    face : Design
-        The lens seen at this face.
-    places : ndarray, shape (n_u, n_v, 3)
-        The control points.
-    points : list of list of str
-        The same, as entities.
-    """
+    """Control net of a freeform face: control points (n_u, n_v, 3), also as entities."""
 
     face: Design
     places: Array
@@ -153,7 +177,6 @@ class _Net(NamedTuple):
         return cls(face, places, [[model.point(place) for place in row] for row in places.tolist()])
 
     def rim(self, model: _Model, side: int) -> str:
-        """The curve along a side of a rectangle."""
         points = self.points
         rims = ([row[0] for row in points], points[-1], [row[-1] for row in points], points[0])
         net = self.face.net
@@ -163,16 +186,8 @@ class _Net(NamedTuple):
 class _Side(NamedTuple):
     """A side of the lens; its curves go from one corner to the next.
 
-    Attributes
-    ----------
-    upper, lower : sequence of float
-        Its first corner, counterclockwise as seen from above, on the exit face and on the other.
-    top, foot : str
-        Curves along its edges.
-    rising : bool
-        Whether these go counterclockwise.
-    wall : str
-        Its surface.
+    Its first corner, counterclockwise from above, is ``upper`` on the exit face and ``lower`` on
+    the other; ``top`` and ``foot`` are its curves, ``rising`` whether these go counterclockwise.
     """
 
     upper: Sequence[float]
@@ -184,7 +199,6 @@ class _Side(NamedTuple):
 
 
 def _straight(model: _Model, nets: Sequence[_Net]) -> tuple[_Side, ...]:
-    """The sides of a rectangle."""
     exit_, *entrance = nets
     upper, *lower = ([net.places[corner].tolist() for corner in _CORNERS] for net in nets)
     feet = lower[0] if lower else [[*place[:2], exit_.face.flat_z] for place in upper]
@@ -202,11 +216,10 @@ def _straight(model: _Model, nets: Sequence[_Net]) -> tuple[_Side, ...]:
 
 
 def _arcs(rims: Sequence[Rim], model: _Model, nets: Sequence[_Net]) -> tuple[_Side, ...]:
-    """The quarters of an ellipse."""
     face = nets[0].face
     (r_x, r_y), flat_z = face.net.half_width, face.flat_z
     middle = (0.0, 0.0, flat_z)
-    wide = r_x >= r_y  # readers want the longer semi-axis first
+    wide = r_x >= r_y  # readers require the longer semi-axis first
     placement = model.placement(middle, (0, 0, 1), (1, 0, 0) if wide else (0, 1, 0))
     if r_x == r_y:
         ellipse = model.add(f"CIRCLE('',{placement},{_real(r_x)})")
@@ -231,7 +244,6 @@ def _arc(model: _Model, quarter: BSpline) -> str:
 
 
 def _sheet(model: _Model, faces: Sequence[Design], rims: Sequence[Rim]) -> str:
-    """An open shell of one face."""
     net = _Net.of(faces[0], model)
     surface = _surface(model, net, "freeform face")
     if rims:
@@ -249,7 +261,6 @@ def _sheet(model: _Model, faces: Sequence[Design], rims: Sequence[Rim]) -> str:
 def _around(
     model: _Model, vertices: Sequence[str], curves: Sequence[str], rising: Sequence[bool]
 ) -> list[tuple[str, bool]]:
-    """Edges counterclockwise from vertex to vertex, and which of the curves go that way."""
     loop = []
     for number, (curve, forward) in enumerate(zip(curves, rising, strict=True)):
         ends = number, (number + 1) % 4
@@ -312,13 +323,11 @@ def _curve(model: _Model, degree: int, points: list[str], along: Array) -> str:
 
 
 def _knots(knots: Array) -> tuple[str, str]:
-    """Multiplicities, and the knots themselves."""
     values, counts = np.unique(knots, return_counts=True)
     return _list(map(str, counts.tolist())), _list(map(_real, values.tolist()))
 
 
 def _context(model: _Model, design: Design, tolerance: float) -> str:
-    """Units and tolerance."""
     if design.unit == "inch":
         millimetre = model.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
         factor = _real(METRES["inch"] / METRES["mm"])
@@ -345,7 +354,6 @@ def _context(model: _Model, design: Design, tolerance: float) -> str:
 
 
 def _product(model: _Model, representation: str, item: str, context: str) -> None:
-    """What AP214 wants to know of a part before it shows its shape."""
     add = model.add
     origin = model.placement((0, 0, 0), (0, 0, 1), (1, 0, 0))
     shape = add(f"{representation}('',({origin},{item}),{context})")
@@ -369,7 +377,6 @@ def _list(items: Iterable[str]) -> str:
 
 
 def _real(value: float) -> str:
-    """The shortest text that is read as the same number, as ISO 10303-21 writes reals."""
     mantissa, _, exponent = repr(float(value)).partition("e")
     if "." not in mantissa:
         mantissa += "."

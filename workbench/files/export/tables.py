@@ -1,37 +1,31 @@
-"""Columns of numbers as text."""
+"""Text tables of a face: OpticStudio grid sag and point cloud.
+
+Grid sag (.dat): knots of the B-spline are points of the grid. For degrees 2 and 3 the bicubic
+interpolation between these is therefore the B-spline itself, rim included. A face of degree 1 has
+edges, which only a linear interpolation keeps. Sag is height over the vertex x = y = 0, so the
+thickness of the lens in OpticStudio is that at its vertex. A freeform entrance face has its own
+file. Points without any cell on an elliptic lens are flagged as without data.
+"""
 
 import io
 from collections.abc import Sequence
 from typing import BinaryIO
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline, RectBivariateSpline
 
-from workbench.arrays import Array
+from workbench.arrays import Array, Mask
+from workbench.files.export.design import Design, Deviation
 
-_ROWS_AT_ONCE = 1 << 16  # as text they stay small
+_ROWS_AT_ONCE = 1 << 16  # limits the memory for text
+_UNIT_FLAG = {"mm": 0, "cm": 1, "inch": 2, "m": 3}
+_MARGIN = 3  # steps beyond the edge, where the end conditions of a bicubic spline have decayed
 
 
 def write_table(
     file: BinaryIO, columns: Sequence[Array], header: str, delimiter: str, newline: str = "\n"
 ) -> Array:
-    """Write columns below a line of text, with 15 digits.
-
-    Parameters
-    ----------
-    file : BinaryIO
-        Gets the text.
-    columns : sequence of ndarray, shape (m,)
-        The columns.
-    header : str
-        First line.
-    delimiter, newline : str
-        What stands between numbers and at the end of lines.
-
-    Returns
-    -------
-    ndarray, shape (m, columns)
-        What has been written, as it is read again.
-    """
+    """Write columns (m,) below a line of text, with 15 digits; return them (m, columns) as read."""
     file.write((header + newline).encode())
     table = np.column_stack(columns)
     written = np.empty_like(table)
@@ -46,5 +40,100 @@ def write_table(
 
 
 def rounding(written: Array, column: int, exact: Array) -> float:
-    """How far a column is from what it should be, at most."""
+    """Largest deviation of a written column."""
     return float(np.abs(written[:, column] - exact).max(initial=0.0))
+
+
+def write_grid_sag(design: Design, file: BinaryIO) -> Deviation:
+    """Write the Grid Sag file, and measure the bicubic interpolation between its points.
+
+    The first line has the numbers of points, their distances, the unit and the decentre; then
+    follow the points in rows along x, from (−x, +y) on.
+    """
+    x, y = design.lattice()
+    basis = design.basis(x, y)
+    z, slope_x, slope_y = basis.evaluate(design.heights)
+    twist = basis.slope_x @ design.heights @ basis.slope_y
+    vertex = design.surface(np.zeros(1), np.zeros(1))[0].item()
+    no_data = _without_data(design, x, y)
+    columns = [_in_rows(c) for c in (z - vertex, slope_x, slope_y, twist, no_data)]
+    step_x, step_y = (float(c[-1] - c[0]) / (len(c) - 1) for c in (x, y))
+    header = f"{len(x)} {len(y)} {step_x!r} {step_y!r} {_UNIT_FLAG[design.unit]} 0 0"
+    written = write_table(file, columns, header, delimiter=" ", newline="\r\n")
+
+    sag, along_x, along_y, cross = written.T[:4].reshape(4, len(y), len(x))[:, ::-1]
+    between_x, between_y = ((c[1:] + c[:-1]) / 2 for c in (x, y))
+    values = CubicHermiteSpline(x, sag, along_x, axis=1)(between_x)
+    slopes = CubicHermiteSpline(x, along_y, cross, axis=1)(between_x)
+    found = CubicHermiteSpline(y, values, slopes)(between_y)
+    exact = design.surface(between_x, between_y)[0].T - vertex
+    error = float(np.abs(found - exact).max())
+    return Deviation(
+        "error of the bicubic interpolation",
+        error,
+        design.unit,
+        f"thickness at the vertex {_thickness(design):.10g} {design.unit}",
+    )
+
+
+def _thickness(design: Design) -> float:
+    z, *other = (face.surface(np.zeros(1), np.zeros(1))[0].item() for face in design.faces)
+    return abs(z - (other[0] if other else design.flat_z))
+
+
+def _without_data(design: Design, x: Array, y: Array) -> Array:
+    glass = design.outline.area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
+    around = np.pad(glass, 1)
+    near = around[1:, 1:] | around[:-1, 1:] | around[1:, :-1] | around[:-1, :-1]
+    return np.where(near, 0.0, 1.0)
+
+
+def _in_rows(values: Array) -> Array:
+    return values[:, ::-1].T.ravel()
+
+
+def _near(design: Design, x: Array, y: Array) -> Mask:
+    if design.outline.whole:
+        return np.ones((len(x), len(y)), dtype=np.bool_)
+    x, y = (
+        at * (r / (r + _MARGIN * float(at[1] - at[0])))
+        for at, r in zip((x, y), design.net.half_width, strict=True)
+    )
+    return design.outline.contains(x[:, None], y)
+
+
+def write_points(design: Design, file: BinaryIO) -> Deviation:
+    """Write points and normals, and measure a bicubic spline through the points.
+
+    Programs that fit a surface through points guess at its edges. So each point has its outward
+    normal, and the points continue beyond the edge or the elliptic outline, on the polynomials that
+    end there.
+    """
+    x, y = design.lattice(_MARGIN)
+    z, slope_x, slope_y = design.surface(x, y)
+    length = np.sqrt(1 + slope_x**2 + slope_y**2)
+    length *= design.outward
+    columns = np.broadcast_arrays(
+        x[:, None], y, z, -slope_x / length, -slope_y / length, 1 / length
+    )
+    near = _near(design, x, y)
+    written = write_table(
+        file,
+        [column[near] for column in columns],
+        f"# freeform lens: x y z nx ny nz, unit {design.unit}",
+        delimiter=" ",
+    )
+    z[near] = written[:, 2]
+    spline = RectBivariateSpline(x, y, z)
+    between_x, between_y = (
+        (c[_MARGIN : -_MARGIN - 1] + c[_MARGIN + 1 : -_MARGIN]) / 2 for c in (x, y)
+    )
+    exact = design.surface(between_x, between_y)[0]
+    inside = design.outline.contains(between_x[:, None], between_y)
+    error = float(np.abs(spline(between_x, between_y) - exact)[inside].max())
+    return Deviation(
+        "error of a bicubic spline through the points",
+        error,
+        design.unit,
+        f"lengths in {design.unit}",
+    )

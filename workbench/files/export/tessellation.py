@@ -1,4 +1,4 @@
-"""The closed body of the lens as triangles, and how far they are from its freeform faces."""
+"""Closed body of the lens as triangles, and their distance from the freeform faces."""
 
 import math
 from collections.abc import Iterator
@@ -18,20 +18,12 @@ from workbench.said import Said
 Indices = npt.NDArray[np.int64]
 
 _MOST_CELLS = 4_000_000
-# The chord error is looked for on so many equal parts of each cell's sides.
-_LOOKS = 4
+# Parts of each cell's sides, at whose ends the chord error is sampled.
+_PARTS = 4
 
 
 class TriangleBody(NamedTuple):
-    """A closed surface of triangles.
-
-    Attributes
-    ----------
-    vertices : ndarray, shape (n, 3)
-        Scene units, or others.
-    triangles : ndarray of int, shape (m, 3)
-        Vertices of each, counterclockwise as seen from outside.
-    """
+    """A closed surface: vertices (n, 3), triangles (m, 3) counterclockwise from outside."""
 
     vertices: Array
     triangles: Indices
@@ -40,18 +32,17 @@ class TriangleBody(NamedTuple):
 class Tessellation(NamedTuple):
     """The faces over one grid of cells, each cut along the diagonal from −x −y to +x +y.
 
-    The cells are rectangles; those of an ellipse are what `workbench.geometry.outlines` makes of
-    equal rectangles, so that the rim has no steps: its vertices are on it. Vertices of both faces
-    are above each other, which makes the walls.
+    Cells are rectangles; those of an ellipse are mapped from equal rectangles by
+    `workbench.geometry.outlines`, with vertices on the rim. Vertices of both faces have the same x
+    and y, which makes the walls.
 
     Attributes
     ----------
     x, y : ndarray, shape (m_x, 1) and (1, m_y), or (m_x, m_y)
     z : ndarray, shape (m_x, m_y)
-        That of the exit face, or of the mirror; scene units.
+        Exit face of a lens, or the face of a mirror; scene units.
     other : ndarray, shape (m_x, m_y) or ()
-        z of the other side: of a freeform entrance face, or a number for a flat side, which is
-        the entrance face of a lens and the back of a mirror.
+        z of the other side: of a freeform entrance face, or a number for a flat side.
     """
 
     x: Array
@@ -61,26 +52,14 @@ class Tessellation(NamedTuple):
 
     @classmethod
     def of(cls, design: Design, precision: float = 2.0**-53) -> "Tessellation":
-        """Cells small enough for the design's chord error at each face.
+        """Return cells small enough for the design's chord error at each face.
 
-        Parameters
-        ----------
-        design : Design
-            The lens.
-        precision : float
-            Largest relative rounding error of the coordinates in the file.
-
-        Raises
-        ------
-        Refused
-            If the coordinates cannot be as precise as that, or if it takes too many triangles.
-
-        Notes
-        -----
-        Linear interpolation on a right triangle with the sides h and k is off by at most
-        (h² |z_xx| + 2 h k |z_xy| + k² |z_yy|) / 8, and 2 h k ≤ h² + k². Each direction gets half
-        of the error, and in each the strip of knot spans that bends most sets the step. Where
-        there are two faces, strips end at the knots of both.
+        ``precision`` is the largest relative rounding error of coordinates in the file. Linear
+        interpolation on a right triangle with the sides h and k errs by at most (h² |z_xx| + 2 h k
+        |z_xy| + k² |z_yy|) / 8, and 2 h k ≤ h² + k². Each direction gets half of the error, and in
+        each the strip of knot spans with the largest curvature sets the step. With two freeform
+        faces, strips end at the knots of both. Raise Refused if the coordinates cannot be so
+        precise or there are too many triangles.
         """
         largest = design.largest_chord_error
         rounding = max(_rounding(face, precision) for face in design.faces)
@@ -107,14 +86,10 @@ class Tessellation(NamedTuple):
         z, *other = (face.surface(x, y)[0] for face in design.faces)
         return cls(x[:, None], y[None, :], z, _other(design, other))
 
+    # Of triangles with sides up to d, linear interpolation errs by at most d² |D²z| / 6; the error
+    # of the rim is that of its chords. Fewer cells suffice where the face is mostly flat: try them.
     @classmethod
     def _mapped(cls, design: Design, allowed: float) -> "Tessellation":
-        """Equal cells of a square, mapped onto the outline: as many as keep the chord error.
-
-        Of triangles with sides up to d, linear interpolation is off by at most d² |D²z| / 6; the
-        rim is off by no more than its own chords. Fewer do where the face bends little at most
-        places, so it is tried out.
-        """
         r = np.array(design.net.half_width)
         orders = ((2, 0), (1, 1), (0, 2))
         curvature = max(
@@ -136,17 +111,17 @@ class Tessellation(NamedTuple):
             count = math.ceil(count * max(1.05 * math.sqrt(off), 1.1))
 
     def rounded(self, scale: float = 1.0) -> "Tessellation":
-        """The same as single precision keeps it after multiplying by a scale."""
+        """The tessellation as single precision keeps it after scaling."""
         return Tessellation(*((scale * c).astype(np.float32) / np.float64(scale) for c in self))
 
     def deviation(self, design: Design) -> Deviation:
-        """Chord error of a file in the unit of meshes, measured."""
+        """Measured chord error, with the unit of meshes as a note."""
         return Deviation(
             "chord error", self.chord_error(design), design.unit, f"lengths in {design.mesh_unit}"
         )
 
     def body(self, scale: float = 1.0) -> TriangleBody:
-        """The closed body: freeform face, walls, and the other side; its size times a scale."""
+        """The closed body, scaled: freeform face, walls, and the other side."""
         m_x, m_y = self.z.shape
         index = np.arange(m_x * m_y).reshape(m_x, m_y)
         # Counterclockwise, seen from above.
@@ -155,7 +130,7 @@ class Tessellation(NamedTuple):
         if self.other.ndim:
             bottom, foot = self._places(self.other), index.size + rim
             closing = _cells(index.size + index)[:, ::-1]
-        else:  # its rim and a place amidst it
+        else:  # its rim and a point in its middle
             middle = np.array([[self.x.mean(), self.y.mean(), self.other]])
             bottom, foot = top[rim], index.size + np.arange(len(rim))
             bottom[:, 2] = self.other
@@ -165,12 +140,11 @@ class Tessellation(NamedTuple):
         next_rim, next_foot = np.roll(rim, -1), np.roll(foot, -1)
         walls = [(rim, foot, next_foot), (rim, next_foot, next_rim)]
         found = np.concatenate([_cells(index), *map(np.column_stack, walls), closing])
-        if self.other.flat[0] > self.z.flat[0]:  # seen from outside, the face is turned over
+        if self.other.flat[0] > self.z.flat[0]:  # the face looks down
             found = found[:, ::-1]
         return TriangleBody(scale * np.concatenate([top, bottom]), found)
 
     def _places(self, z: Array) -> Array:
-        """The vertices of a face, shape (m_x * m_y, 3)."""
         return np.stack(np.broadcast_arrays(self.x, self.y, z), axis=-1).reshape(-1, 3)
 
     def chord_error(self, design: Design) -> float:
@@ -182,41 +156,38 @@ class Tessellation(NamedTuple):
         )
 
     def _freeform(self) -> Iterator[Array]:
-        """The z of each freeform face."""
         yield self.z
         if self.other.ndim:
             yield self.other
 
     def _error_of_rectangles(self, face: Design, z: Array) -> float:
-        """The chord error of a face whose cells are rectangles."""
         x, y = _subdivided(self.x[:, 0]), _subdivided(self.y[0])
         by_column = face.heights @ face.basis(x[:1], y).along_y
         u = (x / face.net.half_width[0] + 1) / 2
         first, along_x = local_basis(face.net.knots[0], face.net.degree[0], u)
         row = first[:, None] + np.arange(along_x.shape[1])
         # Places in a cell: s along x, t along y, j the cell's column.
-        s = np.linspace(0, 1, _LOOKS + 1)[:, None]
-        j = np.minimum(np.arange(by_column.shape[1]) // _LOOKS, z.shape[1] - 2)
-        t = np.arange(by_column.shape[1]) / _LOOKS - j
+        s = np.linspace(0, 1, _PARTS + 1)[:, None]
+        j = np.minimum(np.arange(by_column.shape[1]) // _PARTS, z.shape[1] - 2)
+        t = np.arange(by_column.shape[1]) / _PARTS - j
         high, low = np.maximum(s, t), np.minimum(s, t)
         largest = 0.0
         for i, (near, far) in enumerate(pairwise(z)):
             # Below the diagonal a triangle has the cell's corner at +x, above it that at +y.
             third = np.where(s > t, far[j], near[j + 1])
             flat = near[j] + high * (third - near[j]) + low * (far[j + 1] - third)
-            places = slice(i * _LOOKS, (i + 1) * _LOOKS + 1)
+            places = slice(i * _PARTS, (i + 1) * _PARTS + 1)
             exact = np.einsum("kp,kpj->kj", along_x[places], by_column[row[places]])
             largest = max(largest, float(np.abs(flat - exact).max()))
         return largest
 
     def _error_of_mapped(self, face: Design, z: Array) -> float:
-        """The same for cells that are no rectangles."""
         places = np.stack(np.broadcast_arrays(self.x, self.y, z), axis=-1)
         a, b, c, d = places[:-1, :-1], places[1:, :-1], places[1:, 1:], places[:-1, 1:]
         largest = 0.0
-        for i in range(_LOOKS + 1):
-            for j in range(_LOOKS + 1 - i):
-                s, t = i / _LOOKS, j / _LOOKS
+        for i in range(_PARTS + 1):
+            for j in range(_PARTS + 1 - i):
+                s, t = i / _PARTS, j / _PARTS
                 for corner in (b, d):
                     x, y, flat = np.moveaxis((1 - s - t) * corner + s * a + t * c, -1, 0)
                     exact = face.net.at(x, y, face.heights)[0]
@@ -225,27 +196,16 @@ class Tessellation(NamedTuple):
 
 
 def _other(design: Design, freeform: list[Array]) -> Array:
-    """The z of the other side: of its freeform face, if there is one."""
     return freeform[0] if freeform else np.array(design.flat_z)
 
 
 def _cells(index: Indices) -> Indices:
-    """Two triangles of each cell of a grid, counterclockwise as seen from above."""
     corners = (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
     a, b, c, d = (corner.ravel() for corner in corners)
     return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
 def _strips(design: Design, axis: int, allowed: float) -> tuple[Array, Array]:
-    """Strips between knots across an axis, and into how many steps each has to be cut.
-
-    Returns
-    -------
-    ends : ndarray, shape (m + 1,)
-        Where strips end, in [0, 1].
-    steps : ndarray, shape (m,)
-        Whole numbers.
-    """
     ends = np.unique(np.concatenate([face.net.knots[axis] for face in design.faces]))
     width, middle = np.diff(ends), (ends[1:] + ends[:-1]) / 2
     steps = np.ones(len(middle))
@@ -259,7 +219,6 @@ def _strips(design: Design, axis: int, allowed: float) -> tuple[Array, Array]:
 
 
 def _check_cells(cells: float, design: Design) -> None:
-    """Refuse a chord error that takes too many triangles."""
     if cells > _MOST_CELLS:
         largest = design.largest_chord_error
         raise Refused(
@@ -277,13 +236,11 @@ def _check_cells(cells: float, design: Design) -> None:
 
 
 def _most(face: Design, order: tuple[int, int]) -> Array:
-    """The most that a derivative of a face can be on each knot span."""
     low, high = derivative_range(face.net, face.heights, order)
     return np.maximum(np.abs(low), np.abs(high))
 
 
 def _rounding(face: Design, precision: float) -> float:
-    """How far off rounded vertices of a face can be, seen along z."""
     sideways = sum(
         r * np.abs(np.diff(heights, axis=0) / np.diff(places)[:, None]).max()
         for r, heights, places in zip(
@@ -297,7 +254,6 @@ def _rounding(face: Design, precision: float) -> float:
 
 
 def _divided(ends: Array, steps: npt.NDArray[np.int_]) -> Array:
-    """Places that cut each of the strips into so many equal steps."""
     parts = [
         low + (high - low) * (np.arange(k) / k)
         for (low, high), k in zip(pairwise(ends), steps, strict=True)
@@ -306,6 +262,6 @@ def _divided(ends: Array, steps: npt.NDArray[np.int_]) -> Array:
 
 
 def _subdivided(places: Array) -> Array:
-    within = np.arange(_LOOKS) / _LOOKS
+    within = np.arange(_PARTS) / _PARTS
     fine = places[:-1, None] + np.diff(places)[:, None] * within
     return np.append(fine.ravel(), places[-1])

@@ -1,4 +1,4 @@
-"""Writes a session's lens and light, each file whole or not at all."""
+"""Export of a session's lens and light; each file is written atomically."""
 
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, NamedTuple
 from workbench.design.session import result_of
 from workbench.errors import Refused, RunFailed
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.export.cutting import PLAIN, Cutting
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.formats import OF_ONE_FACE, Format, format_of
-from workbench.files.export.mesh_unit import MILLIMETRES, mesh_unit_of
+from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting, mesh_unit_of
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.powers import written
@@ -18,21 +17,11 @@ from workbench.said import Said
 from workbench.watch import Watch, unwatched
 
 if TYPE_CHECKING:
-    from workbench.files.export.cut_plan import CutPlan
+    from workbench.files.export.gcode import CutPlan
 
 
 class Written(NamedTuple):
-    """A file that has been written.
-
-    Attributes
-    ----------
-    path : Path
-        The file.
-    format : str
-        Name of its format; for a lens of two freeform faces, also which of them it holds.
-    deviation : Deviation
-        How far what stands in it is from the design.
-    """
+    """A written file: path, format (with the face, if there are two), deviation from the design."""
 
     path: Path
     format: str
@@ -40,7 +29,7 @@ class Written(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """All of it for people to read."""
+        """All of it as one sentence."""
         kind, size, unit, note = self.deviation
         described = [self.format, f"{kind} {written(size, unit, 2)}", *([note] if note else [])]
         return f"{self.path}: {', '.join(described)}"
@@ -55,26 +44,25 @@ def export(
     plan: "CutPlan | None" = None,
     watch: Watch = unwatched,
 ) -> Iterator[Written]:
-    """Write a lens and its light, one file after the other; one that is refused stops no other.
+    """Write a lens and its light, one file after the other; a refused file stops no other.
 
     Parameters
     ----------
     session : Session
         A session with a lens.
     paths : sequence of Path
-        Files to write; their endings tell the formats.
+        Files to write; their endings select the formats.
     chord_error : float, optional
-        How far a mesh may be from the exit face, scene units; 1e-4 of the larger half-width of
-        the lens by default.
+        Largest distance of a mesh from the exit face, scene units; 1e-4 of the larger half-width
+        by default.
     cutting : Cutting
-        How faces are cut, for G-code.
+        Options of G-code.
     mesh_unit : str
         Unit of lengths in STL, OBJ, PLY and 3MF files, or "scene" for that of the scene.
     plan : CutPlan, optional
-        The cuts of this lens, where they have been planned and simulated before; it has a
-        ``cutting`` of its own.
+        A finished plan of this lens, with its own ``cutting``.
     watch : callable
-        Is told which part of a file is done, where it takes long.
+        Called with the finished fraction of a slow file.
 
     Yields
     ------
@@ -84,11 +72,11 @@ def export(
     Raises
     ------
     Refused
-        If the session has no lens or one that is no body, the unit is unknown, an ending tells no
-        format or a file cannot be written, all of it before anything is written. At the end, if a
-        format cannot hold what is asked; it names each such file.
+        Before anything is written: if the session has no solid lens, the unit is unknown, an
+        ending selects no format or a file cannot be written. At the end: if a format cannot hold
+        the data; it names each such file.
     RunFailed
-        At the end, if nothing was refused and another program's library that is needed fails.
+        At the end, if nothing was refused and an external library fails.
     """
     result = result_of(session)
     check_body(session.scene, result.state.heights)
@@ -117,7 +105,6 @@ def export(
 
 
 def _together(failures: Sequence[tuple[Path, Refused | RunFailed]]) -> Refused | RunFailed:
-    """One refusal or failure that names each file."""
     (first, failure), *others = failures
     reason: str = _of_file(first, failure)
     for path, other in others:
@@ -130,14 +117,12 @@ def _together(failures: Sequence[tuple[Path, Refused | RunFailed]]) -> Refused |
 
 
 def _of_file(path: Path, failure: Refused | RunFailed) -> str:
-    """Why a file is not written, without its name."""
     if isinstance(failure, Refused) and failure.path == str(path):
         return failure.reason
     return str(failure)
 
 
 def _described(found: Format, faces: Collection[str]) -> str:
-    """What is in a file of a lens with freeform faces of these names."""
     if found not in OF_ONE_FACE or "entrance" not in faces:
         return found.name
     other = found.of_entrance.endings[0]

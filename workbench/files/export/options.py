@@ -1,15 +1,21 @@
-"""How a shop cuts a face."""
+"""Options of exports: cutting of a face, and the unit of meshes."""
 
 import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from workbench.errors import Refused
+from workbench.errors import Refused, shown
 from workbench.said import Said
+from workbench.units import METRES
+
+MILLIMETRES, SCENE_UNIT = "mm", "scene"
+"""The unit that programs assume for a mesh without a unit, and the name for the scene's unit."""
+MESH_UNITS = (*METRES, SCENE_UNIT)
+"""Names of units of a mesh."""
 
 
 class Range(NamedTuple):
-    """Values that a field of `Cutting` may have, and their unit."""
+    """Range of a field of `Cutting`, and its unit."""
 
     least: float
     most: float
@@ -23,38 +29,35 @@ RANGES = {
     "spindle_speed": Range(1, 200_000, SPINDLE),
     "dwell": Range(0, 600, DWELL),
 }
-"""Fields that are no lengths."""
+"""Ranges of fields that are not lengths."""
 
 
 @dataclass(frozen=True)
 class Cutting:
-    """A finishing pass of a ball cutter; lengths in scene units.
+    """Options of a finishing pass with a ball cutter; lengths in scene units.
+
+    Raise Refused if a value is out of range, or scallops are as high as the ball's radius.
 
     Attributes
     ----------
     tool_radius : float, optional
         Radius of the ball; by default that of the scene's cutter, or one that fits.
     scallop : float, optional
-        Largest height of the ridges between cuts; 1e-4 of the larger half-width by default.
+        Largest scallop height; 1e-4 of the larger half-width by default.
     rim : float
-        Width of stock around the lens, to clamp it by.
+        Width of stock around the lens, for clamping.
     safe_height : float, optional
-        How far over its highest cut the cutter travels; its diameter by default.
+        Height of travel above the highest cut; the cutter's diameter by default.
     feed : float
-        Speed of cuts, millimetres a minute.
+        Speed of cuts, mm/min.
     plunge_feed : float
-        Speed at which the cutter goes down into the stock, millimetres a minute.
+        Speed into the stock, mm/min.
     spindle_speed : float
-        Revolutions a minute.
+        Revolutions per minute.
     dwell : float
-        Seconds that the cutter waits above the stock until the spindle is at its speed.
+        Seconds that the cutter waits above the stock for the spindle.
     negative : bool
-        Whether a mould of the face is cut, which is turned over like the face itself.
-
-    Raises
-    ------
-    Refused
-        If a value is not within its range, or ridges are as high as the ball.
+        Whether a mould of the face is cut.
     """
 
     tool_radius: float | None = None
@@ -100,4 +103,12 @@ class Cutting:
 
 
 PLAIN = Cutting()
-"""Nothing is said of it."""
+"""Default options."""
+
+
+def mesh_unit_of(asked: str, scene_unit: str) -> str:
+    """Return the unit of length for a requested name; raise Refused if it is unknown."""
+    if asked not in MESH_UNITS:
+        known = ", ".join(MESH_UNITS)
+        raise Refused("mesh_unit", Said("{unit}; one of {known}", unit=shown(asked), known=known))
+    return scene_unit if asked == SCENE_UNIT else asked

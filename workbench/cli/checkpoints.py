@@ -1,10 +1,10 @@
-"""Keeps the lens of a run that takes long: now and then while it goes on, and at its end.
+"""Checkpoints of a long run, and its final session.
 
-1. While the run goes on, its best lens so far lies beside the output, for whatever ends the process
-   without asking. It is removed once the output is written.
-2. What an earlier run has left there is neither replaced nor removed.
-3. A lens whose output cannot be written goes to a folder for temporary files, or to that of the
-   user.
+1. During the run the best lens so far lies beside the output, in case the process is killed. It is
+   removed after the output is written.
+2. Checkpoints of earlier runs are neither replaced nor removed.
+3. If the output cannot be written, the lens goes to a folder for temporary files, or to the user's
+   folder.
 """
 
 import os
@@ -23,22 +23,14 @@ from workbench.design.snapshot import History, Result
 from workbench.errors import Refused
 from workbench.files.session import Session, write_session
 
-_SECONDS = 10.0  # from one checkpoint to the next
-_PART = 0.02  # of the time, at most, goes to writing them
+_SECONDS = 10.0  # between checkpoints
+_PART = 0.02  # most part of the time for writing checkpoints
 _LONGEST_STEM = 220  # bytes of a name; file systems allow 255, ending included
 _SHORT_STEM = 40  # characters, of at most 4 bytes each
 
 
-class Keeper:
-    """Writes the session of a run.
-
-    Parameters
-    ----------
-    output : Path
-        Where it belongs.
-    session : callable
-        The session that holds a result.
-    """
+class CheckpointWriter:
+    """Writes the session of a run; ``session`` makes it from a result."""
 
     def __init__(self, output: Path, session: Callable[[Result], Session]) -> None:
         self._output, self._session = output, session
@@ -47,8 +39,8 @@ class Keeper:
         self._failed = False
         self._due = time.monotonic() + _SECONDS
 
-    def left_behind(self) -> Path | None:
-        """The last checkpoint of an earlier run that was cut off, if there is one."""
+    def find_abandoned(self) -> Path | None:
+        """Return the last checkpoint of an earlier killed run, if there is one."""
         found = None
         for path in _checkpoints(self._output):
             if not path.exists():
@@ -56,8 +48,8 @@ class Keeper:
             found = path
         return found
 
-    def keep(self, history: History) -> None:
-        """Write a checkpoint, if it is time for one and there is a better lens than in the last."""
+    def write_if_due(self, history: History) -> None:
+        """Write a checkpoint if it is due and there is a better lens."""
         start = time.monotonic()
         if start < self._due:
             return
@@ -68,19 +60,16 @@ class Keeper:
         self._due = start + took + max(_SECONDS, took / _PART)
 
     def finish(self, result: Result) -> None:
-        """Write the session, and remove the checkpoint.
+        """Write the session and remove the checkpoint.
 
-        Raises
-        ------
-        Refused
-            If it cannot be written where it belongs; says where the lens is instead.
+        Raise Refused if it cannot be written; the message says where the lens is instead.
         """
         try:
             write_session(self._session(result), self._output)
         except Refused as refused:
             raise Refused(refused.path, f"{refused.reason}; {self._rescue(result)}") from refused
         if self._checkpoint is not None:
-            with suppress(OSError):  # as little as a file too many is worth, now that all is kept
+            with suppress(OSError):  # a superfluous file is harmless
                 self._checkpoint.unlink()
 
     def _has(self, result: Result) -> bool:
@@ -98,9 +87,8 @@ class Keeper:
             self._checkpoint, self._kept = path, result
 
     def _rescue(self, result: Result) -> str:
-        """Write the session to another place, and say where."""
         for place in (tempfile.gettempdir, Path.home):
-            with suppress(OSError, RuntimeError, Refused):  # then the next one
+            with suppress(OSError, RuntimeError, Refused):  # try the next folder
                 folder = Path(tempfile.mkdtemp(prefix="freeform-", dir=place()))
                 write_session(self._session(result), folder / self._output.name)
                 return f"the lens is in {folder / self._output.name}"
@@ -110,10 +98,11 @@ class Keeper:
 
 
 def _checkpoints(output: Path) -> Iterator[Path]:
-    """Names of checkpoints of an output: the usual one, then those beside it."""
     name = os.fsencode(output.stem)
     stem = output.stem
-    if len(name) > _LONGEST_STEM:  # with its end, the name would be longer than file systems allow
+    if (
+        len(name) > _LONGEST_STEM
+    ):  # with its ending, the name would exceed the limit of file systems
         stem = f"{stem[:_SHORT_STEM]}-{blake2b(name, digest_size=8).hexdigest()}"
     yield output.with_name(f"{stem}.checkpoint.freeform")
     for number in count(2):

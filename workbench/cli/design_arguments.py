@@ -1,0 +1,217 @@
+"""Commands on scenes (design, bound, sweep, benchmark): arguments and examples.
+
+Commands are imported when they run, so that help and refusals are quick. The meaning of an argument
+is documented here and not again with the function that it is for.
+"""
+
+import argparse
+import math
+import time
+from pathlib import Path
+from typing import Any
+
+from workbench.analysis.benchmark.names import BENCHMARKS, DEFAULT, WITH_CURVES
+from workbench.cli.parser import add_json, add_verb, count, positive, rays
+
+
+def add_design(commands: Any) -> None:
+    """Add ``freeform design``."""
+    parser = add_verb(
+        commands,
+        "design",
+        "Design a lens. Ctrl-C keeps the best lens so far.",
+        [
+            "design flame.json -o flame.freeform",
+            "design flame.freeform -o finer.freeform --seconds 60",
+        ],
+        _run_design,
+    )
+    parser.add_input(
+        "scene",
+        role="the scene",
+        metavar="SCENE",
+        help="scene file, or session; one with a lens goes on from it",
+    )
+    parser.add_output(
+        "-o",
+        dest="output",
+        may_replace=_may_replace,
+        metavar="OUT.freeform",
+        required=True,
+        help="session to write",
+    )
+    parser.add_argument(
+        "--iterations", metavar="N", type=int, help="upper limit, in place of the scene's"
+    )
+    parser.add_argument(
+        "--seconds", metavar="S", type=positive, default=math.inf, help="stop after this time"
+    )
+    add_json(parser)
+
+
+# A session may be replaced by a lens that continues its own.
+def _may_replace(path: Path) -> bool:
+    from workbench.files.session import is_session
+
+    return is_session(path)
+
+
+def _run_design(options: argparse.Namespace) -> None:
+    begun = time.perf_counter()  # the imports below take seconds
+    from workbench.cli.design import design
+
+    deadline = begun + options.seconds
+    design(options.scene, options.output, options.iterations, deadline, options.json)
+
+
+def add_bound(commands: Any) -> None:
+    """Add ``freeform bound``."""
+    parser = add_verb(
+        commands,
+        "bound",
+        "Tell the least relative L2 error that any lens of a scene can reach, as its source has a "
+        "size that blurs the image, and how much of the light can be used. Nothing is designed.",
+        ["bound sun.json", "bound flame.freeform --json"],
+        _run_bound,
+    )
+    parser.add_input("scene", role="the scene", metavar="SCENE", help="scene file, or session")
+    add_json(parser)
+
+
+def _run_bound(options: argparse.Namespace) -> None:
+    from workbench.cli.bound import bound
+
+    bound(options.scene, options.json)
+
+
+def add_sweep(commands: Any) -> None:
+    """Add ``freeform sweep``."""
+    parser = add_verb(
+        commands,
+        "sweep",
+        "Design a lens for each scene and each combination of values, check each, and write all "
+        "sessions and a table (CSV and JSON). What is finished is not done again when the same "
+        "command is typed once more. Ctrl-C keeps what is finished.\n\n"
+        "values:\n"
+        "  1,2.5,3      numbers\n"
+        "  0..4         whole numbers, both ends included\n"
+        "  64x48,128    pairs; 128 alone is 128x128\n"
+        "  auto,paper   text",
+        [
+            "sweep flame.json --vary lens.back.control_points=64,128 --vary run.seed=0..4",
+            "sweep flame.json ball.json -o both/ --jobs 2",
+            "sweep flame.json --vary source.position[2]=-5,-8 --dask tcp://host:8786",
+        ],
+        _run_sweep,
+    )
+    parser.add_input(
+        "scenes",
+        role="a scene of the sweep",
+        metavar="SCENE",
+        nargs="+",
+        help="scene file, or session; designed anew",
+    )
+    parser.add_argument(
+        "--vary",
+        metavar="FIELD=VALUES",
+        action="append",
+        default=[],
+        help="values of a field of the scene, by its path: run.seed, or of an element by its name, "
+        "lens.thickness, and of its front or back face, lens.back.degree; may be given several "
+        "times",
+    )
+    parser.add_output(
+        "-o",
+        dest="output",
+        files=_sweep_files,
+        metavar="FOLDER",
+        default=Path("sweep"),
+        help="where sessions and table go; default %(default)s",
+    )
+    parser.add_argument(
+        "--jobs", metavar="N", type=count, help="lenses at the same time; default one for each core"
+    )
+    parser.add_argument(
+        "--dask", metavar="ADDRESS", help="work on a dask.distributed cluster instead"
+    )
+    parser.add_argument(
+        "--validate-rays",
+        metavar="N",
+        type=rays,
+        default=4_000_000,
+        help="of the check of each lens, at least; default %(default)s",
+    )
+    add_json(parser)
+
+
+def _sweep_files(folder: Path) -> list[Path]:
+    from workbench.sweep.sweep import TABLES
+
+    return [folder / name for name in TABLES]
+
+
+def _run_sweep(options: argparse.Namespace) -> None:
+    from workbench.cli.sweep import sweep
+
+    sweep(
+        options.scenes,
+        options.vary,
+        options.output,
+        options.jobs,
+        options.dask,
+        options.validate_rays,
+        options.json,
+    )
+
+
+def add_benchmark(commands: Any) -> None:
+    """Add ``freeform benchmark``."""
+    names = "\n".join(f"  {name:<11}{does}" for name, does in BENCHMARKS.items())
+    parser = add_verb(
+        commands,
+        "benchmark",
+        f"Measure run time against error. Ctrl-C keeps what is finished.\n\nbenchmarks:\n{names}",
+        [
+            "benchmark",
+            "benchmark frontier --output new/ --against old/frontier.json",
+            "benchmark frontier --output both/ --result new.json --against old.json",
+        ],
+        _run_benchmark,
+    )
+    parser.add_argument(
+        "names", metavar="NAME", nargs="*", help=f"what to measure; default {DEFAULT}"
+    )
+    parser.add_output(
+        "--output",
+        metavar="FOLDER",
+        default=Path("benchmark"),
+        files=lambda folder: [folder / f"{name}.json" for name in WITH_CURVES],
+        help="where tables and pictures go; default %(default)s",
+    )
+    parser.add_argument(
+        "--iterations", metavar="N", type=count, help="of every design, in place of its own"
+    )
+    parser.add_input(
+        "--against",
+        role="the earlier result",
+        metavar="FILE.json",
+        help=f"earlier result, drawn beside the new one; for {', '.join(WITH_CURVES)}",
+    )
+    parser.add_input(
+        "--result",
+        role="the result",
+        metavar="FILE.json",
+        help="finished result, whose picture is drawn again; nothing is measured",
+    )
+    add_json(parser)
+
+
+def _run_benchmark(options: argparse.Namespace) -> None:
+    from workbench.cli.benchmark import benchmark, draw_result
+
+    names = options.names or [DEFAULT]
+    if options.result is not None:
+        for name in names:
+            draw_result(name, options.result, options.output, options.against)
+        return
+    benchmark(names, options.output, options.iterations, options.against, options.json)

@@ -1,0 +1,333 @@
+"""Commands on a designed lens (validate, tolerances, manufacture, export, pictures, report).
+
+Arguments and examples, as in `design_arguments`.
+"""
+
+import argparse
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from workbench.cli.parser import (
+    add_json,
+    add_other,
+    add_plot,
+    add_session,
+    add_tolerance_sizes,
+    add_verb,
+    count,
+    distances,
+    length,
+    ranged,
+    rays,
+    stops,
+    tolerances_of,
+)
+from workbench.errors import Refused
+from workbench.files.export.formats import ENDINGS
+from workbench.files.export.options import MESH_UNITS, MILLIMETRES, PLAIN, RANGES, Cutting
+
+_ENTRANCE = ".entrance"
+LIGHTS = ("daylight", "led", "equal")
+"""Those of `workbench.analysis.photo.light`, which takes long to import."""
+
+
+def add_validate(commands: Any) -> None:
+    """Add ``freeform validate``."""
+    parser = add_verb(
+        commands,
+        "validate",
+        "Trace the lens of a session anew, with other rays and by other means.",
+        [
+            "validate flame.freeform --rays 16000000",
+            "validate flame.freeform --screen-z 5.2 --json",
+            "validate flame.freeform --through-focus 4:6:9 --plot focus.png",
+            "validate flame.freeform --with mitsuba",
+        ],
+        _run_validate,
+    )
+    add_session(parser)
+    parser.add_argument(
+        "--rays", metavar="N", type=rays, default=4_000_000, help="at least; default %(default)s"
+    )
+    parser.add_argument(
+        "--screen-z", metavar="Z", type=float, help="where the screen is, in place of the scene's"
+    )
+    parser.add_argument(
+        "--through-focus",
+        metavar="Z:Z:N",
+        type=distances,
+        default=(),
+        help="also the images on N screens from one distance to another",
+    )
+    add_plot(parser, "draw these images")
+    add_other(parser)
+    add_json(parser)
+
+
+def _run_validate(options: argparse.Namespace) -> None:
+    from workbench.cli.validate import validate
+
+    if options.plot is not None and not options.through_focus:
+        raise Refused("usage", "--plot draws images through focus; give --through-focus as well")
+    validate(
+        options.session,
+        options.rays,
+        screen_z=options.screen_z,
+        with_mitsuba=options.other == "mitsuba",
+        distances=options.through_focus,
+        plot=options.plot,
+        as_json=options.json,
+    )
+
+
+def add_tolerances(commands: Any) -> None:
+    """Add ``freeform tolerances``."""
+    parser = add_verb(
+        commands,
+        "tolerances",
+        "Perturb the lens of a session at random, evenly within tolerances, and trace each "
+        "lens anew. Lengths are in the scene's unit. Ctrl-C keeps what is finished.",
+        [
+            "tolerances flame.freeform --tilt 0.2 --decentre 0.01",
+            "tolerances flame.freeform --surface 1e-5 0.1 --samples 500 --plot errors.png",
+        ],
+        _run_tolerances,
+    )
+    add_session(parser)
+    parser.add_argument(
+        "--samples", metavar="N", type=count, default=100, help="lenses; default %(default)s"
+    )
+    parser.add_argument(
+        "--rays", metavar="N", type=rays, default=1_000_000, help="for each; default %(default)s"
+    )
+    add_tolerance_sizes(parser)
+    add_plot(parser, "draw how the error is distributed")
+    add_json(parser)
+
+
+def _run_tolerances(options: argparse.Namespace) -> None:
+    from workbench.cli.tolerances import tolerances
+
+    within = tolerances_of(options)
+    tolerances(options.session, within, options.samples, options.rays, options.plot, options.json)
+
+
+def add_manufacture(commands: Any) -> None:
+    """Add ``freeform manufacture``."""
+    parser = add_verb(
+        commands,
+        "manufacture",
+        "Tell what a shop asks of the lens of a session: thickness, slope, radii of curvature, the "
+        "ball cutter that fits, sag and draft. Lengths are in the scene's unit. Ends with status 1 "
+        "if a limit is not met.",
+        [
+            "manufacture flame.freeform",
+            "manufacture flame.freeform --min-radius 0.05 --max-slope 25 --plot maps.png",
+        ],
+        _run_manufacture,
+    )
+    add_session(parser)
+    for name, metavar, does in (
+        ("min-thickness", "LENGTH", "the lens has to be as thick everywhere [the scene's]"),
+        ("max-thickness", "LENGTH", "and not thicker than this"),
+        ("max-slope", "DEGREES", "largest angle between exit face and entrance face"),
+        ("min-radius", "LENGTH", "smallest radius of curvature, concave and convex"),
+        ("min-tool-radius", "LENGTH", "radius of the ball cutter that has to fit [the scene's]"),
+    ):
+        parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
+    add_plot(parser, "draw maps; what is beyond limits is hatched")
+    add_json(parser)
+
+
+def _run_manufacture(options: argparse.Namespace) -> None:
+    from workbench.analysis.manufacture_limits import Limits
+    from workbench.cli.manufacture import manufacture
+
+    limits = Limits(
+        options.min_thickness,
+        options.max_thickness,
+        options.max_slope,
+        options.min_radius,
+        options.min_tool_radius,
+    )
+    manufacture(options.session, limits, options.plot, options.json)
+
+
+def add_export(commands: Any) -> None:
+    """Add ``freeform export``."""
+    shared = [ending for ending in ENDINGS if not ending.startswith(_ENTRANCE)]
+    endings = textwrap.fill(
+        f"Endings: {', '.join(shared)}. {_ENTRANCE} before that of a face, of height or of G-code "
+        "(a.entrance.xyz): the freeform entrance face.",
+        79,
+    )
+    parser = add_verb(
+        commands,
+        "export",
+        f"Write the lens of a session and its light; endings tell the formats.\n\n{endings}",
+        [
+            "export flame.freeform flame.step flame.irradiance.tiff",
+            "export flame.freeform flame.stl flame.3mf --chord-error 1e-5",
+            "export flame.freeform flame.nc --tool-radius 0.05 --scallop 1e-4",
+        ],
+        _run_export,
+    )
+    add_session(parser)
+    parser.add_output("files", metavar="FILE", nargs="+", help="file to write, such as lens.step")
+    parser.add_argument(
+        "--chord-error",
+        metavar="LENGTH",
+        type=length,
+        help="how far meshes may be from the exit face, in the scene's unit; "
+        "default 1e-4 of the larger half-width",
+    )
+    parser.add_argument(
+        "--mesh-unit",
+        metavar="UNIT",
+        choices=MESH_UNITS,
+        default=MILLIMETRES,
+        help="lengths in .stl, .obj, .ply, .3mf: mm, cm, m, inch, scene [mm]",
+    )
+    for name, metavar, does in (
+        ("tool-radius", "LENGTH", "ball cutter of G-code [the scene's, or one that fits]"),
+        ("scallop", "LENGTH", "ridges between its cuts [1e-4 of the larger half-width]"),
+        ("safe-height", "LENGTH", "how far above the cuts the cutter travels [its diameter]"),
+    ):
+        parser.add_argument(f"--{name}", metavar=metavar, type=length, help=does)
+    parser.add_argument(
+        "--rim", metavar="LENGTH", type=length, default=0.0, help="stock around it, to clamp it by"
+    )
+    for name, metavar, does in (
+        ("feed", "MM/MIN", "speed of cuts"),
+        ("plunge-feed", "MM/MIN", "speed into the stock"),
+        ("spindle-speed", "RPM", "speed of the spindle"),
+        ("dwell", "SECONDS", "wait for the spindle"),
+    ):
+        field = name.replace("-", "_")
+        least, most, unit = allowed = RANGES[field]
+        parser.add_argument(
+            f"--{name}",
+            metavar=metavar,
+            type=ranged(*allowed),
+            default=getattr(PLAIN, field),
+            help=f"{does}, {least:g} to {most:g} {unit} [%(default)g]",
+        )
+    parser.add_argument("--negative", action="store_true", help="cut a mould of the face instead")
+
+
+def _run_export(options: argparse.Namespace) -> None:
+    from workbench.cli.output import export
+
+    cutting = Cutting(
+        options.tool_radius,
+        options.scallop,
+        options.rim,
+        options.safe_height,
+        options.feed,
+        options.plunge_feed,
+        options.spindle_speed,
+        options.dwell,
+        options.negative,
+    )
+    export(options.session, options.files, options.chord_error, cutting, options.mesh_unit)
+
+
+def add_pictures(commands: Any) -> None:
+    """Add ``freeform pictures``."""
+    parser = add_verb(
+        commands,
+        "pictures",
+        "Draw the lens of a session with its rays, its light and its loss as PNG.",
+        [
+            "pictures flame.freeform pictures/",
+            "pictures flame.freeform pictures/ --photo --exposure -0.5",
+        ],
+        _run_pictures,
+    )
+    add_session(parser)
+    parser.add_output(
+        "folder", files=_picture_files, metavar="FOLDER", help="where the pictures go"
+    )
+    parser.add_argument(
+        "--photo",
+        action="store_true",
+        help="also predict what a camera would see on the screen, in colour",
+    )
+    parser.add_argument(
+        "--exposure",
+        metavar="STOPS",
+        type=stops,
+        help="of the photo; one more is twice as bright; default 0",
+    )
+    parser.add_argument(
+        "--light",
+        choices=LIGHTS,
+        help="what lights the lens in the photo; default as its source suggests: daylight from "
+        "infinitely far, a laser as a Gaussian beam, else an LED",
+    )
+
+
+def _picture_files(folder: Path) -> list[Path]:
+    from workbench.pictures import PICTURES
+
+    return [folder / name for name in (*PICTURES, "photo.png")]
+
+
+def _run_pictures(options: argparse.Namespace) -> None:
+    from workbench.cli.output import pictures
+
+    asked = [name for name in ("exposure", "light") if getattr(options, name) is not None]
+    if asked and not options.photo:
+        raise Refused("usage", f"--{asked[0]} is of the photo; give --photo as well")
+    exposure = (options.exposure or 0.0) if options.photo else None
+    pictures(options.session, options.folder, exposure, options.light or "")
+
+
+def add_report(commands: Any) -> None:
+    """Add ``freeform report``."""
+    parser = add_verb(
+        commands,
+        "report",
+        "Check the lens of a session and write scene, pictures, figures, light account and what "
+        "a shop asks for, as one HTML file that needs nothing else, or as PDF. With --tolerances "
+        "also how the error spreads over lenses that are off; lengths are in the scene's unit.",
+        [
+            "report flame.freeform flame.html flame.pdf",
+            "report flame.freeform flame.pdf --tolerances 100 --tilt 0.2 --decentre 0.01",
+        ],
+        _run_report,
+    )
+    add_session(parser)
+    parser.add_output("files", metavar="FILE", nargs="+", help=".html or .pdf")
+    parser.add_argument(
+        "--rays",
+        metavar="N",
+        type=rays,
+        default=4_000_000,
+        help="of the check, at least; default %(default)s",
+    )
+    parser.add_argument(
+        "--tolerances", metavar="N", type=count, help="trace so many lenses that are off"
+    )
+    add_other(parser)
+    add_tolerance_sizes(parser)
+
+
+def _run_report(options: argparse.Namespace) -> None:
+    from workbench.cli.output import report
+
+    within, samples = tolerances_of(options), options.tolerances
+    if within.any and samples is None:
+        raise Refused("usage", "tolerances without a number of lenses; give --tolerances N as well")
+    if samples is not None and not within.any:
+        raise Refused(
+            "usage", "nothing is off; give --tilt, --decentre, --index, --distance or --surface"
+        )
+    report(
+        options.session,
+        options.files,
+        options.rays,
+        samples and (within, samples),
+        with_mitsuba=options.other == "mitsuba",
+    )
