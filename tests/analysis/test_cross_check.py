@@ -149,5 +149,5 @@ class TestWithMitsuba:
 
     def test_pixels_that_are_not_square_are_refused(self, make_scene):
         scene = make_scene({"screen.pixels": [32, 31]})
-        with pytest.raises(Refused, match=r"receiver.pixels: \[32, 31\] on \[1, 1\] are not square"):
+        with pytest.raises(Refused, match=r"receiver.pixels: \[32, 31\] on \[1, 1\] are not"):
             other.MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)})
