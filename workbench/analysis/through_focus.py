@@ -61,4 +61,6 @@ def with_screen_at(scene: Scene, z: float) -> Scene:
     Refused
         If the screen may touch the lens there, or the receiver is at no distance.
     """
-    return scene.with_receiver(scene.receiver.moved_to(z))
+    there = scene.with_receiver(scene.receiver.moved_to(z))
+    there.check()
+    return there
