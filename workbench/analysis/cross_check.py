@@ -131,6 +131,7 @@ def cross_check(
         If no light reaches the screen.
     """
     scene.check_one_image("the comparison with Mitsuba")
+    scene.check_one_element("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
     theirs = MitsubaScene(scene, heights)

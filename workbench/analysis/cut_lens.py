@@ -75,8 +75,9 @@ def tracing_cut(
     Raises
     ------
     Refused
-        If the scene has a mirror: it is cut from the other side.
+        If the scene has several elements, or a mirror: it is cut from the other side.
     """
+    scene.check_one_element("the trace of a cut lens")
     optic = scene.optic
     if optic.onwards < 0:
         raise Refused("mirror", Said("its cut is not traced; only that of an exit face is"))

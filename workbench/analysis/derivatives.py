@@ -118,6 +118,7 @@ def irradiance_derivative(
 
 def _check(scene: Scene, net: ControlNet, index: tuple[int, int]) -> None:
     scene.check_one_image("derivative maps")
+    scene.check_one_element("derivative maps")
     for axis, (i, count) in enumerate(zip(index, net.shape, strict=True)):
         if not 0 <= i < count:
             raise Refused(

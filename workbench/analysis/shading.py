@@ -79,6 +79,7 @@ def shading_of(
     scene, heights, seed, pose
         As for `workbench.analysis.validation.validate`.
     """
+    scene.check_one_element("the search for light that comes back")
     pose = pose or Pose()
     train = OpticalTrain.of(scene, heights, _RAYS, seed, pose, [scene.receiver])
     # Sources that are somewhere stand at a z; others are far away.

@@ -222,6 +222,7 @@ class Tolerances:
             With the tolerance and what is allowed.
         """
         scene.check_one_image("tolerances")
+        scene.check_one_element("tolerances")
         for name, size in self.sizes.items():
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic

@@ -185,7 +185,8 @@ def _of_one(
     if image is not None:
         of_rays = (irradiance, unscattered[1], None if trace.sampled else share, independent)
         by_cells = ByCells.of(image, target, scene.receiver, *of_rays)
-    left_out = None if accuracy is None else _reason_without_cells(by_cells, corrected)
+    left_out = None if accuracy is None else _reason_without_cells(scene, by_cells, corrected)
+    searched = accuracy is not None and len(scene.elements) == 1
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -202,12 +203,16 @@ def _of_one(
         share=share,
         by_cells=None if left_out else by_cells,
         left_out=left_out,
-        shading=None if accuracy is None else shading_of(scene, heights, seed, pose),
+        shading=shading_of(scene, heights, seed, pose) if searched else None,
     )
 
 
-def _reason_without_cells(by_cells: ByCells | None, corrected: CorrectedDistance) -> Said | None:
+def _reason_without_cells(
+    scene: Scene, by_cells: ByCells | None, corrected: CorrectedDistance
+) -> Said | None:
     """Why the check has no deterministic figure; None where it has one."""
+    if len(scene.elements) > 1:
+        return Said("cells follow light through one element only; random rays are used")
     if by_cells is None:
         return Said("finer cells would take too long: ask for more rays")
     if by_cells.poorer_than(corrected.interval):

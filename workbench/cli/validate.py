@@ -63,11 +63,12 @@ def validate(
     # The optimiser's image is one on the scene's screen.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
-    bound = Bound(scene, session.target)
+    # The blur of a source through several elements is not known.
+    bound = Bound(scene, session.target) if len(scene.elements) == 1 else None
     others = [light.irradiance for light in result.state.further]
     if as_json:
         figures = _figures(found, [own, *others], scene)
-        if bound.certified:
+        if bound and bound.certified:
             figures["relative_l2_bound"] = bound.relative_l2
         if compared:
             figures["cross_check"] = compared.to_data()
@@ -76,7 +77,7 @@ def validate(
         print(json.dumps(figures))
     else:
         _print_images(found, [own, *others], scene)
-        if bound.certified:
+        if bound and bound.certified:
             print(f"{'bound':<18}{bound.relative_l2:.5f}  (no lens of this size can be below)")
         if compared:
             _print_compared(compared)

@@ -96,7 +96,7 @@ class TestDielectricBoundary:
 def test_a_plane_counts_flux_in_its_pixels_and_beside(make_scene):
     scene = make_scene({"screen.pixels": [2, 2]})
     screens = [scene.receiver.moved_to(z) for z in (5.0, 8.0)]
-    detector = PlaneDetector(screens, scene.optic, Pose())
+    detector = PlaneDetector(screens, scene.optic.front_z, 1, Pose())
     flux, beside = np.zeros((detector.images, detector.pixels)), np.zeros(2)
     # The first is upper left on both; the second leaves the farther screen.
     rays = TracedRays(

@@ -105,7 +105,7 @@ def imaging(
     Returns
     -------
     CellImage or None
-        None if three levels would take too many rays.
+        None if three levels would take too many rays, or light passes several elements.
 
     Raises
     ------
@@ -114,6 +114,8 @@ def imaging(
     RunFailed
         If no light reaches the screen.
     """
+    if len(scene.elements) > 1:
+        return None
     levels = Levels(scene, heights, pose)
     if not levels.possible:
         return None
@@ -164,6 +166,7 @@ class Levels:
     def __init__(
         self, scene: Scene, heights: Mapping[str, Array], pose: Pose | None = None
     ) -> None:
+        scene.check_one_element("the image by cells")
         check_body(scene, heights)
         train = OpticalTrain.of(scene, heights, 1, 0, pose or Pose(), [scene.receiver])
         self._scene, self._train, self._wide = scene, train, Spots.suit(scene, train)

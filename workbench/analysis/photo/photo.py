@@ -160,6 +160,7 @@ def photographing(
         How many trace; as many as there are cores by default.
     """
     scene.check_one_image("the predicted photo")
+    scene.check_one_element("the predicted photo")
     check_body(scene, heights)
     light = light or light_of(scene)
     wavelengths, step = _wavelengths(scene, heights, light)

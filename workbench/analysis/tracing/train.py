@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from workbench.analysis.tracing.elements import (
     Boundary,
@@ -16,11 +17,20 @@ from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoun
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
-from workbench.analysis.tracing.surfaces import FlatFace, FrontFace, MovedFace, SplineFace
+from workbench.analysis.tracing.surfaces import (
+    ConicSurface,
+    FlatFace,
+    FrontFace,
+    MovedFace,
+    PlacedSurface,
+    SplineFace,
+)
 from workbench.arrays import Array
+from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import AnyReceiver, Lens, Mirror, Scene
+from workbench.said import Said
+from workbench.scene import AnyReceiver, ConicFace, Element, Lens, Mirror, Scene
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -95,13 +105,31 @@ class OpticalTrain:
         pose: Pose,
         receivers: Sequence[AnyReceiver],
     ) -> "OpticalTrain":
-        """The train of a scene with receivers of one kind; for the parameters see `Trace`."""
-        optic = scene.optic
-        middle = scene.source.place or (0.0, 0.0, optic.front_z)
+        """Make the train of a scene with receivers of one kind; for the parameters see `Trace`.
+
+        Raises
+        ------
+        Refused
+            If one of several elements is out of its place, or a receiver may touch the last one.
+        """
+        if pose != Pose():
+            scene.check_one_element("a check of an element out of its place")
+        elements = [element.lit(scene.source.wavelength) for element in scene.elements]
+        if not elements[-1].designed:
+            _check_behind(elements[-1], receivers)
+        first = elements[0]  # all light passes its aperture, from which z is counted
+        middle = scene.source.place or (0.0, 0.0, first.front_z)
+        faces: list[tuple[TracedFace, Boundary]] = []
+        for number, element in enumerate(elements):
+            if number == scene.designed_number:
+                own, z = _FACES[type(element)](element, heights, pose), element.front_z
+            else:
+                own, z = _of_fixed(element, number == 0), element.position[2]
+            faces += _placed(own, element, z - first.front_z)
         return cls(
-            light_source(scene.source, optic, pose.of_source(middle), rays, seed),
-            _FACES[type(optic)](optic, heights, pose),
-            detector_of(receivers, optic, pose),
+            light_source(scene.source, first, pose.of_source(middle), rays, seed),
+            faces,
+            detector_of(receivers, first.front_z, scene.optic.onwards, pose),
         )
 
     def lit_by(self, source: LightSource) -> "OpticalTrain":
@@ -158,18 +186,79 @@ class OpticalTrain:
 def _of_lens(
     lens: Lens, heights: Mapping[str, Array], pose: Pose
 ) -> Sequence[tuple[TracedFace, Boundary]]:
-    n, (entering, leaving) = lens.index, reflectances(lens)
-    entrance: TracedFace = FlatFace(0.0, outline_of(lens), "missed_lens")
+    """Faces of the designed lens, z from its aperture."""
     if "entrance" in heights:
         net = freeform_nets(lens)["entrance"]
-        entrance = FrontFace(lens, heights["entrance"], "missed_lens", net)
+        entrance: TracedFace = FrontFace(lens, heights["entrance"], "missed_lens", net)
+    else:
+        entrance = _fixed_face(lens, 0, lens.entrance_z - lens.front_z, 0.0)
     exit_face = SplineFace(lens, heights["exit"], "left_side")
     if any((*pose.exit_tilt, *pose.exit_decentre)):
         exit_face = MovedFace(lens, heights["exit"], "left_side", pose)
+    return _refracting(lens, entrance, exit_face)
+
+
+def _of_fixed(lens: Element, first: bool) -> Sequence[tuple[TracedFace, Boundary]]:
+    """Faces of a lens that is not designed, z from its front vertex."""
+    assert isinstance(lens, Lens)  # the scene has no others
+    aperture_z = lens.front_z - lens.entrance_z if first else None
+    front = _fixed_face(lens, 0, 0.0, aperture_z)
+    return _refracting(lens, front, _fixed_face(lens, 1, lens.thickness, None))
+
+
+def _fixed_face(lens: Lens, number: int, z: float, aperture_z: float | None) -> TracedFace:
+    """The front face (0) or the back face (1) of a lens, its vertex at z."""
+    face, missed = lens.faces[number], ("missed_lens", "left_side")[number]
+    if isinstance(face, ConicFace):
+        return ConicSurface(face, z, outline_of(lens), missed, aperture_z)
+    return FlatFace(z, outline_of(lens), missed)
+
+
+def _refracting(
+    lens: Lens, front: TracedFace, back: TracedFace
+) -> Sequence[tuple[TracedFace, Boundary]]:
+    n, (entering, leaving) = lens.index, reflectances(lens)
     return (
-        (entrance, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
-        (exit_face, DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption)),
+        (front, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
+        (back, DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption)),
     )
+
+
+def _check_behind(last: Element, receivers: Sequence[AnyReceiver]) -> None:
+    """Refuse a receiver that may be within the last element, or before it."""
+    turn = Rotation.from_euler("XYZ", last.tilt, degrees=True).as_matrix()
+    ends = [
+        placed.z - last.position[2] + sag
+        for placed in last.placed_faces
+        for sag in (
+            placed.face.extent(last.half_width) if isinstance(placed.face, ConicFace) else (0.0,)
+        )
+    ]
+    reach = float(abs(turn[2, :2]) @ last.half_width)
+    highest = last.position[2] + reach + max(float(turn[2, 2]) * end for end in ends)
+    nearest = min(receiver.nearest_to(last) for receiver in receivers)
+    if nearest <= highest:
+        raise Refused(
+            "images",
+            Said(
+                "a receiver at z = {z:g} may touch the element {name}; more than {least:g}",
+                z=nearest,
+                name=last.name,
+                least=highest,
+            ),
+        )
+
+
+def _placed(
+    faces: Sequence[tuple[TracedFace, Boundary]], element: Element, z: float
+) -> Sequence[tuple[TracedFace, Boundary]]:
+    """Faces of an element in the coordinates of the walk, where its origin is at z."""
+    shift = np.array([*element.position[:2], z])
+    if not shift.any() and not any(element.tilt):
+        return faces
+    turn = Rotation.from_euler("XYZ", element.tilt, degrees=True).as_matrix()
+    size = max(element.half_width)
+    return [(PlacedSurface(face, turn, shift, size), boundary) for face, boundary in faces]
 
 
 def _of_mirror(

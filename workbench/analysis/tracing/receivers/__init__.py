@@ -10,16 +10,30 @@ from workbench.analysis.tracing.elements import Detector
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.receivers.far_field import FarFieldDetector
 from workbench.analysis.tracing.receivers.plane import PlaneDetector
-from workbench.scene import AnyReceiver, Element, FarField, Screen
+from workbench.scene import AnyReceiver, FarField, Screen
 
 __all__ = ["FarFieldDetector", "PlaneDetector", "detector_of"]
 
-_DETECTORS: Mapping[type, Callable[[Any, Element, Pose], Detector]] = {
+_DETECTORS: Mapping[type, Callable[[Any, float, int, Pose], Detector]] = {
     Screen: PlaneDetector,
     FarField: FarFieldDetector,
 }
 
 
-def detector_of(receivers: Sequence[AnyReceiver], optic: Element, pose: Pose) -> Detector:
-    """The detector of some receivers of one kind, at least one, which do not hide each other."""
-    return _DETECTORS[type(receivers[0])](receivers, optic, pose)
+def detector_of(
+    receivers: Sequence[AnyReceiver], front_z: float, onwards: int, pose: Pose
+) -> Detector:
+    """The detector of some receivers of one kind, at least one, which do not hide each other.
+
+    Parameters
+    ----------
+    receivers : sequence of AnyReceiver
+        The receivers.
+    front_z : float
+        The z of the scene from which rays count z.
+    onwards : int
+        1 if light comes to them towards +z, -1 if towards -z.
+    pose : Pose
+        How the lens stands.
+    """
+    return _DETECTORS[type(receivers[0])](receivers, front_z, onwards, pose)

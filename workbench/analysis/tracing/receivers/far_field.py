@@ -9,7 +9,7 @@ from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.arrays import Array, Mask
 from workbench.compiled import jit
-from workbench.scene import Element, FarField
+from workbench.scene import FarField
 
 
 class FarFieldDetector:
@@ -19,18 +19,20 @@ class FarFieldDetector:
     ----------
     far_fields : sequence of FarField
         The directions in which each image is.
-    optic : Element
-        Tells to which side light goes.
+    front_z, onwards
+        As for `detector_of`.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, far_fields: Sequence[FarField], optic: Element, pose: Pose) -> None:
+    def __init__(
+        self, far_fields: Sequence[FarField], front_z: float, onwards: int, pose: Pose
+    ) -> None:
         first = far_fields[0]
         self.images, self.pixels = len(far_fields), math.prod(first.pixels)
         self._size = first.pixels
-        turn, _ = pose.to_scene(optic.front_z)
-        self._turn = turn * [[1.0], [1.0], [float(optic.onwards)]]  # angles from where light goes
+        turn, _ = pose.to_scene(front_z)
+        self._turn = turn * [[1.0], [1.0], [float(onwards)]]  # angles from where light goes
         self._scales = np.array([_scale(each) for each in far_fields])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:

@@ -10,7 +10,7 @@ from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.pose import Pose
 from workbench.arrays import Array, Mask
 from workbench.compiled import jit
-from workbench.scene import Element, Screen
+from workbench.scene import Screen
 
 
 class PlaneDetector:
@@ -20,18 +20,18 @@ class PlaneDetector:
     ----------
     screens : sequence of Screen
         Where they are; all with the same pixels.
-    optic : Element
-        Gives the entrance face, from which rays count.
+    front_z, onwards
+        As for `detector_of`.
     pose : Pose
         How the lens stands.
     """
 
-    def __init__(self, screens: Sequence[Screen], optic: Element, pose: Pose) -> None:
+    def __init__(self, screens: Sequence[Screen], front_z: float, onwards: int, pose: Pose) -> None:
         first = screens[0]
         self.images, self.pixels = len(screens), math.prod(first.pixels)
         self._size = first.pixels
-        self._to_scene = pose.to_scene(optic.front_z)
-        self._planes = np.array([_plane(screen, optic.onwards) for screen in screens])
+        self._to_scene = pose.to_scene(front_z)
+        self._planes = np.array([_plane(screen, onwards) for screen in screens])
 
     def count(self, rays: TracedRays, flux: Array, beside: Array) -> None:
         """Add rays to the images; see `Detector.count`."""

@@ -1,7 +1,16 @@
 """Faces that rays meet: a file for each kind."""
 
+from workbench.analysis.tracing.surfaces.conic import ConicSurface
 from workbench.analysis.tracing.surfaces.flat import FlatFace
 from workbench.analysis.tracing.surfaces.moved import MovedFace
+from workbench.analysis.tracing.surfaces.placed import PlacedSurface
 from workbench.analysis.tracing.surfaces.spline import FrontFace, SplineFace
 
-__all__ = ["FlatFace", "FrontFace", "MovedFace", "SplineFace"]
+__all__ = [
+    "ConicSurface",
+    "FlatFace",
+    "FrontFace",
+    "MovedFace",
+    "PlacedSurface",
+    "SplineFace",
+]
