@@ -27,7 +27,7 @@ def header_of(path):
 def test_a_session_says_what_the_program_took(session, path):
     write_session(session, path)
     header = header_of(path)
-    assert (header["version"], header["scene"]["version"]) == (2, 2)
-    assert header["scene"]["lens"]["control_points"] == "auto"
+    assert (header["version"], header["scene"]["version"]) == (3, 3)
+    assert header["scene"]["elements"][0]["faces"][1]["control_points"] == "auto"
     assert header["control_points"] == [20, 15]
     assert read_session(path).scene == session.scene

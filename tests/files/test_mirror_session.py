@@ -1,4 +1,4 @@
-"""Sessions of mirrors are of version 2, and keep the face in ``control_points.npy``."""
+"""Sessions of mirrors keep the face in an entry of the mirror's name."""
 
 import io
 import json
@@ -40,9 +40,8 @@ def test_a_mirror_comes_back_from_its_session(session, tmp_path):
     write_session(session, path)
     with zipfile.ZipFile(path) as archive:
         header = json.loads(archive.read("session.json"))
-        heights = np.load(io.BytesIO(archive.read("control_points.npy")))
-    assert (header["version"], header["scene"]["version"]) == (2, 2)
-    assert "lens" not in header["scene"]
+        heights = np.load(io.BytesIO(archive.read("faces/mirror.face.npy")))
+    assert [element["kind"] for element in header["scene"]["elements"]] == ["mirror"]
     np.testing.assert_array_equal(heights, session.heights["mirror"])
     again = read_session(path)
     assert again.scene == session.scene

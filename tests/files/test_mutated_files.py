@@ -10,7 +10,7 @@ from tests.files.mutations import mutated
 from workbench.errors import Refused
 from workbench.files.session import open_design, write_session
 
-GOLDEN = sorted((Path(__file__).parent / "golden").iterdir())
+GOLDEN = sorted((Path(__file__).parent / "golden").glob("*.freeform"))
 pytestmark = pytest.mark.filterwarnings("ignore:Duplicate name")
 
 SECONDS = 2.0  # of the processor, which others do not lengthen

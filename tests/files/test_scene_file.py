@@ -31,7 +31,7 @@ def test_an_image_below_the_folder_is_stored_relative(tmp_path, make_scene, imag
     (tmp_path / "work").mkdir()
     path = tmp_path / "work" / "scene.json"
     write_scene(make_scene({"target": {"image": absolute}}), path)
-    written = json.loads(path.read_text(encoding="utf-8"))["target"]["image"]
+    written = json.loads(path.read_text(encoding="utf-8"))["images"][0]["target"]["image"]
     assert written == (stored or absolute)
     assert read_scene(path).target.image == absolute
 

@@ -139,5 +139,7 @@ class TestRefused:
     def test_locks_of_another_net(self, forge, path):
         other = np.zeros((4, 5), bool)
         np.save(path.with_suffix(".npy"), other)
-        message = refused(forge({"locked.npy": path.with_suffix(".npy").read_bytes()}))
-        assert message == ": locked.npy: has shape (4, 5); the scene needs (5, 4)"
+        message = refused(
+            forge({"faces/lens.back.locked.npy": path.with_suffix(".npy").read_bytes()})
+        )
+        assert message == ": faces/lens.back.locked.npy: has shape (4, 5); the scene needs (5, 4)"

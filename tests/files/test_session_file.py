@@ -20,7 +20,8 @@ from workbench.files.session import (
 )
 from workbench.geometry.faces import FaceArrays
 
-ARRAYS = ["target.npy", "control_points.npy", "irradiance.npy", "loss.npy"]
+TARGET, FACE = "images/0/target.npy", "faces/lens.back.npy"
+ARRAYS = [TARGET, FACE, "images/0/irradiance.npy", "loss.npy"]
 
 
 @pytest.fixture
@@ -122,9 +123,9 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
                 array = arrays[name.removesuffix(".npy")]
                 assert array.dtype == np.float64
                 assert array.flags.c_contiguous
-            assert np.array_equal(arrays["control_points"], session.result.state.heights["exit"])
+            assert np.array_equal(arrays["faces/lens.back"], session.result.state.heights["exit"])
     assert header["format"] == "freeform-session"
-    assert header["version"] == 1
+    assert header["version"] == 3
     assert header["program"] == f"freeform-lens-workbench {__version__}"
     assert header["scene"] == session.scene.to_data()
     assert header["result"] == {
@@ -159,7 +160,7 @@ class TestRefused:
         assert "Bad CRC-32" in refused(path)
 
     def test_a_zip_bomb(self, forge):
-        path = forge({"target.npy": bytes(100_000_000)}, zipfile.ZIP_DEFLATED)
+        path = forge({TARGET: bytes(100_000_000)}, zipfile.ZIP_DEFLATED)
         assert "is compressed" in refused(path)
 
     @pytest.mark.parametrize("name", ARRAYS)
@@ -188,10 +189,11 @@ class TestRefused:
             ({"format": "freeform-scene"}, ": session.json: format: 'freeform-scene'"),
             ({"format": None}, ": session.json: format: missing"),
             ({"version": 0}, ": session.json: version: 0 is too small; at least 1"),
-            ({"version": 3}, ": session.json: version: 3 is of a newer Freeform Lens Workbench"),
-            ({"version": 3, "new": 3}, ": session.json: version: 3 is of a newer Freeform"),
+            ({"version": 4}, ": session.json: version: 4 is of a newer Freeform Lens Workbench"),
+            ({"version": 4, "new": 3}, ": session.json: version: 4 is of a newer Freeform"),
             ({"scene": None}, ": session.json: scene: missing"),
-            ({"scene": {}}, ": session.json: source: missing"),
+            ({"scene": {"version": 3}}, ": session.json: source: missing"),
+            ({"scene": {}}, ": session.json: lens: missing; it or mirror is required"),
             ({"scene": 3}, ": session.json: scene: "),
             ({"note": "mine"}, ": session.json: note: unknown field"),
             ({"result": {"loss": 1.0}}, ": session.json: result.iterations: missing"),

@@ -265,7 +265,8 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountF
     n_x, n_y = scene.receiver.pixels
     irradiance = entries.array(name, (n_y, n_x))
     most = ledger.emitted / np.broadcast_to(scene.receiver.pixel_measure, irradiance.shape)
-    brightness = np.abs(irradiance) / most
+    with np.errstate(over="ignore"):  # infinite is too much as well
+        brightness = np.abs(irradiance) / most
     if brightness.max() > _BRIGHTEST:
         row, column = np.unravel_index(brightness.argmax(), irradiance.shape)
         raise Refused(

@@ -10,7 +10,11 @@ import numpy as np
 
 from workbench.arrays import Array
 from workbench.optics.samples import Corners, Samples, counts
+from workbench.optics.sources.origins import Origins
 from workbench.said import Said
+
+# Origins nearer to each other's mirror image than this part of their extent count as a pair.
+_SAME = 1e-9
 
 
 class Halves(NamedTuple):
@@ -76,3 +80,40 @@ def _half(samples: Samples, axis: int) -> Array | None:
         return None
     half = np.ones(count // 2)
     return np.append(half, [0.5, 0.0]) if isinstance(samples, Corners) else half
+
+
+def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:
+    """Origins of which mirror images give all, and along which axes they do.
+
+    Parameters
+    ----------
+    origins : Origins
+        All of them.
+    wanted : tuple[bool, bool]
+        Along which axes to leave mirror images out, if there are any.
+    """
+    kept, done = origins, [False, False]
+    for axis in (0, 1):
+        side = kept.places[:, axis]
+        if wanted[axis] and (side != 0).any() and _paired(kept, axis):
+            share = np.where(side == 0, 0.5, 1.0)
+            some = side >= 0
+            kept = kept._replace(places=kept.places[some], flux=(kept.flux * share)[some])
+            done[axis] = True
+    return kept, (done[0], done[1])
+
+
+def _paired(origins: Origins, axis: int) -> bool:
+    """Whether each origin has a mirror image of the same flux."""
+    flipped = origins.places.copy()
+    flipped[:, axis] *= -1
+    size = np.ptp(origins.places, axis=0).max()
+    orders = (np.lexsort(np.round(p / (_SAME * size)).T) for p in (origins.places, flipped))
+    one, other = orders
+    same = np.abs(origins.places[one] - flipped[other]).max() <= 2 * _SAME * size
+    return bool(same) and np.allclose(origins.flux[one], origins.flux[other], rtol=1e-9)
+
+
+def is_on_axis(origins: Origins) -> bool:
+    """Whether there is one origin, on the axis, whose light is its own mirror image."""
+    return len(origins.flux) == 1 and not origins.places[0, :2].any() and origins.pattern is None

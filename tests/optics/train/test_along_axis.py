@@ -21,20 +21,20 @@ BAND = 1e-4
 
 
 def twins(scene, dtype, mirrored=(False, False)):
-    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    path = Path.of(scene, ControlNet.of(scene.optic), dtype)
     return Reference(path), CompiledTrain(path, mirrored)
 
 
 def share_in_band(scene, heights):
     """Part of the rays that float32 may see in another pixel."""
-    arrival = Path.of(scene, ControlNet.of(scene.lens), torch.float64).walk({"exit": heights})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"exit": heights})
     near = [(c - c.round()).abs() < BAND for c in (arrival.column, arrival.row)]
     return (near[0] | near[1]).double().mean().item()
 
 
 def meets_a_crease(scene):
     """Whether a ray meets a face of degree 1 on a knot, where it has two normals."""
-    lens = scene.lens
+    lens = scene.optic
     axes = zip(lens.degree, lens.control_points, scene.source.rays, strict=True)
     for degree, points, rays in axes:
         spans = (np.arange(rays) + 0.5) / rays * (points - degree)
@@ -71,7 +71,7 @@ def scenes(draw):
 def test_twins_agree_in_float64(make_scene, changes, amplitude, seed):
     scene = make_scene(changes)
     heights = lens(scene, seed, amplitude)
-    cotangent = torch.tensor(np.random.default_rng(seed).normal(size=scene.screen.pixels[::-1]))
+    cotangent = torch.tensor(np.random.default_rng(seed).normal(size=scene.receiver.pixels[::-1]))
     if share_in_band(scene, heights) > 0 and (amplitude == 0 or scene.filter.kind == "box"):
         return  # on the edge of a pixel by symmetry: either side is right
     if meets_a_crease(scene):

@@ -14,12 +14,12 @@ from tests.scenes import changed
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.beams import beam_image
+from workbench.optics.halves import halved
 from workbench.optics.path import Path
 from workbench.optics.reference import Reference
 from workbench.optics.samples import Corners
 from workbench.optics.sources import Origins
 from workbench.optics.train.compiled import CompiledTrain
-from workbench.optics.train.entries import halved
 from workbench.scene import Scene
 
 
@@ -38,7 +38,7 @@ class Lopsided:
 
 
 def path_of(scene, origins, cells, dtype=torch.float64):
-    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    path = Path.of(scene, ControlNet.of(scene.optic), dtype)
     path.emitter = Light(origins, Corners(*cells))
     return path
 
@@ -179,9 +179,9 @@ def test_samples_shared_by_points_make_the_image_of_samples_of_each(make_scene):
     scene = make_scene({"source": grid, "screen.half_width": [1.5, 1.5]})
     heights = {"exit": lens(scene, 1, 0.005)}
     each = BeamPlan(scene, (160, 160), dtype=torch.float64).trace(heights)
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=Corners(160, 160))
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=Corners(160, 160))
     shared = CompiledTrain(path)
-    image, _ = beam_image(shared.nodes(heights).hits, scene.screen.pixels, shared.splits)
+    image, _ = beam_image(shared.nodes(heights).hits, scene.receiver.pixels, shared.splits)
     assert (image - each.flux).norm() < 2e-3 * each.flux.norm()
 
 
@@ -189,10 +189,10 @@ def test_light_of_one_straight_direction_is_collimated_light(make_scene):
     scene = make_scene()
     heights = {"exit": lens(scene, 1, 0.005)}
     collimated = BeamPlan(scene, (40, 30), dtype=torch.float64).trace(heights)
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64, samples=Corners(40, 30))
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=Corners(40, 30))
     nodes, light, _ = CompiledTrain(path).nodes(heights)
     splits = CompiledTrain(path).splits
-    image, _ = beam_image(nodes, scene.screen.pixels, splits)
+    image, _ = beam_image(nodes, scene.receiver.pixels, splits)
     assert (image - collimated.flux).abs().max() < 1e-13
     assert light.lost["fresnel_entrance"] == pytest.approx(0.04, abs=1e-14)
 
@@ -225,7 +225,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, mirrored):
     for promise in (mirrored, (False, False)):
         tracer, leaf = CompiledTrain(path_of(scene, light, (80, 60)), promise), heights.clone()
         hits, account, _ = tracer.nodes({"exit": leaf.requires_grad_()})
-        image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
+        image, _ = beam_image(hits, scene.receiver.pixels, tracer.splits)
         for axis in (0, 1):
             if tracer.mirrored[axis]:
                 image = image + image.flip(1 - axis)

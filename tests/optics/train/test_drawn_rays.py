@@ -25,14 +25,14 @@ GRADIENT = {torch.float64: 1e-10, torch.float32: 1e-3}
 
 
 def twins(scene, dtype=torch.float64):
-    path = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    path = Path.of(scene, ControlNet.of(scene.optic), dtype)
     return Reference(path), CompiledTrain(path)
 
 
 def differences(scene, tracers, heights, rng):
     """How far image, gradient (both relative) and lost light of the twins are apart."""
     lights, gradients = [], []
-    cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
+    cotangent = torch.as_tensor(rng.normal(size=scene.receiver.pixels[::-1]))
     for tracer in tracers:
         variable = heights.clone().requires_grad_()
         light = tracer.image({"exit": variable}, scene.filter)
@@ -59,7 +59,7 @@ def same(scene, tracers, heights, rng, dtype):
 
 def face(scene, kind, rng):
     """Control heights of some face."""
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     x, y = (torch.as_tensor(c / r) for c, r in zip(net.positions, net.half_width, strict=True))
     x, y, small = x[:, None], y[None, :], min(net.half_width)
     if kind == "flat":
@@ -208,7 +208,7 @@ def test_gradients_are_those_of_central_differences(make_scene, rng):
     scene = make_scene({"source": ASIDE | {"rays": 2000}, "filter": SMOOTH, "lens.absorption": 0.3})
     _, fused = twins(scene)
     heights, step = face(scene, "wavy", rng), 1e-6
-    cotangent = torch.as_tensor(rng.normal(size=scene.screen.pixels[::-1]))
+    cotangent = torch.as_tensor(rng.normal(size=scene.receiver.pixels[::-1]))
 
     def value(each):
         return (fused.image({"exit": each}, scene.filter).flux * cotangent).sum()

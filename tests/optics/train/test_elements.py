@@ -75,7 +75,7 @@ BEHIND = {
 
 def train(scene, light, cells, behind, dtype=torch.float64):
     """The path of a scene with further elements behind its lens."""
-    flat = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    flat = Path.of(scene, ControlNet.of(scene.optic), dtype)
     steps = [*flat.steps, *behind(flat, dtype)]
     emitter = Light(light, Corners(*cells))
     return Path(emitter, steps, flat.receiver, flat.datum, flat.outline, 0, dtype)

@@ -135,7 +135,7 @@ def test_mirror_images_are_left_out(scene, places, outline):
     heights = lens(scene, 2, 0.01)
     heights = (heights + heights.flip(0)) / 2
     heights = (heights + heights.flip(1)) / 2
-    cotangent = torch.tensor(np.random.default_rng(0).normal(size=scene.screen.pixels[::-1]))
+    cotangent = torch.tensor(np.random.default_rng(0).normal(size=scene.receiver.pixels[::-1]))
     cotangent = cotangent + cotangent.flip(0)
     cotangent = cotangent + cotangent.flip(1)
     found = []
@@ -206,7 +206,7 @@ def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dt
     cell = 4 * np.prod(outline.half_width) / np.prod(cells)
     middle = there.density[1:-1, 1:-1] * cell * passed
     behind = nodes.hits[2].numpy()[1:-1, 1:-1]
-    glass = Refraction(TransmittanceLaw.of(scene.lens)[0], "").law
+    glass = Refraction(TransmittanceLaw.of(scene.optic)[0], "").law
     cos = 1 / np.sqrt(1 + slope**2)[1:-1, 1:-1]
     inside = np.sqrt(1 - (1 - cos**2) / scene.optic.index**2)
     assert behind == pytest.approx(middle * glass.at(cos, inside) ** 2, rel=10 * accuracy)

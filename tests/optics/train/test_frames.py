@@ -173,7 +173,7 @@ def test_single_precision_is_enough(scene, behind, light):
 
 
 def test_a_freeform_face_with_a_frame_wants_no_datum(scene):
-    path = Path.of(scene, ControlNet.of(scene.lens), torch.float64)
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
     steps = [step._replace(frame=Frame.at((0, 0, 0))) for step in path.steps]
     assert path.datum != 0
     with pytest.raises(ValueError, match="use the datum 0"):

@@ -114,7 +114,7 @@ def test_a_folded_train_is_the_unfolded_one_upside_down(scene, light):
     assert (hits[2] - 0.9 * expected[2])[both].abs().max() < 1e-14
     assert ((hits[2] > 0) == (expected[2] > 0)).double().mean() > 0.9
     assert (hits[0] - expected[0])[both].abs().max() < 1e-10
-    assert (hits[1] + expected[1] - scene.screen.pixels[1])[both].abs().max() < 1e-10
+    assert (hits[1] + expected[1] - scene.receiver.pixels[1])[both].abs().max() < 1e-10
 
 
 @pytest.mark.parametrize("surface", ["freeform", "asphere"])
@@ -145,7 +145,7 @@ def test_a_lens_met_from_behind_is_its_mirror_image(scene, surface):
     assert (hits[2] - expected[2]).abs().max() < 1e-14
     assert (hits[0] - expected[0])[both].abs().max() < 1e-10
     # The screen is turned about x: its rows count the other way.
-    assert (hits[1] + expected[1] - scene.screen.pixels[1])[both].abs().max() < 1e-10
+    assert (hits[1] + expected[1] - scene.receiver.pixels[1])[both].abs().max() < 1e-10
 
 
 def mirrored(surface):
@@ -187,7 +187,7 @@ def test_a_path_turned_and_shifted_as_a_whole_is_the_same(scene, rng):
         frame = step_frame or Frame.at((0, 0, 0))
         return Frame(turn.position + turn.rotation @ frame.position, turn.rotation @ frame.rotation)
 
-    net = ControlNet.of(scene.lens)
+    net = ControlNet.of(scene.optic)
     freeform = BSplineSurface("exit", net, 0.0, torch.float64, level=0.5)
     steps = [
         FaceStep(Plane("entrance", 0.0, SQUARE), into(1 / 1.5, "entrance"), "missed_lens"),
@@ -207,7 +207,7 @@ def test_a_path_turned_and_shifted_as_a_whole_is_the_same(scene, rng):
             np.full(200, 1 / 200),
         )
         own = [step._replace(frame=whole(step.frame)) if turned else step for step in steps]
-        receiver = TurnedTo(scene.screen, whole(screen) if turned else screen)
+        receiver = TurnedTo(scene.receiver, whole(screen) if turned else screen)
         path = Path(Given(rays), own, receiver, 0.0, Rectangle((99.0, 99.0)), 0, torch.float64)
         leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
         arrival = path.walk(leaves)

@@ -31,12 +31,12 @@ from workbench.scene import Scene
 
 def two_faces(scene, origins, cells, dtype=torch.float64):
     """The path of a scene with a B-spline in place of its flat entrance face."""
-    flat = Path.of(scene, ControlNet.of(scene.lens), dtype)
+    flat = Path.of(scene, ControlNet.of(scene.optic), dtype)
     net = ControlNet((5, 6), (3, 2), scene.optic.half_width)
     surface = BSplineSurface(
         "entrance", net, flat.datum, dtype, outline=flat.outline, level=scene.optic.entrance_z
     )
-    law, _ = TransmittanceLaw.of(scene.lens)
+    law, _ = TransmittanceLaw.of(scene.optic)
     front = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
     emitter, steps = Light(origins, Corners(*cells)), (front, flat.steps[1])
     front_z = scene.optic.entrance_z - 0.007  # the aperture
@@ -46,7 +46,7 @@ def two_faces(scene, origins, cells, dtype=torch.float64):
 
 def faces(scene, seed, amplitude):
     """Heights of both faces, some way apart."""
-    rng, lens = np.random.default_rng(seed), scene.lens
+    rng, lens = np.random.default_rng(seed), scene.optic
     return {
         "entrance": torch.tensor(lens.entrance_z + amplitude * rng.normal(size=(5, 6))),
         "exit": torch.tensor(lens.base.height + amplitude * rng.normal(size=lens.net_shape)),
@@ -157,7 +157,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene):
         tracer = CompiledTrain(two_faces(scene, light, (40, 30)), promise)
         leaves = {name: each.clone().requires_grad_() for name, each in heights.items()}
         hits, account, _ = tracer.nodes(leaves)
-        image, _ = beam_image(hits, scene.screen.pixels, tracer.splits)
+        image, _ = beam_image(hits, scene.receiver.pixels, tracer.splits)
         for axis in (0, 1):
             if tracer.mirrored[axis]:
                 image = image + image.flip(1 - axis)

@@ -72,8 +72,8 @@ class TurnedTo(PlaneReceiver):
 
 def train(scene, light, cells, behind, screen=None, dtype=torch.float64):
     """The path of a scene with further elements behind its lens."""
-    flat = Path.of(scene, ControlNet.of(scene.lens), dtype)
-    receiver = TurnedTo(scene.screen, Frame.at(*screen), flat.datum) if screen else flat.receiver
+    flat = Path.of(scene, ControlNet.of(scene.optic), dtype)
+    receiver = TurnedTo(scene.receiver, Frame.at(*screen), flat.datum) if screen else flat.receiver
     steps = [*flat.steps, *behind]
     return Path(Light(light, Corners(*cells)), steps, receiver, flat.datum, flat.outline, 0, dtype)
 

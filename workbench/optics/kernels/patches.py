@@ -257,6 +257,11 @@ def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
         Room for intermediate results.
     d_table : array of float64, shape (patches, p + 1, q + 1)
         Cotangents of the coefficients; changed.
+
+    Returns
+    -------
+    tuple of two int
+        The first and the last patch of the rays.
     """
     kind = w.dtype.type
     for ray in range(count):
@@ -268,11 +273,12 @@ def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
             s = w[at(S, ray)]
             w[at(_POWER_S, ray)] = w[at(_POWER_S, ray)] * s + w[at(_POWER, ray)]
             w[at(_POWER, ray)] *= s
-    start = 0
+    start, first, last = 0, patch[0], patch[0]
     while start < count:
         stop = start + 1
         while stop < count and patch[stop] == patch[start]:
             stop += 1
+        first, last = min(first, patch[start]), max(last, patch[start])
         sums = d_table[patch[start]]
         for a in range(d_table.shape[1]):
             row = columns[a]
@@ -282,6 +288,7 @@ def collect(w, count, patch, columns, d_table):  # type: ignore[no-untyped-def]
                     total += row[at(b, ray)]
                 sums[a, b] += total
         start = stop
+    return first, last
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy")

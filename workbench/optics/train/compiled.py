@@ -7,8 +7,8 @@ two origins, is traced. Nothing but depths on further faces is kept for the way 
 batch again costs less than memory.
 """
 
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
@@ -20,7 +20,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account
 from workbench.optics.interfaces import Reflection, Refraction
 from workbench.optics.kernels import threads
-from workbench.optics.kernels.filtered import filtered
+from workbench.optics.kernels.spread import Spread, add_up, make_canvases, make_spread, pad
 from workbench.optics.kernels.tensors import as_array, check_size
 from workbench.optics.light import Light, Nodes
 from workbench.optics.path import Path
@@ -30,8 +30,8 @@ from workbench.optics.train.elements import ABSORBED, MET_FLUX, RUNS, STEEP_X, S
 from workbench.optics.train.entries import Last, entry_of, is_known
 from workbench.optics.train.faces import FurtherFaces
 from workbench.optics.train.landing import landing_of
-from workbench.optics.train.loops import back, land
-from workbench.scene import Filter, Scene
+from workbench.optics.train.loops import BESIDE, ON_RECEIVER, back, land
+from workbench.scene import BoxFilter, Filter, Scene
 
 # A scene whose trace compiles the loops.
 _SMALL = {
@@ -117,54 +117,72 @@ class CompiledTrain:
     def nodes(self, heights: Mapping[str, Tensor]) -> Nodes:
         """Trace the corners of cells of light; see `workbench.optics.light.BeamTracer`."""
         accounts: list[Account] = []
-        above = []
-        for surface in self._splines:
-            check_size(heights[surface.name], surface.net)
-            above.append((surface.own(heights) - surface.level).to(self._path.dtype))
-        nodes, rims = _Trace.apply(self, accounts, *above)  # type: ignore[no-untyped-call]
+        given = self, accounts, *self._above(heights)
+        nodes, rims = _Nodes.apply(*given)  # type: ignore[no-untyped-call]
         return Nodes(nodes, accounts[0], rims if self._entry.rims else None)
 
     def image(self, heights: Mapping[str, Tensor], filter: Filter) -> Light:
         """Trace a lens; see `workbench.optics.light.Tracer`."""
-        nodes, account, _ = self.nodes(heights)
-        image, on_screen, beside = filtered(nodes, self._path.receiver.part.pixels, filter)
+        spread = make_spread(self._path.receiver.part.pixels, filter, self._entry.kind)
+        accounts: list[Account] = []
+        given = self, spread, accounts, *self._above(heights)
+        image = _Image.apply(*given)  # type: ignore[no-untyped-call]
         for axis in (0, 1):
             if self.mirrored[axis]:
                 image = image + image.flip(1 - axis)
-        copies = 2 ** sum(self.mirrored)
-        lost = dict(account.lost) | {"off_screen": copies * beside}
-        return Light(image, Account(copies * on_screen, lost))
+        return Light(image, accounts[0])
 
-    def forward(
-        self, heights: tuple[AnyArray, ...]
-    ) -> tuple[AnyArray, AnyArray, Account, tuple[Any, ...]]:
-        """Nodes, distances to rims, the account of a train, and what its way back takes."""
+    def _above(self, heights: Mapping[str, Tensor]) -> list[Tensor]:
+        """Heights of the B-splines above their levels, in the float type of the trace."""
+        for surface in self._splines:
+            check_size(heights[surface.name], surface.net)
+        own = ((surface.own(heights), surface.level) for surface in self._splines)
+        return [(each - level).to(self._path.dtype) for each, level in own]
+
+    def forward(self, heights: tuple[AnyArray, ...], spread: Spread | None) -> "_Traced":
+        """Trace to the receiver; to an image, if there is a filter."""
         entry, kind = self._entry, self._entry.kind
-        samples, first, depths = entry.start(heights[0], self._last)
+        samples, first, depths, steepest = entry.start(heights[0], self._last)
+        if steepest is not None:
+            self._rest.steepest[0] = steepest
         elements, table = self._rest.prepare(heights[len(heights) - len(self._rest.splines) :])
-        known = *samples, (first, elements), self._landing, table, depths
-        nodes = np.empty((3, *depths.shape[1:]), kind)
-        rims = np.empty(depths.shape[1:] if entry.rims else (0, 0), kind)
-        bounds = _bounds(depths)
-        sums = np.zeros((len(bounds) - 1, len(depths) + 1, SUMS))
-        _run(bounds, lambda *span, part: land(*known, *span, nodes, rims, sums[part]))
+        bounds, none = _bounds(depths), np.zeros((0, 0), kind)
+        parts, shape = len(bounds) - 1, depths.shape[1:]
+        nodes, canvases = np.empty((3, *shape), kind), np.zeros((parts, 0, 0))
+        if spread is not None:
+            nodes, canvases = np.empty((3, 0, 0), kind), make_canvases(spread, parts)
+        rims = np.empty(shape, kind) if entry.rims and spread is None else none
+        known = *samples, (first, elements), self._landing, table, depths, spread or _none(kind)
+        sums = np.zeros((parts, len(depths) + 1, SUMS))
+
+        def work(*span: int, part: int) -> None:
+            land(*known, *span, nodes, rims, canvases[part], sums[part])
+
+        _run(bounds, work)
         self._rest.steepest = sums[:, 1:, STEEP_X:RUNS].max(axis=0)
         total = sums.sum(axis=0)
         self._last = Last(depths, int(total[1:2, RUNS].sum()))
-        return nodes, rims, self._account(2 ** sum(self.mirrored) * total), known
+        account = self._account(2 ** sum(self.mirrored) * total, spread is not None)
+        return _Traced(nodes, rims, canvases, account, known)
 
     def backward(
-        self, heights: tuple[AnyArray, ...], known: tuple[Any, ...], *cotangents: AnyArray
+        self,
+        heights: tuple[AnyArray, ...],
+        known: tuple[Any, ...],
+        nodes: AnyArray,
+        rims: AnyArray,
+        canvas: AnyArray,
     ) -> tuple[AnyArray, ...]:
-        """Cotangents of the heights from those of nodes and rims of one of the mirror images."""
-        sampled, depths = known[0], known[-1]
+        """Cotangents of the heights from those of what one of the mirror images gives."""
+        sampled, depths = known[0], known[-2]
         bounds = _bounds(depths)
         parts = len(bounds) - 1
         gradients = np.zeros((parts, *sampled.shape))
         d_tables, touched = self._rest.no_cotangents(parts)
 
         def work(*span: int, part: int) -> None:
-            back(*known, *span, *cotangents, gradients[part], d_tables[part], touched[part])
+            found = gradients[part], d_tables[part], touched[part]
+            back(*known, *span, nodes, rims, canvas, *found)
 
         _run(bounds, work)
         some = len(heights) - len(self._rest.splines)
@@ -175,7 +193,7 @@ class CompiledTrain:
                 found = [(each + np.flip(each, axis)) / 2 for each in found]
         return tuple(found)
 
-    def _account(self, sums: AnyArray) -> Account:
+    def _account(self, sums: AnyArray, drawn: bool) -> Account:
         entry = self._entry
         lost = dict(entry.lost)
         arriving = 1 - sum(lost.values())
@@ -195,27 +213,67 @@ class CompiledTrain:
             for name, part in parts.items():
                 lost[name] = lost.get(name, 0.0) + part
             arriving = left
-        return Account(arriving, {"off_screen": 0.0} | lost)
+        on_receiver, beside = sums[0, [ON_RECEIVER, BESIDE]].tolist() if drawn else (arriving, 0.0)
+        return Account(on_receiver, lost | {"off_screen": beside})
 
 
-class _Trace(torch.autograd.Function):
+class _Traced(NamedTuple):
+    """What a trace gives, and what its way back takes."""
+
+    nodes: AnyArray
+    rims: AnyArray
+    canvases: Array
+    account: Account
+    known: tuple[Any, ...]
+
+
+class _Nodes(torch.autograd.Function):
     @staticmethod
     def forward(
         ctx: Any, train: CompiledTrain, accounts: list[Account], *heights: Tensor
     ) -> tuple[Tensor, Tensor]:
-        nodes, rims, account, known = train.forward(tuple(map(as_array, heights)))
-        ctx.train, ctx.known = train, known
+        traced = train.forward(tuple(map(as_array, heights)), None)
+        ctx.train, ctx.known = train, traced.known
         ctx.save_for_backward(*heights)
-        accounts.append(account)
-        return torch.from_numpy(nodes), torch.from_numpy(rims)
+        accounts.append(traced.account)
+        return torch.from_numpy(traced.nodes), torch.from_numpy(traced.rims)
 
     @staticmethod
     @once_differentiable
     def backward(ctx: Any, *cotangents: Tensor) -> tuple[Tensor | None, ...]:
-        heights = tuple(map(as_array, ctx.saved_tensors))
-        found = ctx.train.backward(heights, ctx.known, *map(as_array, cotangents))
-        gradients = (torch.from_numpy(each.astype(heights[0].dtype)) for each in found)
-        return None, None, *gradients
+        nodes, rims = map(as_array, cotangents)
+        return None, None, *_cotangents(ctx, nodes, rims, np.zeros((0, 0), nodes.dtype))
+
+
+class _Image(torch.autograd.Function):
+    @staticmethod
+    def forward(
+        ctx: Any, train: CompiledTrain, spread: Spread, accounts: list[Account], *heights: Tensor
+    ) -> Tensor:
+        traced = train.forward(tuple(map(as_array, heights)), spread)
+        ctx.train, ctx.known, ctx.spread = train, traced.known, spread
+        ctx.save_for_backward(*heights)
+        accounts.append(traced.account)
+        return torch.from_numpy(np.ascontiguousarray(add_up(spread, traced.canvases)))
+
+    @staticmethod
+    @once_differentiable
+    def backward(ctx: Any, cotangent: Tensor) -> tuple[Tensor | None, ...]:
+        canvas = pad(ctx.spread, as_array(cotangent))
+        nodes, rims = np.zeros((3, 0, 0), canvas.dtype), np.zeros((0, 0), canvas.dtype)
+        return None, None, None, *_cotangents(ctx, nodes, rims, canvas)
+
+
+def _cotangents(ctx: Any, *of_light: AnyArray) -> Iterator[Tensor]:
+    """Cotangents of heights in their float type; see `CompiledTrain.backward`."""
+    heights = tuple(map(as_array, ctx.saved_tensors))
+    for each in ctx.train.backward(heights, ctx.known, *of_light):
+        yield torch.from_numpy(each.astype(heights[0].dtype))
+
+
+def _none(kind: type[np.floating[Any]]) -> Spread:
+    """The filter of no image."""
+    return make_spread((1, 1), BoxFilter(), kind)
 
 
 def _bounds(depths: AnyArray) -> list[int]:

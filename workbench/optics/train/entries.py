@@ -8,7 +8,7 @@ import torch
 
 from workbench.arrays import AnyArray, Array
 from workbench.geometry.frames import Frame
-from workbench.optics.halves import Halves
+from workbench.optics.halves import Halves, halved, is_on_axis
 from workbench.optics.kernels.grid import Axis, make_axis
 from workbench.optics.kernels.order import order_of
 from workbench.optics.kernels.patches import make_net
@@ -17,7 +17,6 @@ from workbench.optics.path import Path
 from workbench.optics.rays import RayBundle
 from workbench.optics.sampled import SampledTrain, is_even
 from workbench.optics.samples import Corners
-from workbench.optics.sources.origins import Origins
 from workbench.optics.steps import FaceStep
 from workbench.optics.surfaces import BSplineSurface
 from workbench.optics.train.faces import first_face
@@ -33,8 +32,6 @@ from workbench.optics.train.incident import (
 from workbench.optics.train.numbers import FirstFace, Light
 from workbench.said import Said
 
-# Origins nearer to each other's mirror image than this part of their extent count as a pair.
-_SAME = 1e-9
 # An interruption of the order of drawn rays costs about as much as sorting so many rays.
 _INTERRUPTION = 2
 
@@ -50,11 +47,14 @@ class Start(NamedTuple):
         That face.
     depths : ndarray, shape (elements, rows, columns)
         Where the search for the faces begins; the trace changes it.
+    steepest : ndarray, shape (2,), optional
+        The most that slopes of given rays are.
     """
 
     samples: tuple[AnyArray, tuple[Axis, ...], Samples, Light]
     first: FirstFace
     depths: AnyArray
+    steepest: AnyArray | None = None
 
 
 class Last(NamedTuple):
@@ -170,7 +170,7 @@ class _Sampled(Entry):
     def __init__(self, train: SampledTrain, path: Path, mirrored: tuple[bool, bool]) -> None:
         self.sampled, self.rest, self.changes = train.first, train.rest, train.changes
         self.z, mirrored = train.surface.z, _kept(mirrored, train)
-        self._count, one = len(train.origins.flux), _on_axis(train.origins)
+        self._count, one = len(train.origins.flux), is_on_axis(train.origins)
         self._halves = Halves.of(train.samples, mirrored if one else (False, False))
         origins, self.mirrored = train.origins, self._halves.mirrored
         if not one:
@@ -263,13 +263,15 @@ class SampledAperture(_Sampled):
             numbers[5] *= np.where(numbers[5] >= 0, up[:, None] * across, 1.0)
         rims = halves.rows(followed.rim.numpy())
         self._light = given_light(numbers.astype(kind), rims.astype(kind))
+        self._steepest = _steepest(numbers)
         self._first = first_face(None, 0.0, False, kind)
 
     def start(self, heights: AnyArray, last: Last | None) -> Start:
         """See `Entry`."""
         shape = len(self.rest), *self._light.given.rims.shape
         depths = np.full(shape, np.inf, self.kind) if last is None else last.depths.copy()
-        return Start((*no_samples(self.kind), self._light), self._first, depths)
+        start = (*no_samples(self.kind), self._light), self._first, depths
+        return Start(*start, self._steepest)
 
 
 class DrawnRays(Entry):
@@ -324,12 +326,14 @@ class DrawnRays(Entry):
             often = self._interruptions * _INTERRUPTION > self._values.shape[1]
             depths = self._sorted(last.depths) if often else last.depths.copy()
         light = given_light(self._values[:, None], np.zeros((0, 0), self.kind))
-        return Start((*no_samples(self.kind), light), self._first, depths)
+        start = (*no_samples(self.kind), light), self._first, depths
+        return Start(*start, self._steepest)
 
     def _sorted(self, depths: AnyArray) -> AnyArray:
         """Sort the rays by where they were at some depths of the first face; give all in order."""
         order = order_of(self._net, self._values, depths[0, 0])
         self._values = np.stack([part[order] for part in self._values])
+        self._steepest = _steepest(self._values)
         self._fewest = self._interruptions = 0
         return np.ascontiguousarray(depths[:, :, order])
 
@@ -348,6 +352,12 @@ def in_numbers(rays: RayBundle, level: float) -> Array:
     return np.stack(np.broadcast_arrays(*parts))
 
 
+def _steepest(values: AnyArray) -> AnyArray:
+    """The most that slopes of given rays are along x and y."""
+    steepest: AnyArray = np.abs(values[3:5]).reshape(2, -1).max(axis=1, initial=0)
+    return steepest
+
+
 def _kept(mirrored: tuple[bool, bool], train: SampledTrain) -> tuple[bool, bool]:
     """The promise of mirror images, as far as tilted and shifted elements keep it."""
     changes = [*train.changes_before, *train.changes]
@@ -356,40 +366,3 @@ def _kept(mirrored: tuple[bool, bool], train: SampledTrain) -> tuple[bool, bool]
         for axis, wanted in enumerate(mirrored)
     )
     return x, y
-
-
-def halved(origins: Origins, wanted: tuple[bool, bool]) -> tuple[Origins, tuple[bool, bool]]:
-    """Origins of which mirror images give all, and along which axes they do.
-
-    Parameters
-    ----------
-    origins : Origins
-        All of them.
-    wanted : tuple[bool, bool]
-        Along which axes to leave mirror images out, if there are any.
-    """
-    kept, done = origins, [False, False]
-    for axis in (0, 1):
-        side = kept.places[:, axis]
-        if wanted[axis] and (side != 0).any() and _paired(kept, axis):
-            share = np.where(side == 0, 0.5, 1.0)
-            some = side >= 0
-            kept = kept._replace(places=kept.places[some], flux=(kept.flux * share)[some])
-            done[axis] = True
-    return kept, (done[0], done[1])
-
-
-def _paired(origins: Origins, axis: int) -> bool:
-    """Whether each origin has a mirror image of the same flux."""
-    flipped = origins.places.copy()
-    flipped[:, axis] *= -1
-    size = np.ptp(origins.places, axis=0).max()
-    orders = (np.lexsort(np.round(p / (_SAME * size)).T) for p in (origins.places, flipped))
-    one, other = orders
-    same = np.abs(origins.places[one] - flipped[other]).max() <= 2 * _SAME * size
-    return bool(same) and np.allclose(origins.flux[one], origins.flux[other], rtol=1e-9)
-
-
-def _on_axis(origins: Origins) -> bool:
-    """Whether there is one origin, on the axis, whose light is its own mirror image."""
-    return len(origins.flux) == 1 and not origins.places[0, :2].any() and origins.pattern is None

@@ -14,7 +14,7 @@ import numpy as np
 from workbench.compiled import jit
 from workbench.optics.kernels.grid import blend, blend_back, contract, contract_back, make_rows
 from workbench.optics.kernels.patches import make_columns
-from workbench.optics.kernels.spread import BATCH
+from workbench.optics.kernels.spread import BATCH, gather, scatter, workspace
 from workbench.optics.kernels.taps import FAST
 from workbench.optics.train.elements import (
     RUNS,
@@ -54,14 +54,16 @@ from workbench.optics.train.registers import (
 )
 
 # Sums of the first face: flux absorbed before it, that meets it, that is not totally reflected,
-# that goes on.
+# that goes on. Then flux of the rays of an image: on the receiver, and beside it.
 FIRST_SUMS = 4
+ON_RECEIVER, BESIDE = 4, 5
 
 
 @jit(name="train_land", fastmath=FAST, error_model="numpy")
 def land(  # type: ignore[no-untyped-def]
-    heights, bases, samples, light, train, landing, table, depths, begin, end, nodes, rims, sums
-):
+    heights, bases, samples, light, train, landing, table, depths, spread, begin, end,
+    nodes, rims, canvas, sums,
+):  # fmt: skip
     """Trace samples to the receiver.
 
     Parameters
@@ -81,12 +83,17 @@ def land(  # type: ignore[no-untyped-def]
     depths : array, shape (elements, rows, columns)
         Where rays met the elements of the last train; changed. Rows are origins × samples along y,
         columns samples along x; or those of given rays.
+    spread : Spread
+        The filter of an image.
     begin, end : int
         Which columns to trace.
     nodes : array, shape (3, rows, columns)
-        Columns, rows and flux at the receiver; changed.
+        Columns, rows and flux at the receiver, where no image is wanted; changed.
     rims : array, shape (rows, columns)
         Distances to the rims of the elements, if they are wanted; changed.
+    canvas : array of float64
+        See `workbench.optics.kernels.spread.make_canvases`; empty where no image is wanted.
+        Changed.
     sums : array of float64, shape (elements + 1, SUMS)
         Sums of the faces, see `FIRST_SUMS` and `workbench.optics.train.elements`; changed.
     """
@@ -95,7 +102,9 @@ def land(  # type: ignore[no-untyped-def]
     t = make_registers(count, heights)
     columns, tables = make_columns(table), (table, elements.coefficients)
     patch, before = np.zeros(BATCH, np.int32), np.empty(BATCH, np.int32)
-    lines, sampled = light.rows, light.kind != LINES
+    lines, sampled, drawn = light.rows, light.kind != LINES, canvas.shape[0] > 0
+    work = workspace(spread, heights)
+    column, row_at, weight = _row(t, COLUMN), _row(t, ROW), _row(t, WEIGHT)
     blocks = (end - begin + BATCH - 1) // BATCH
     for part in range(blocks):
         i = begin + (end - begin) * part // blocks
@@ -119,33 +128,42 @@ def land(  # type: ignore[no-untyped-def]
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
                     w, depth = pair[BLOCK:], depths[e, row, i:]
                     transfer(element, pair, lanes)
-                    count_slopes(pair, lanes, sums[e + 1])
+                    if sampled or e > 0:  # those of given rays are known
+                        count_slopes(pair, lanes, sums[e + 1])
                     runs = search(element, tables, e, w, depth, lanes, patch, before, columns)
                     sums[e + 1, RUNS] += runs
                     cross(element, pair, lanes)
                     count_flux(pair, lanes, sums[e + 1])
                 w = t[np.uintp(count) * BLOCK :]
                 receive(landing, w, lanes, t)
-                _put(t, i, row, lanes, nodes)
+                if drawn:
+                    on, beside = scatter(spread, column, row_at, weight, lanes, work, canvas)
+                    sums[0, ON_RECEIVER] += on
+                    sums[0, BESIDE] += beside
+                else:
+                    _put(t, i, row, lanes, nodes)
                 if len(rims):
                     _put_rims(w, i, row, lanes, rims)
 
 
 @jit(name="train_back", fastmath=FAST, error_model="numpy")
 def back(  # type: ignore[no-untyped-def]
-    heights, bases, samples, light, train, landing, table, depths, begin, end,
-    d_nodes, d_rims, gradient, d_table, touched,
+    heights, bases, samples, light, train, landing, table, depths, spread, begin, end,
+    d_nodes, d_rims, canvas, gradient, d_table, touched,
 ):  # fmt: skip
     """Adjoint of `land`.
 
     Parameters
     ----------
-    heights, bases, samples, light, train, landing, table, begin, end
+    heights, bases, samples, light, train, landing, table, spread, begin, end
         As there.
     depths : array
         Those that `land` found.
     d_nodes, d_rims : array
         Cotangents of nodes and rims.
+    canvas : array
+        Cotangent of the image, see `workbench.optics.kernels.spread.pad`; empty where none is
+        wanted.
     gradient : array of float64, shape (n_u, n_v)
         Of the heights; changed.
     d_table : array of float64, shape (patches, p, q)
@@ -154,27 +172,26 @@ def back(  # type: ignore[no-untyped-def]
         The first and the last patch of each element that was changed; changed.
     """
     (across, up), (face, elements) = bases, train
-    kind, count = heights.dtype.type, len(elements.kind)
-    rows, d_rows = make_rows(heights), make_rows(heights)
+    rows, d_rows, count = make_rows(heights), make_rows(heights), len(elements.kind)
     t = make_registers(count, heights)
     columns, tables = make_columns(table), (table, elements.coefficients)
     patches = np.zeros((count, BATCH), np.int32)
-    lines, sampled = light.rows, light.kind != LINES
+    lines, sampled, drawn = light.rows, light.kind != LINES, canvas.shape[0] > 0
+    work = workspace(spread, heights)
+    column, row_at, weight = _row(t, COLUMN), _row(t, ROW), _row(t, WEIGHT)
+    d_column, d_row, d_weight = _row(t, D_COLUMN), _row(t, D_ROW), _row(t, D_WEIGHT)
     blocks = (end - begin + BATCH - 1) // BATCH
     for part in range(blocks):
         i = begin + (end - begin) * part // blocks
         lanes = begin + (end - begin) * (part + 1) // blocks - i
         if sampled:
             contract(heights, across, i, lanes, rows)
-            d_rows[:] = kind(0)
+            d_rows[:] = heights.dtype.type(0)
         for j in range(lines):
             if sampled:
                 blend(rows, up, j, lanes, t)
                 _begin(samples[0].place[i:], samples[1].place[j], lanes, t)
-                for lane in range(np.uintp(lanes)):
-                    t[SUM_Z + lane] = kind(0)
-                    t[SUM_Z_X + lane] = kind(0)
-                    t[SUM_Z_Y + lane] = kind(0)
+                _clear_sums(lanes, t)
             for k in range(light.origins):
                 row = k * lines + j
                 if sampled:
@@ -189,26 +206,35 @@ def back(  # type: ignore[no-untyped-def]
                     search_again(element, tables, e, w, depth, lanes, patches[e], columns)
                     cross(element, pair, lanes)
                 w = t[np.uintp(count) * BLOCK :]
-                _take(d_nodes, i, row, lanes, t)
+                if drawn:
+                    receive(landing, w, lanes, t)
+                    gather(
+                        spread, column, row_at, weight, lanes, work, canvas,
+                        d_column, d_row, d_weight,
+                    )  # fmt: skip
+                else:
+                    _take(d_nodes, i, row, lanes, t)
                 receive_back(landing, w, lanes, t)
                 if len(d_rims):
                     _take_rims(d_rims, i, row, lanes, w)
                 for e in range(count - 1, -1, -1):
                     element, pair = element_of(elements, e), t[np.uintp(e) * BLOCK :]
-                    w = pair[BLOCK:]
                     cross_back(element, pair, lanes)
-                    face_back(element, w, lanes, patches[e], columns, d_table, touched[e])
+                    patch, w = patches[e], pair[BLOCK:]
+                    face_back(element, w, lanes, patch, columns, d_table, touched[e])
                     transfer_back(element, pair, lanes)
                 if sampled:
                     pass_first_back(face, lanes, t)
             if sampled:
-                for lane in range(np.uintp(lanes)):
-                    t[Z + lane] = t[SUM_Z + lane]
-                    t[Z_X + lane] = t[SUM_Z_X + lane]
-                    t[Z_Y + lane] = t[SUM_Z_Y + lane]
+                _take_sums(lanes, t)
                 blend_back(d_rows, up, j, lanes, t)
         if sampled:
             contract_back(d_rows, across, i, lanes, gradient)
+
+
+@jit()
+def _row(t, row):  # type: ignore[no-untyped-def]
+    return t[row : row + np.uintp(BATCH)]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
@@ -218,6 +244,24 @@ def _begin(x, y, lanes, t):  # type: ignore[no-untyped-def]
         t[P_X + lane] = x[lane]
         t[P_Y + lane] = y
         t[P_Z + lane] = t[Z + lane]
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _clear_sums(lanes, t):  # type: ignore[no-untyped-def]
+    zero = t.dtype.type(0)
+    for lane in range(np.uintp(lanes)):
+        t[SUM_Z + lane] = zero
+        t[SUM_Z_X + lane] = zero
+        t[SUM_Z_Y + lane] = zero
+
+
+@jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)
+def _take_sums(lanes, t):  # type: ignore[no-untyped-def]
+    """Cotangents of height and slopes where these were."""
+    for lane in range(np.uintp(lanes)):
+        t[Z + lane] = t[SUM_Z + lane]
+        t[Z_X + lane] = t[SUM_Z_X + lane]
+        t[Z_Y + lane] = t[SUM_Z_Y + lane]
 
 
 @jit(allocates=False, fastmath=FAST, error_model="numpy", forceinline=True)

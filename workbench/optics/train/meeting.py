@@ -258,9 +258,6 @@ def face_back(element, w, lanes, patch, columns, d_table, touched):  # type: ign
         The first and the last patch of this element that was changed so far; changed.
     """
     if element.kind == BSPLINE:
-        collect(w, lanes, patch, columns, d_table)
-        first, last = patch[0], patch[0]
-        for lane in range(lanes):
-            first, last = min(first, patch[lane]), max(last, patch[lane])
+        first, last = collect(w, lanes, patch, columns, d_table)
         touched[0] = min(touched[0], first)
         touched[1] = max(touched[1], last)
