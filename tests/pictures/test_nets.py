@@ -114,4 +114,4 @@ def test_moving_rounds_to_what_a_person_would_type(make_scene):
     back = moved(point, "middle", -np.array(point.position) - 1e-9, 3).position
     assert str(back) == "(0.0, 0.0, 0.0)"  # not -0
     grid = make_scene({"source": GRID}).source
-    assert moved(grid, "middle", by, 3).center == (0.112, -0.1, -3.0)
+    assert moved(grid, "middle", by, 3).position == (0.112, -0.1, -3.0)

@@ -52,12 +52,12 @@ LIT = [LedDesign("flat, freeform", seconds=16.0, efficiency=0.64, deviation=0.05
 def designs():
     """One designed lens, and one that was refused."""
     small = {
-        "lens": {"control_points": [8, 8]},
-        "source": {"rays": [48, 48]},
-        "screen": {"pixels": [16, 16]},
-        "run": {"iterations": 3},
+        "lens.back.control_points": 8,
+        "source.rays": 48,
+        "images[0].receiver.pixels": 16,
+        "run.iterations": 3,
     }
-    example = BenchmarkTask.of("flame-x3", **small)
+    example = BenchmarkTask.of("flame-x3", changes=small)
     design = experiments.design(example, "auto", 5000, lambda case, state: None)
     refused = dataclasses.replace(design, result=None, failure="refused: too bold", error=None)
     return design, refused

@@ -65,7 +65,7 @@ def test_size_of_a_model_is_that_of_the_uniform_emitter_of_its_rays(
     found = of_known_size(scene.source, scene.optic)
 
     assert found.outline == outline
-    assert found.center == pytest.approx((0.1, 0.0, -3.0), abs=0.05)
+    assert found.position == pytest.approx((0.1, 0.0, -3.0), abs=0.05)
     assert found.half_width[0] == pytest.approx(half_width, rel=0.02)
     assert of_known_size(found, scene.optic) is found
 
