@@ -3354,6 +3354,96 @@
             <translation>diese Aufgabe hat kein solches Feld mehr</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Elements</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a plano-convex lens of fixed shape behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a plane mirror behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a copy of the chosen element behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Remove the chosen element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Exchange the chosen element with the one before it, along z too</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Exchange the chosen element with the one behind it, along z too</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add lens</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>designed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Optical train</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Kind</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Custom index</source>
+            <translation>Eigene Brechzahl</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Automatic</source>
+            <translation>Automatisch</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Own limits</source>
+            <translation>Eigene Grenzen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>From the base</source>
+            <translation>Ab Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
+            <translation>Wie weit ein Kontrollpunkt nach unten und oben von der Grundform abweichen darf. Ein weiterer Bereich lenkt Licht weiter ab.</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} von {count}</translation>
@@ -3425,18 +3515,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>further image</source>
-            <translation>weiteres Bild</translation>
+            <source>image</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>Further images</source>
-            <translation>Weitere Bilder</translation>
+            <source>Images</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ein weiter entferntes Bild mit dem Ziel des letzten hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Add a copy of the chosen image behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3455,23 +3550,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>{count} images in all, each by its weight; the first one has 1.</source>
-            <translation>{count} Bilder insgesamt, jedes mit seinem Gewicht; das erste hat 1.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>None: there is one image.</source>
-            <translation>Keine: es gibt ein Bild.</translation>
+            <source>The panels Target and Receiver have the settings of image 1.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>{place}, {target}, weight {weight:g}</source>
             <translation>{place}, {target}, Gewicht {weight:g}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Elsewhere</source>
-            <translation>Anderswo</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3484,46 +3569,6 @@
             <translation>Zielbild ändern</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Custom index</source>
-            <translation>Eigene Brechzahl</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Index</source>
-            <translation>Brechzahl</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Refractive index of the lens; the air around it has 1.</source>
-            <translation>Brechzahl der Linse; die Luft ringsum hat 1.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Automatic</source>
-            <translation>Automatisch</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Own limits</source>
-            <translation>Eigene Grenzen</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>From the base</source>
-            <translation>Ab Grundform</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>From the entrance</source>
-            <translation>Ab Eintritt</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
-            <translation>Wie weit ein Kontrollpunkt nach unten und oben von der Grundform abweichen darf. Ein weiterer Bereich lenkt Licht weiter ab.</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/panel.py" />
             <source>{panel} {field}</source>
             <translation>{panel}, {field}</translation>
@@ -3532,6 +3577,11 @@
             <location filename="../../ui/panels/part_list.py" />
             <source>Add</source>
             <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Duplicate</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3555,6 +3605,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
+            <source>copy of {part} {number}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
             <source>removal of {part} {number}</source>
             <translation>{part} {number} entfernen</translation>
         </message>
@@ -3562,11 +3617,6 @@
             <location filename="../../ui/panels/part_list.py" />
             <source>move of {part} {number}</source>
             <translation>{part} {number} verschieben</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/receiver.py" />
-            <source>Kind</source>
-            <translation>Art</translation>
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3582,6 +3632,11 @@
             <location filename="../../ui/panels/region_list.py" />
             <source>Add a region in the middle</source>
             <translation>Einen Ausschnitt in der Mitte hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Add a copy of the chosen region behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3692,6 +3747,11 @@
             <location filename="../../ui/panels/stage_list.py" />
             <source>Add a stage behind the others</source>
             <translation>Eine Stufe hinter den anderen hinzufügen</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Add a copy of the chosen stage behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/stage_list.py" />
@@ -5231,351 +5291,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What shapes the light.</source>
-            <translation>Was das Licht formt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance face and B-spline exit face over a rectangle.</source>
-            <translation>Eintrittsfläche und B-Spline-Austrittsfläche über einem Rechteck.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half width</source>
-            <translation>Halbbreite</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the lens's extent along x and y. All of it is lit.</source>
-            <translation>Die halbe Ausdehnung der Linse entlang x und y. Sie ist ganz beleuchtet.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Outline</source>
-            <translation>Umriss</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the lens as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the lens.</source>
-            <translation>Die Form der Linse, entlang der Achse gesehen; die Halbbreiten einer Ellipse sind ihre Halbachsen. Licht daneben verfehlt die Linse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Rectangle</source>
-            <translation>Rechteck</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Ellipse</source>
-            <translation>Ellipse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance at z</source>
-            <translation>Eintritt bei z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the entrance face stands on the optical axis.</source>
-            <translation>Wo die Eintrittsfläche auf der optischen Achse steht.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The face that light meets first.</source>
-            <translation>Die Fläche, auf die das Licht zuerst trifft.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Flat</source>
-            <translation>Eben</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A plane across the axis.</source>
-            <translation>Eine Ebene quer zur Achse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Freeform</source>
-            <translation>Freiform</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A second B-spline face, which is designed together with the exit face.</source>
-            <translation>Eine zweite B-Spline-Fläche, die gemeinsam mit der Austrittsfläche entworfen wird.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance degree</source>
-            <translation>Grad des Eintritts</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the entrance face along x and y.</source>
-            <translation>Polynomgrad der Eintrittsfläche entlang x und y.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance control points</source>
-            <translation>Kontrollpunkte des Eintritts</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Number of control points of the entrance face along x and y. Automatic takes as many as the exit face has.</source>
-            <translation>Anzahl der Kontrollpunkte der Eintrittsfläche entlang x und y. Automatisch nimmt so viele, wie die Austrittsfläche hat.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance range</source>
-            <translation>Eintrittsbereich</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the entrance face may be from its place on the axis, towards the source and away from it. Automatic leaves it room behind that place, as glass and source allow.</source>
-            <translation>Wie weit die Eintrittsfläche von ihrem Ort auf der Achse abweichen darf, zur Quelle hin und von ihr weg. Automatisch lässt ihr hinter diesem Ort so viel Raum, wie Glas und Quelle erlauben.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>to</source>
-            <translation>bis</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Material</source>
-            <translation>Material</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What the lens is made of: a catalogue material, or a custom index.</source>
-            <translation>Woraus die Linse besteht: ein Material des Katalogs oder eine eigene Brechzahl.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Wavelength</source>
-            <translation>Wellenlänge</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Vacuum wavelength at which the material's index is taken.</source>
-            <translation>Vakuumwellenlänge, bei der die Brechzahl des Materials gilt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Absorption</source>
-            <translation>Absorption</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
-            <translation>Wie viel das Glas je Länge absorbiert: Licht fällt wie exp(−Absorption · Weg). Klares Glas und Acryl absorbieren etwa 0.0002 je mm.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Reflection</source>
-            <translation>Reflexion</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
-            <translation>Was unbeschichtete Flächen reflektieren: nach den Fresnelschen Formeln für unpolarisiertes Licht, nach Schlicks Näherung wie in der Veröffentlichung oder nichts. Bei Totalreflexion alles.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Fresnel, exact</source>
-            <translation>Fresnel, exakt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Schlick, approximate</source>
-            <translation>Schlick, genähert</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>None</source>
-            <translation>Keine</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Coating</source>
-            <translation>Beschichtung</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
-            <translation>Teil des Lichts, den eine Entspiegelung an Eintritts- und Austrittsfläche unter allen Winkeln reflektiert: 0.005 ist eine gute. Leer: unbeschichtete Flächen.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Degree</source>
-            <translation>Grad</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation>Polynomgrad des B-Splines der Austrittsfläche entlang x und y. 3 ergibt eine glatte Krümmung.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Control points</source>
-            <translation>Kontrollpunkte</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth; the paper's method then has nets like those of the paper.</source>
-            <translation>Anzahl der Kontrollpunkte entlang x und y. Mehr zeichnen feinere Einzelheiten und brauchen länger. Automatisch nimmt, was die Einzelheiten des Ziels, die Pixel des Schirms und die Größe der Quelle wert sind; die Methode der Veröffentlichung hat dann Netze wie dort.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base</source>
-            <translation>Grundform</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the exit face before the design; heights are counted from it.</source>
-            <translation>Die Form der Austrittsfläche vor dem Entwurf; Höhen zählen von ihr aus.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base at z</source>
-            <translation>Grundform bei z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the base crosses the optical axis.</source>
-            <translation>Wo die Grundform die optische Achse schneidet.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Sphere</source>
-            <translation>Kugel</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A spherical cap that rises or falls towards the rim.</source>
-            <translation>Eine Kugelkappe, die zum Rand hin steigt oder fällt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base radius</source>
-            <translation>Radius der Grundform</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
-            <translation>Krümmungsradius der Grundform; größer als die halbe Diagonale von Linse oder Spiegel.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base form</source>
-            <translation>Wölbung</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Concave rises towards the rim, convex falls.</source>
-            <translation>Konkav steigt zum Rand hin, konvex fällt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Concave</source>
-            <translation>Konkav</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Convex</source>
-            <translation>Konvex</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Height range</source>
-            <translation>Höhenbereich</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the exit face may be from the base. Automatic takes what the task needs, between the thinnest and the thickest lens that is allowed.</source>
-            <translation>Wie weit die Austrittsfläche von der Grundform abweichen darf. Automatisch nimmt, was die Aufgabe braucht, zwischen der dünnsten und der dicksten erlaubten Linse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Max. thickness</source>
-            <translation>Max. Dicke</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The exit face is at most this far from the entrance face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
-            <translation>Die Austrittsfläche ist höchstens so weit von der Eintrittsfläche entfernt: die Dicke des Rohteils. Leer: beliebig.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Min. thickness</source>
-            <translation>Min. Dicke</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The exit face stays at least this far above the entrance face, so that the part can be made.</source>
-            <translation>Die Austrittsfläche bleibt mindestens so weit über der Eintrittsfläche, damit sich das Teil herstellen lässt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Mirror</source>
-            <translation>Spiegel</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What shapes the light by reflecting it, in place of a lens.</source>
-            <translation>Was das Licht durch Reflexion formt, an Stelle einer Linse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>One face that reflects, lit from below.</source>
-            <translation>Eine reflektierende Fläche, von unten beleuchtet.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the mirror's extent along x and y. Light reaches it through this extent in the plane of its base.</source>
-            <translation>Halbe Ausdehnung des Spiegels entlang x und y. Licht erreicht ihn durch diese Ausdehnung in der Ebene seiner Grundform.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the mirror as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the mirror.</source>
-            <translation>Die Form des Spiegels, entlang der Achse gesehen; die Halbbreiten einer Ellipse sind ihre Halbachsen. Licht daneben verfehlt den Spiegel.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Reflectance</source>
-            <translation>Reflexionsgrad</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
-            <translation>Teil des Lichts, den der Spiegel unter allen Winkeln reflektiert: etwa 0.9 bei Aluminium, 0.97 bei Silber. Den Rest absorbiert er.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation>Polynomgrad des B-Splines des Spiegels entlang x und y. 3 ergibt eine glatte Krümmung.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the mirror before the design; heights are counted from it.</source>
-            <translation>Die Form des Spiegels vor dem Entwurf; Höhen zählen von ihr aus.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the mirror may be from the base. Automatic takes what the task needs, at most the larger half width: steeper mirrors send no light back.</source>
-            <translation>Wie weit der Spiegel von der Grundform abweichen darf. Automatisch nimmt, was die Aufgabe braucht, höchstens die größere Halbbreite: steilere Spiegel werfen kein Licht zurück.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Thickness</source>
-            <translation>Dicke</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
-            <translation>Wie weit die ebene Rückseite der Platte hinter dem höchsten Punkt des Spiegels liegt, beim Export der Platte.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Source</source>
             <translation>Quelle</translation>
         </message>
@@ -5663,6 +5378,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, measured across the beam.</source>
             <translation>Wo die Bestrahlungsstärke auf 1/e² (13.5 %) der in der Mitte gefallen ist, quer zum Strahl gemessen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wavelength</source>
+            <translation>Wellenlänge</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5781,13 +5506,13 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Centre</source>
-            <translation>Mitte</translation>
+            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
+            <translation>Die Mitte des Rasters: x, y und z. Alle Punkte haben dasselbe z, vor der Eintrittsfläche.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
-            <translation>Die Mitte des Rasters: x, y und z. Alle Punkte haben dasselbe z, vor der Eintrittsfläche.</translation>
+            <source>Half width</source>
+            <translation>Halbbreite</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5846,8 +5571,8 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>How the lamp is turned about its own origin: about the axis x, then about y, then about z.</source>
-            <translation>Wie die Lampe um ihren eigenen Ursprung gedreht ist: um die Achse x, dann um y, dann um z.</translation>
+            <source>How the lamp is turned about its own origin: about its x, then about its new y, then about its new z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5906,8 +5631,23 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Outline</source>
+            <translation>Umriss</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
             <translation>Die Form seiner Fläche; bei einer Ellipse sind die Halbbreiten Halbachsen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle</source>
+            <translation>Rechteck</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ellipse</source>
+            <translation>Ellipse</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5921,38 +5661,23 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Screen</source>
-            <translation>Schirm</translation>
+            <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Where the light is wanted.</source>
-            <translation>Wo das Licht gewünscht ist.</translation>
+            <source>Two faces with a material between; light goes through along its +z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
-            <translation>Rechteck einer Ebene. Seine Koordinaten laufen von seiner Mitte aus entlang seiner Seiten.</translation>
+            <source>What the element is called; letters, digits, - and _.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>At z</source>
-            <translation>Bei z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the middle of the screen stands along the optical axis.</source>
-            <translation>Wo die Mitte des Schirms entlang der optischen Achse steht.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the screen's extent along x and y. The target fills it.</source>
-            <translation>Die halbe Ausdehnung des Schirms entlang x und y. Das Ziel füllt ihn.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where its middle is beside the optical axis, along x and y.</source>
-            <translation>Wo seine Mitte neben der optischen Achse liegt, entlang x und y.</translation>
+            <source>Where the vertex of its front face stands: x, y and z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5961,8 +5686,373 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The screen is turned about its middle: about x, which takes its upper edge away from or towards the lens, and about y. Rows and columns turn with it.</source>
-            <translation>Der Schirm ist um seine Mitte gedreht: um x, was seine Oberkante von der Linse weg oder zu ihr hin bewegt, und um y. Zeilen und Spalten drehen sich mit.</translation>
+            <source>How the element is turned about its front vertex: about its x, then about its new y, then about its new z.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of its extent along x and y. All of it is lit.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of: a catalogue material, or a custom index.</source>
+            <translation>Woraus die Linse besteht: ein Material des Katalogs oder eine eigene Brechzahl.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A refractive index that is the same at all wavelengths.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Index</source>
+            <translation>Brechzahl</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Refractive index at the wavelength of the light.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness</source>
+            <translation>Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the vertex of the front face to the vertex of the back face.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Faces</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Front face and back face, in the order in which light meets them.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Plane</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A plane across the axis.</source>
+            <translation>Eine Ebene quer zur Achse.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Conic</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A surface of revolution: a conic with aspheric coefficients (ISO 10110-12).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius</source>
+            <translation>Radius</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature at the vertex: positive where the centre of curvature lies on the +z side of the vertex.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Conic constant</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coefficients</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>B-spline</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A B-spline over a base; designed unless it is fixed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Degree</source>
+            <translation>Grad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control points</source>
+            <translation>Kontrollpunkte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth, and as many for the front face as for the back face; the paper's method then has nets like those of the paper.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base</source>
+            <translation>Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the face before the design; heights are counted from it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Flat</source>
+            <translation>Eben</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sphere</source>
+            <translation>Kugel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A spherical cap that rises or falls towards the rim.</source>
+            <translation>Eine Kugelkappe, die zum Rand hin steigt oder fällt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base radius</source>
+            <translation>Radius der Grundform</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
+            <translation>Krümmungsradius der Grundform; größer als die halbe Diagonale von Linse oder Spiegel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base form</source>
+            <translation>Wölbung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave rises towards the rim, convex falls.</source>
+            <translation>Konkav steigt zum Rand hin, konvex fällt.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave</source>
+            <translation>Konkav</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex</source>
+            <translation>Konvex</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height range</source>
+            <translation>Höhenbereich</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the face may be from the base. Automatic takes what the task needs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>to</source>
+            <translation>bis</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fixed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The design leaves the face as it is, with the control heights given.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control heights</source>
+            <translation>Kontrollhöhen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>File (.npy) of the control heights of a fixed face, in the element's coordinates.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorption</source>
+            <translation>Absorption</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
+            <translation>Wie viel das Glas je Länge absorbiert: Licht fällt wie exp(−Absorption · Weg). Klares Glas und Acryl absorbieren etwa 0.0002 je mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflection</source>
+            <translation>Reflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
+            <translation>Was unbeschichtete Flächen reflektieren: nach den Fresnelschen Formeln für unpolarisiertes Licht, nach Schlicks Näherung wie in der Veröffentlichung oder nichts. Bei Totalreflexion alles.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresnel, exact</source>
+            <translation>Fresnel, exakt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Schlick, approximate</source>
+            <translation>Schlick, genähert</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>None</source>
+            <translation>Keine</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coating</source>
+            <translation>Beschichtung</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
+            <translation>Teil des Lichts, den eine Entspiegelung an Eintritts- und Austrittsfläche unter allen Winkeln reflektiert: 0.005 ist eine gute. Leer: unbeschichtete Flächen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Max. thickness</source>
+            <translation>Max. Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The back face is at most this far from the front face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Min. thickness</source>
+            <translation>Min. Dicke</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The back face stays at least this far from the front face, so that the part can be made.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror</source>
+            <translation>Spiegel</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One face that reflects, lit from below.</source>
+            <translation>Eine reflektierende Fläche, von unten beleuchtet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The face that reflects.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflectance</source>
+            <translation>Reflexionsgrad</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
+            <translation>Teil des Lichts, den der Spiegel unter allen Winkeln reflektiert: etwa 0.9 bei Aluminium, 0.97 bei Silber. Den Rest absorbiert er.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
+            <translation>Wie weit die ebene Rückseite der Platte hinter dem höchsten Punkt des Spiegels liegt, beim Export der Platte.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image</source>
+            <translation>Bild</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A receiver with the light that is wanted on it. It takes no light from other images.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Receiver</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light is wanted: on a plane or in directions.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
+            <translation>Rechteck einer Ebene. Seine Koordinaten laufen von seiner Mitte aus entlang seiner Seiten.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the middle of the plane stands: x, y and z.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the plane is turned about its middle: about its x, which takes its upper edge away from or towards the lens, then about its new y, then about its new z. Rows and columns turn with it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the screen's extent along x and y. The target fills it.</source>
+            <translation>Die halbe Ausdehnung des Schirms entlang x und y. Das Ziel füllt ihn.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5981,11 +6071,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Directions in which the light is wanted, in place of a screen.</source>
-            <translation>Richtungen, in denen das Licht gewünscht ist, an Stelle eines Schirms.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Directions of the light that leaves the lens, as if a screen were infinitely far.</source>
             <translation>Richtungen des Lichts, das die Linse verlässt, als wäre ein Schirm unendlich fern.</translation>
         </message>
@@ -6001,63 +6086,18 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Centre</source>
+            <translation>Mitte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Its middle: angle to the right and angle upwards from the optical axis.</source>
             <translation>Seine Mitte: Winkel nach rechts und nach oben von der optischen Achse.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Image filter</source>
-            <translation>Bildfilter</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
-            <translation>Wie das Licht eines Strahls auf Pixel verteilt wird, bei der Methode der Veröffentlichung und in Ableitungskarten. Automatisch hat keinen Filter.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Gaussian</source>
-            <translation>Gauß</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
-            <translation>Das Licht fällt über einige Pixel ab, sodass ein Entwurf spürt, wo im Pixel ein Strahl landet.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
-            <translation>Pixel entlang x und y, die ein Strahl erreicht; ungerade Zahlen.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Alpha</source>
-            <translation>Alpha</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
-            <translation>Wie schnell die Gaußkurve fällt: exp(−alpha · Abstand²). Klein ist breit.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Box</source>
-            <translation>Kasten</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Every ray counts fully in the pixel that it hits.</source>
-            <translation>Jeder Strahl zählt ganz in dem Pixel, das er trifft.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The image that the light shall draw.</source>
-            <translation>Das Bild, das das Licht zeichnen soll.</translation>
+            <source>The image that the light shall draw there.</source>
+            <translation>Das Bild, das das Licht dort zeichnen soll.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6068,11 +6108,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>Bright pixels get much light, black ones and transparent ones none.</source>
             <translation>Helle Pixel bekommen viel Licht, schwarze und durchsichtige keines.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Image</source>
-            <translation>Bild</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6231,11 +6266,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius</source>
-            <translation>Radius</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Radius of the shape as a fraction of the smaller half-width of the whole image.</source>
             <translation>Radius der Form als Bruchteil der kleineren Halbbreite des ganzen Bildes.</translation>
         </message>
@@ -6326,43 +6356,63 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Images that the same light shall make elsewhere, on its way to the screen or beyond. Two freeform faces can place light and direct it; one face finds what lies between.</source>
-            <translation>Bilder, die dasselbe Licht anderswo machen soll, auf dem Weg zum Schirm oder dahinter. Zwei Freiformflächen können Licht verteilen und richten; eine Fläche findet, was dazwischen liegt.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Further image</source>
-            <translation>Weiteres Bild</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A receiver of its own with a target of its own. It takes no light from the other images.</source>
-            <translation>Ein eigener Empfänger mit eigenem Ziel. Er nimmt den anderen Bildern kein Licht.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where light is wanted as well, at another place.</source>
-            <translation>Wo Licht ebenfalls gewünscht ist, an einem anderen Ort.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Directions in which light is wanted as well, in place of a screen.</source>
-            <translation>Richtungen, in denen Licht ebenfalls gewünscht ist, an Stelle eines Schirms.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The image that the light shall draw there.</source>
-            <translation>Das Bild, das das Licht dort zeichnen soll.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Weight</source>
             <translation>Gewicht</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What the square of this image's relative error counts for in a design, beside 1 for the first image.</source>
-            <translation>Was das Quadrat des relativen Fehlers dieses Bildes in einem Entwurf zählt, neben 1 für das erste Bild.</translation>
+            <source>Factor of the square of this image's relative error in a design of several images.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image filter</source>
+            <translation>Bildfilter</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
+            <translation>Wie das Licht eines Strahls auf Pixel verteilt wird, bei der Methode der Veröffentlichung und in Ableitungskarten. Automatisch hat keinen Filter.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gauß</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
+            <translation>Das Licht fällt über einige Pixel ab, sodass ein Entwurf spürt, wo im Pixel ein Strahl landet.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
+            <translation>Pixel entlang x und y, die ein Strahl erreicht; ungerade Zahlen.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Alpha</source>
+            <translation>Alpha</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
+            <translation>Wie schnell die Gaußkurve fällt: exp(−alpha · Abstand²). Klein ist breit.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Box</source>
+            <translation>Kasten</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Every ray counts fully in the pixel that it hits.</source>
+            <translation>Jeder Strahl zählt ganz in dem Pixel, das er trifft.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6553,11 +6603,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>What the optimiser moves: one number per control height, or the weights of a network that puts the heights out. In a sparse network the neurons of control points that share a piece of the face are linked, in a dense one all are.</source>
             <translation>Was der Optimierer bewegt: eine Zahl je Kontrollhöhe oder die Gewichte eines Netzwerks, das die Höhen ausgibt. In einem dünn besetzten Netzwerk sind die Neuronen von Kontrollpunkten verbunden, die ein Stück der Fläche teilen, in einem vollbesetzten alle.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Control heights</source>
-            <translation>Kontrollhöhen</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7071,6 +7116,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>{input} has other signs; letters, digits, - and _ are possible</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{input} is not a list; a list of numbers is needed</source>
             <translation>{input} ist keine Liste; eine Liste von Zahlen ist nötig</translation>
         </message>
@@ -7091,6 +7141,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>{actual_length} values given; at least {min_length} are needed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{actual_length} values given; exactly {max_length} are needed</source>
             <translation>{actual_length} Werte angegeben; genau {max_length} sind nötig</translation>
         </message>
@@ -7098,6 +7153,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench" />
             <source>{input}: two whole numbers or 'auto' are needed</source>
             <translation>{input}: zwei ganze Zahlen oder 'auto' sind nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is neither a name nor an index above 1</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7555,6 +7615,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{rays} sind zu viele; höchstens {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/tracing/train.py" />
+            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>cells follow light through one element only; random rays are used</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../workbench/analysis/validation.py" />
             <source>finer cells would take too long: ask for more rays</source>
             <translation>feinere Zellen würden zu lange dauern: mehr Strahlen verlangen</translation>
@@ -7786,26 +7856,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.height_range to a wider range</source>
-            <translation>lens.height_range auf einen breiteren Bereich setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set mirror.height_range to a wider range</source>
-            <translation>mirror.height_range auf einen breiteren Bereich setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.max_thickness to a larger thickness</source>
-            <translation>lens.max_thickness auf eine größere Dicke setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.entrance.height_range to a wider range</source>
-            <translation>lens.entrance.height_range auf einen breiteren Bereich setzen</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
             <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
             <translation>Die Eintrittsfläche füllt {part:.0f} % ihres automatischen Bereichs von {range} {unit}</translation>
         </message>
@@ -7883,6 +7933,16 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/design/shortfall.py" />
             <source>{field}: {said}</source>
             <translation>{field}: {said}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set {field} to a larger thickness</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set {field} to a wider range</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -8010,41 +8070,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ist ein beschädigtes oder unvollständiges ZIP: {detail}</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
-            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; {cure}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>one of {fitting} fits</source>
-            <translation>einer von {fitting} passt</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a smaller one or higher ridges are needed</source>
-            <translation>ein kleinerer oder höhere Rillen werden gebraucht</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g}; a length above 0</source>
-            <translation>{value:g}; eine Länge über 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g}; a length of 0 or more</source>
-            <translation>{value:g}; eine Länge von 0 oder mehr</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
-            <translation>{ridge:g}; weniger als der Fräserradius {radius:g} ist nötig</translation>
-        </message>
-        <message>
             <location filename="../../workbench/files/export/far_light.py" />
             <source>no light leaves its {body}, so that it has no intensity</source>
             <translation>kein Licht verlässt den {body}, also gibt es keine Lichtstärke</translation>
@@ -8053,6 +8078,21 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no ending that tells a format; one of {endings}</source>
             <translation>hat keine Endung, die ein Format nennt; eine von {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>ein Kugelfräser von {radius} passt nicht: er lässt bei x = {x}, y = {y} {left} stehen und nimmt {cut} zu viel weg; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>one of {fitting} fits</source>
+            <translation>einer von {fitting} passt</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>ein kleinerer oder höhere Rillen werden gebraucht</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -8080,7 +8120,27 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>OpenCASCADE findet in der IGES-Datei, die es geschrieben hat, keine B-Spline-Fläche</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/mesh_unit.py" />
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g}; eine Länge über 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g}; eine Länge von 0 oder mehr</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit}; von {least:g} bis {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
+            <translation>{ridge:g}; weniger als der Fräserradius {radius:g} ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
             <source>{unit}; one of {known}</source>
             <translation>{unit}; eine von {known}</translation>
         </message>
@@ -8205,6 +8265,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>enthielte {count} aufbewahrte Läufe; höchstens {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/geometry/ball_cutter.py" />
+            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
+            <translation>{scallop:.2g} braucht {moves:,} Wege dieses Fräsers, mehr als {most:,}; eine größere</translation>
+        </message>
+        <message>
             <location filename="../../workbench/geometry/body.py" />
             <source>its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} at z = {end:g}: that is no {body}</source>
             <translation>{face}: z = {z:.5g} {unit} bei x = {x:.4g}, y = {y:.4g}, nicht {limit} bei z = {end:g}: so gibt es keinen {body}</translation>
@@ -8228,11 +8293,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <location filename="../../workbench/geometry/body.py" />
             <source>below all</source>
             <translation>unter allem</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/geometry/tool_path.py" />
-            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
-            <translation>{scallop:.2g} braucht {moves:,} Wege dieses Fräsers, mehr als {most:,}; eine größere</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8495,14 +8555,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>„{file}“ {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/beam_angles.py" />
-            <source>it has a single angle {name}; two are needed</source>
-            <translation>sie hat nur einen Winkel {name}; zwei werden gebraucht</translation>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>is no photometric file; {endings} is needed</source>
+            <translation>ist keine photometrische Datei; {endings} ist nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/beam_angles.py" />
-            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
-            <translation>ihre Winkel {name} gehen von {first:g}° bis {last:g}°; sie müssen innerhalb von −{most}° bis {most}° ansteigen</translation>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>hat mehr als {most} MB, zu viel für eine solche Datei</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>lässt sich nicht verwenden: {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8565,21 +8630,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ihre Symmetrie ist {symmetry}, und sie hat {n} C-Ebenen; nötig ist ein Vielfaches von {parts}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>is no photometric file; {endings} is needed</source>
-            <translation>ist keine photometrische Datei; {endings} ist nötig</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>has more than {most} MB, too many for such a file</source>
-            <translation>hat mehr als {most} MB, zu viel für eine solche Datei</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>cannot be used: {problem}</source>
-            <translation>lässt sich nicht verwenden: {problem}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/measured/photometry/table.py" />
             <source>it has a single angle γ; at least two are needed</source>
             <translation>sie hat einen einzigen Winkel γ; nötig sind mindestens zwei</translation>
@@ -8620,9 +8670,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ihre C-Ebenen gehen von {first:g}° bis {last:g}°; das ist keine bekannte Symmetrie</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/rays/chunks.py" />
-            <source>it is cut off behind ray {ray}</source>
-            <translation>sie ist nach Strahl {ray} abgeschnitten</translation>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has a single angle {name}; two are needed</source>
+            <translation>sie hat nur einen Winkel {name}; zwei werden gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
+            <translation>ihre Winkel {name} gehen von {first:g}° bis {last:g}°; sie müssen innerhalb von −{most}° bis {most}° ansteigen</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/__init__.py" />
+            <source>is no ray file; {endings} are known</source>
+            <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
@@ -8695,9 +8755,9 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ihr Strahl {ray} hat negativen Lichtstrom</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/rays/read.py" />
-            <source>is no ray file; {endings} are known</source>
-            <translation>ist keine Strahlendatei; bekannt sind {endings}</translation>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>it is cut off behind ray {ray}</source>
+            <translation>sie ist nach Strahl {ray} abgeschnitten</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/table.py" />
@@ -8876,6 +8936,11 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/optics/sampled.py" />
+            <source>samples of the aperture, followed through fixed faces once</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
             <source>samples on the exit face, shared by all origins of the light</source>
             <translation>Stützstellen auf der Austrittsfläche, gemeinsam für alle Ursprünge des Lichts</translation>
         </message>
@@ -8895,27 +8960,27 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{part} % des Lichts werden an der {face} totalreflektiert, das meiste um x = {x}, y = {y}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>1 direction of light</source>
             <translation>1 Lichtrichtung</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>{count} directions of light</source>
             <translation>{count} Lichtrichtungen</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>1 point of light</source>
             <translation>1 Lichtpunkt</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>{count} points of light</source>
             <translation>{count} Lichtpunkte</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>mirror symmetry: {some} of them are traced</source>
             <translation>Spiegelsymmetrie: {some} davon werden verfolgt</translation>
         </message>
@@ -8965,16 +9030,6 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{figure}; {remark}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/base.py" />
-            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} überspannt die Linse nicht; mehr als ihre halbe Diagonale {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/base.py" />
-            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} überspannt den Spiegel nicht; mehr als seine halbe Diagonale {least:g}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/collimated_source.py" />
             <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
             <translation>{angle:g} bringt Licht {steepest:g} Grad von der Achse, das nicht dorthin kommt ({front}); weniger als 90 insgesamt</translation>
@@ -8990,12 +9045,47 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{radius:g} ist zu schmal für einen Spiegel mit halber Breite {half:g}; mindestens {least:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/element.py" />
+            <source>'auto' needs a target to choose for; numbers</source>
+            <translation>'auto' braucht ein Ziel, um zu wählen; Zahlen</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/emission.py" />
             <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
             <translation>{parts} ergeben {across} × {up} Rechtecke; höchstens {most} insgesamt</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/entrance.py" />
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{count} is too few for degree {degree}; at least {least}</source>
+            <translation>{count} sind zu wenige für Grad {degree}; mindestens {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt die Linse nicht; mehr als ihre halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} überspannt den Spiegel nicht; mehr als seine halbe Diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>0 is no curvature; a radius, or a plane face</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} ends within the lens; more than {least:g} in size</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} ends within the mirror; more than {least:g} in size</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
             <translation>[{low:g}, {high:g}] ist leer; der kleinere Wert zuerst</translation>
         </message>
@@ -9010,34 +9100,14 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>hat keinen Abstand; ein Schirm ist nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/further_image.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sind angegeben; höchstens {most}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/grid_source.py" />
             <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
             <translation>{rays} von jedem der {points} Punkte sind zu viele; höchstens {most} Strahlen insgesamt</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/kinds.py" />
-            <source>missing; it or {other} is required</source>
-            <translation>fehlt; dies oder {other} wird gebraucht</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/kinds.py" />
-            <source>is given together with a {one}; one of them is needed</source>
-            <translation>ist zusammen mit {one} angegeben; nur eines davon ist nötig</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
-            <translation>{value} ist weder Zahl noch Name; eine Zahl über 1 oder der Name eines Materials</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/lens.py" />
-            <source>{value}; a number greater than 1 is needed</source>
-            <translation>{value}; eine Zahl über 1 ist nötig</translation>
+            <source>a front face is designed together with the back face; 'bspline', not fixed</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9055,24 +9125,14 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>{height:g} lässt keinen Raum unter der größten Dicke; weniger als {most:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/lens.py" />
-            <source>missing; it goes with {material}</source>
-            <translation>fehlt; sie gehört zu {material}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if need be</source>
             <translation>mit {large:g} lässt sich nicht rechnen; von {least:g} bis {most:g}, nötigenfalls in einer anderen Einheit</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
-            <source>{half:g} makes the lens slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} macht die Linse schmaler als {most:g} zu 1; mindestens {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/limits.py" />
-            <source>{half:g} makes the mirror slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} macht den Spiegel schmaler als {most:g} zu 1; mindestens {least:g}</translation>
+            <source>{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
@@ -9100,19 +9160,39 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>'{file}' ist keines von diesen: {endings}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/net.py" />
-            <source>{count} is too few for degree {degree}; at least {least}</source>
-            <translation>{count} sind zu wenige für Grad {degree}; mindestens {least}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/optic.py" />
-            <source>'auto' needs a target to choose for; numbers</source>
-            <translation>'auto' braucht ein Ziel, um zu wählen; Zahlen</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/part.py" />
             <source>{value:g} is too small for this one; a number that it can hold</source>
             <translation>{value:g} ist zu klein für diese; eine Zahl, die sie fasst</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>no path of a field; a path as in lens.thickness is needed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>given twice; one value for each field</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>no field and no element of this scene; fields: {fields}; elements: {names}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>unknown field; there is no such part of the scene</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>there are only {count} of them; 0 to {last}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>there is none of them</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
@@ -9155,14 +9235,19 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>ergeben Seiten, die sich kreuzen; in ihrer Reihenfolge um das Polygon</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
-            <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
-            <translation>[{x:g}, {y:g}] dreht die Rückseite des Schirms zum Licht der Linse; seine Vorderseite muss der ganzen Linse zugewandt sein</translation>
+            <location filename="../../workbench/scene/region.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sind angegeben; höchstens {most}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
-            <source>[{x:g}, {y:g}] turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
-            <translation>[{x:g}, {y:g}] dreht die Rückseite des Schirms zum Licht des Spiegels; seine Vorderseite muss dem ganzen Spiegel zugewandt sein</translation>
+            <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
@@ -9211,8 +9296,73 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; none</source>
-            <translation>{count} angegeben, die nicht berücksichtigt werden können ({who}); keine</translation>
+            <source>'{name}' is the name of another element; another name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>no face is designed; one face of shape 'bspline'</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>a second designed element; one element is designed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>fixed B-spline faces are not traced yet; a conic face</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>a mirror that is not designed is not traced yet</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>elements behind a mirror are not traced yet; none</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>the first and the designed element stand upright on the axis; 0</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{z:g} reaches into {name}; at least {least:g}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>missing; it goes with {material}</source>
+            <translation>fehlt; sie gehört zu {material}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
+            <translation>{value} ist weder Zahl noch Name; eine Zahl über 1 oder der Name eines Materials</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>{value}; a number greater than 1 is needed</source>
+            <translation>{value}; eine Zahl über 1 ist nötig</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>missing; it or {other} is required</source>
+            <translation>fehlt; dies oder {other} wird gebraucht</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>is given together with a {one}; one of them is needed</source>
+            <translation>ist zusammen mit {one} angegeben; nur eines davon ist nötig</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/viewing.py" />
@@ -9335,22 +9485,22 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
             <translation>'{path}' {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: {why}</source>
             <translation>ist kein vollständiges .npy-Feld von Zahlen: {why}</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>has {count} dimensions; 2 (rows, columns) are needed</source>
             <translation>hat {count} Dimensionen; 2 (Zeilen, Spalten) sind nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>holds values of type {kind}; real numbers are needed</source>
             <translation>enthält Werte vom Typ {kind}; reelle Zahlen sind nötig</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
             <translation>ist kein vollständiges .npy-Feld von Zahlen: es fehlen einige von {size} Byte</translation>
         </message>

@@ -3354,6 +3354,96 @@
             <translation>cette tâche n'a plus de tel champ</translation>
         </message>
         <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Elements</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a plano-convex lens of fixed shape behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a plane mirror behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add a copy of the chosen element behind the last element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Remove the chosen element</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Exchange the chosen element with the one before it, along z too</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Exchange the chosen element with the one behind it, along z too</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add lens</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>Add mirror</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/element_list.py" />
+            <source>designed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Optical train</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Kind</source>
+            <translation>Genre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Custom index</source>
+            <translation>Indice propre</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Automatic</source>
+            <translation>Automatique</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>Own limits</source>
+            <translation>Limites propres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>From the base</source>
+            <translation>Depuis la base</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/elements.py" />
+            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
+            <translation>De combien un point de contrôle peut s'écarter de la base, vers le bas et le haut. Une plage plus large dévie davantage la lumière.</translation>
+        </message>
+        <message>
             <location filename="../../ui/panels/fields.py" />
             <source>{label}, {number} of {count}</source>
             <translation>{label}, {number} sur {count}</translation>
@@ -3425,18 +3515,23 @@
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>further image</source>
-            <translation>autre image</translation>
+            <source>image</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>Further images</source>
-            <translation>Autres images</translation>
+            <source>Images</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Add an image farther away, with the target of the last one</source>
             <translation>Ajouter une image plus loin, avec la cible de la dernière</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/image_list.py" />
+            <source>Add a copy of the chosen image behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3455,23 +3550,13 @@
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
-            <source>{count} images in all, each by its weight; the first one has 1.</source>
-            <translation>{count} images en tout, chacune selon son poids ; la première a 1.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/image_list.py" />
-            <source>None: there is one image.</source>
-            <translation>Aucune : il y a une image.</translation>
+            <source>The panels Target and Receiver have the settings of image 1.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>{place}, {target}, weight {weight:g}</source>
             <translation>{place}, {target}, poids {weight:g}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/images.py" />
-            <source>Elsewhere</source>
-            <translation>Ailleurs</translation>
         </message>
         <message>
             <location filename="../../ui/panels/images.py" />
@@ -3484,46 +3569,6 @@
             <translation>changement d'image cible</translation>
         </message>
         <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Custom index</source>
-            <translation>Indice propre</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Index</source>
-            <translation>Indice</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Refractive index of the lens; the air around it has 1.</source>
-            <translation>Indice de réfraction de la lentille ; l'air autour a 1.</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Automatic</source>
-            <translation>Automatique</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>Own limits</source>
-            <translation>Limites propres</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>From the base</source>
-            <translation>Depuis la base</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>From the entrance</source>
-            <translation>Depuis l'entrée</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/lens.py" />
-            <source>How far a control point may move from the base, down and up. A wider range bends light further.</source>
-            <translation>De combien un point de contrôle peut s'écarter de la base, vers le bas et le haut. Une plage plus large dévie davantage la lumière.</translation>
-        </message>
-        <message>
             <location filename="../../ui/panels/panel.py" />
             <source>{panel} {field}</source>
             <translation>{panel}, {field}</translation>
@@ -3532,6 +3577,11 @@
             <location filename="../../ui/panels/part_list.py" />
             <source>Add</source>
             <translation>Ajouter</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
+            <source>Duplicate</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3555,6 +3605,11 @@
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
+            <source>copy of {part} {number}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../ui/panels/part_list.py" />
             <source>removal of {part} {number}</source>
             <translation>retrait : {part} {number}</translation>
         </message>
@@ -3562,11 +3617,6 @@
             <location filename="../../ui/panels/part_list.py" />
             <source>move of {part} {number}</source>
             <translation>déplacement : {part} {number}</translation>
-        </message>
-        <message>
-            <location filename="../../ui/panels/receiver.py" />
-            <source>Kind</source>
-            <translation>Genre</translation>
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3582,6 +3632,11 @@
             <location filename="../../ui/panels/region_list.py" />
             <source>Add a region in the middle</source>
             <translation>Ajouter une région au milieu</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/region_list.py" />
+            <source>Add a copy of the chosen region behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3692,6 +3747,11 @@
             <location filename="../../ui/panels/stage_list.py" />
             <source>Add a stage behind the others</source>
             <translation>Ajouter une étape après les autres</translation>
+        </message>
+        <message>
+            <location filename="../../ui/panels/stage_list.py" />
+            <source>Add a copy of the chosen stage behind it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../ui/panels/stage_list.py" />
@@ -5231,351 +5291,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What shapes the light.</source>
-            <translation>Ce qui met en forme la lumière.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance face and B-spline exit face over a rectangle.</source>
-            <translation>Face d'entrée et face de sortie B-spline sur un rectangle.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half width</source>
-            <translation>Demi-largeur</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the lens's extent along x and y. All of it is lit.</source>
-            <translation>La moitié de l'étendue de la lentille selon x et y. Elle est éclairée tout entière.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Outline</source>
-            <translation>Contour</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the lens as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the lens.</source>
-            <translation>La forme de la lentille vue selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque la lentille.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Rectangle</source>
-            <translation>Rectangle</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Ellipse</source>
-            <translation>Ellipse</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance at z</source>
-            <translation>Entrée à z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the entrance face stands on the optical axis.</source>
-            <translation>Où la face d'entrée se trouve sur l'axe optique.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The face that light meets first.</source>
-            <translation>La face que la lumière rencontre d'abord.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Flat</source>
-            <translation>Plane</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A plane across the axis.</source>
-            <translation>Un plan perpendiculaire à l'axe.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Freeform</source>
-            <translation>Forme libre</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A second B-spline face, which is designed together with the exit face.</source>
-            <translation>Une seconde face B-spline, conçue avec la face de sortie.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance degree</source>
-            <translation>Degré de l'entrée</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the entrance face along x and y.</source>
-            <translation>Degré polynomial de la face d'entrée selon x et y.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance control points</source>
-            <translation>Points de contrôle d'entrée</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Number of control points of the entrance face along x and y. Automatic takes as many as the exit face has.</source>
-            <translation>Nombre de points de contrôle de la face d'entrée selon x et y. Automatique en prend autant que la face de sortie.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Entrance range</source>
-            <translation>Plage d'entrée</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the entrance face may be from its place on the axis, towards the source and away from it. Automatic leaves it room behind that place, as glass and source allow.</source>
-            <translation>De combien la face d'entrée peut s'écarter de sa place sur l'axe, vers la source et à l'opposé. Automatique lui laisse la place derrière, autant que verre et source le permettent.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>to</source>
-            <translation>à</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Material</source>
-            <translation>Matériau</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What the lens is made of: a catalogue material, or a custom index.</source>
-            <translation>De quoi la lentille est faite : un matériau du catalogue, ou un indice propre.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Wavelength</source>
-            <translation>Longueur d'onde</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Vacuum wavelength at which the material's index is taken.</source>
-            <translation>Longueur d'onde dans le vide à laquelle l'indice du matériau est pris.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Absorption</source>
-            <translation>Absorption</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
-            <translation>Ce que le verre absorbe par longueur : la lumière décroît comme exp(−absorption · trajet). Verre clair et acrylique absorbent environ 0.0002 par mm.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Reflection</source>
-            <translation>Réflexion</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
-            <translation>Ce que des faces nues réfléchissent : selon les équations de Fresnel pour une lumière non polarisée, selon l'approximation de Schlick, comme dans l'article, ou rien. En réflexion totale, tout.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Fresnel, exact</source>
-            <translation>Fresnel, exact</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Schlick, approximate</source>
-            <translation>Schlick, approché</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>None</source>
-            <translation>Aucune</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Coating</source>
-            <translation>Traitement</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
-            <translation>Part de la lumière qu'un traitement antireflet réfléchit, à la face d'entrée et à celle de sortie, à tous les angles : 0.005 est bon. Vide : faces nues.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Degree</source>
-            <translation>Degré</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the exit face's B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation>Degré polynomial de la B-spline de la face de sortie selon x et y. 3 donne une courbure lisse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Control points</source>
-            <translation>Points de contrôle</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth; the paper's method then has nets like those of the paper.</source>
-            <translation>Nombre de points de contrôle selon x et y. Plus dessinent un détail plus fin et prennent plus de temps. Automatique prend ce que valent le détail de la cible, les pixels de l'écran et la taille de la source ; la méthode de l'article a alors des réseaux comme les siens.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base</source>
-            <translation>Base</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the exit face before the design; heights are counted from it.</source>
-            <translation>La forme de la face de sortie avant la conception ; les hauteurs se comptent à partir d'elle.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base at z</source>
-            <translation>Base à z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the base crosses the optical axis.</source>
-            <translation>Où la base croise l'axe optique.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Sphere</source>
-            <translation>Sphère</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A spherical cap that rises or falls towards the rim.</source>
-            <translation>Une calotte sphérique qui monte ou descend vers le bord.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base radius</source>
-            <translation>Rayon de la base</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
-            <translation>Rayon de courbure de la base ; plus que la demi-diagonale de la lentille ou du miroir.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Base form</source>
-            <translation>Forme de la base</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Concave rises towards the rim, convex falls.</source>
-            <translation>Concave monte vers le bord, convexe descend.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Concave</source>
-            <translation>Concave</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Convex</source>
-            <translation>Convexe</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Height range</source>
-            <translation>Plage de hauteur</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the exit face may be from the base. Automatic takes what the task needs, between the thinnest and the thickest lens that is allowed.</source>
-            <translation>De combien la face de sortie peut s'écarter de la base. Automatique prend ce qu'il faut à la tâche, entre la plus mince et la plus épaisse lentille permise.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Max. thickness</source>
-            <translation>Épaisseur max.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The exit face is at most this far from the entrance face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
-            <translation>La face de sortie est au plus à cette distance de la face d'entrée : l'épaisseur du brut dont la pièce est faite. Vide : quelconque.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Min. thickness</source>
-            <translation>Épaisseur min.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The exit face stays at least this far above the entrance face, so that the part can be made.</source>
-            <translation>La face de sortie reste au moins à cette distance au-dessus de la face d'entrée, pour que la pièce puisse être faite.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Mirror</source>
-            <translation>Miroir</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>What shapes the light by reflecting it, in place of a lens.</source>
-            <translation>Ce qui met en forme la lumière en la réfléchissant, à la place d'une lentille.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>One face that reflects, lit from below.</source>
-            <translation>Une face qui réfléchit, éclairée d'en bas.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the mirror's extent along x and y. Light reaches it through this extent in the plane of its base.</source>
-            <translation>Moitié de l'étendue du miroir selon x et y. La lumière l'atteint à travers cette étendue dans le plan de sa base.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the mirror as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the mirror.</source>
-            <translation>La forme du miroir vu selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque le miroir.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Reflectance</source>
-            <translation>Facteur de réflexion</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
-            <translation>Part de la lumière que le miroir réfléchit, à tous les angles : environ 0.9 pour l'aluminium, 0.97 pour l'argent. Il absorbe le reste.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Polynomial degree of the mirror's B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation>Degré polynomial de la B-spline du miroir selon x et y. 3 donne une courbure lisse.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The shape of the mirror before the design; heights are counted from it.</source>
-            <translation>La forme du miroir avant la conception ; les hauteurs se comptent à partir d'elle.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the mirror may be from the base. Automatic takes what the task needs, at most the larger half width: steeper mirrors send no light back.</source>
-            <translation>De combien le miroir peut s'écarter de la base. Automatique prend ce qu'il faut à la tâche, au plus la plus grande demi-largeur : des miroirs plus raides ne renvoient pas de lumière.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Thickness</source>
-            <translation>Épaisseur</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
-            <translation>À quelle distance le dos plan de la plaque est derrière le point le plus haut du miroir, dans les exports de la plaque.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Source</source>
             <translation>Source</translation>
         </message>
@@ -5663,6 +5378,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, measured across the beam.</source>
             <translation>Où l'éclairement est tombé à 1/e² (13.5 %) de celui du milieu, mesuré en travers du faisceau.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Wavelength</source>
+            <translation>Longueur d'onde</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5781,13 +5506,13 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Centre</source>
-            <translation>Centre</translation>
+            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
+            <translation>Le milieu de la grille : x, y et z. Tous les points ont le même z, devant la face d'entrée.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The middle of the grid: x, y and z. All points have the same z, before the entrance face.</source>
-            <translation>Le milieu de la grille : x, y et z. Tous les points ont le même z, devant la face d'entrée.</translation>
+            <source>Half width</source>
+            <translation>Demi-largeur</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5846,8 +5571,8 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>How the lamp is turned about its own origin: about the axis x, then about y, then about z.</source>
-            <translation>Comment la lampe est tournée autour de son origine : autour de l'axe x, puis de y, puis de z.</translation>
+            <source>How the lamp is turned about its own origin: about its x, then about its new y, then about its new z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5906,8 +5631,23 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Outline</source>
+            <translation>Contour</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>The shape of its face; of an ellipse the half-widths are semi-axes.</source>
             <translation>La forme de sa face ; pour une ellipse les demi-largeurs sont des demi-axes.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle</source>
+            <translation>Rectangle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Ellipse</source>
+            <translation>Ellipse</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5921,38 +5661,23 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Screen</source>
-            <translation>Écran</translation>
+            <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Where the light is wanted.</source>
-            <translation>Où la lumière est voulue.</translation>
+            <source>Two faces with a material between; light goes through along its +z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
-            <translation>Rectangle d'un plan. Ses coordonnées suivent ses côtés, à partir de son milieu.</translation>
+            <source>What the element is called; letters, digits, - and _.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>At z</source>
-            <translation>À z</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where the middle of the screen stands along the optical axis.</source>
-            <translation>Où le milieu de l'écran se trouve selon l'axe optique.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Half of the screen's extent along x and y. The target fills it.</source>
-            <translation>La moitié de l'étendue de l'écran selon x et y. La cible le remplit.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where its middle is beside the optical axis, along x and y.</source>
-            <translation>Où est son milieu à côté de l'axe optique, selon x et y.</translation>
+            <source>Where the vertex of its front face stands: x, y and z.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5961,8 +5686,373 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>The screen is turned about its middle: about x, which takes its upper edge away from or towards the lens, and about y. Rows and columns turn with it.</source>
-            <translation>L'écran est tourné autour de son milieu : autour de x, ce qui éloigne ou approche de la lentille son bord supérieur, et autour de y. Lignes et colonnes tournent avec lui.</translation>
+            <source>How the element is turned about its front vertex: about its x, then about its new y, then about its new z.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of its extent along x and y. All of it is lit.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Material</source>
+            <translation>Matériau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What the lens is made of: a catalogue material, or a custom index.</source>
+            <translation>De quoi la lentille est faite : un matériau du catalogue, ou un indice propre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A refractive index that is the same at all wavelengths.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Index</source>
+            <translation>Indice</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Refractive index at the wavelength of the light.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Thickness</source>
+            <translation>Épaisseur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>From the vertex of the front face to the vertex of the back face.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Faces</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Front face and back face, in the order in which light meets them.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Plane</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A plane across the axis.</source>
+            <translation>Un plan perpendiculaire à l'axe.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Conic</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A surface of revolution: a conic with aspheric coefficients (ISO 10110-12).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius</source>
+            <translation>Rayon</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature at the vertex: positive where the centre of curvature lies on the +z side of the vertex.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Conic constant</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coefficients</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>B-spline</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A B-spline over a base; designed unless it is fixed.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Degree</source>
+            <translation>Degré</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control points</source>
+            <translation>Points de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth, and as many for the front face as for the back face; the paper's method then has nets like those of the paper.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base</source>
+            <translation>Base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The shape of the face before the design; heights are counted from it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Flat</source>
+            <translation>Plane</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Sphere</source>
+            <translation>Sphère</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A spherical cap that rises or falls towards the rim.</source>
+            <translation>Une calotte sphérique qui monte ou descend vers le bord.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base radius</source>
+            <translation>Rayon de la base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Radius of curvature of the base; more than the half-diagonal of the lens or mirror.</source>
+            <translation>Rayon de courbure de la base ; plus que la demi-diagonale de la lentille ou du miroir.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Base form</source>
+            <translation>Forme de la base</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave rises towards the rim, convex falls.</source>
+            <translation>Concave monte vers le bord, convexe descend.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Concave</source>
+            <translation>Concave</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Convex</source>
+            <translation>Convexe</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Height range</source>
+            <translation>Plage de hauteur</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the face may be from the base. Automatic takes what the task needs.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>to</source>
+            <translation>à</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fixed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The design leaves the face as it is, with the control heights given.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Control heights</source>
+            <translation>Hauteurs de contrôle</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>File (.npy) of the control heights of a fixed face, in the element's coordinates.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Absorption</source>
+            <translation>Absorption</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How much the glass absorbs per length: light falls as exp(−absorption · path). Clear glass and acrylic absorb some 0.0002 per mm.</source>
+            <translation>Ce que le verre absorbe par longueur : la lumière décroît comme exp(−absorption · trajet). Verre clair et acrylique absorbent environ 0.0002 par mm.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflection</source>
+            <translation>Réflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>What bare faces reflect: by Fresnel's equations for unpolarised light, by Schlick's approximation to them, as in the paper, or nothing. Under total reflection all of it.</source>
+            <translation>Ce que des faces nues réfléchissent : selon les équations de Fresnel pour une lumière non polarisée, selon l'approximation de Schlick, comme dans l'article, ou rien. En réflexion totale, tout.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Fresnel, exact</source>
+            <translation>Fresnel, exact</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Schlick, approximate</source>
+            <translation>Schlick, approché</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>None</source>
+            <translation>Aucune</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Coating</source>
+            <translation>Traitement</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that an antireflection coating reflects, at the entrance face and at the exit face, at all angles: 0.005 is a good one. Left empty, faces are bare.</source>
+            <translation>Part de la lumière qu'un traitement antireflet réfléchit, à la face d'entrée et à celle de sortie, à tous les angles : 0.005 est bon. Vide : faces nues.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Max. thickness</source>
+            <translation>Épaisseur max.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The back face is at most this far from the front face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Min. thickness</source>
+            <translation>Épaisseur min.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The back face stays at least this far from the front face, so that the part can be made.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Mirror</source>
+            <translation>Miroir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>One face that reflects, lit from below.</source>
+            <translation>Une face qui réfléchit, éclairée d'en bas.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>The face that reflects.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Reflectance</source>
+            <translation>Facteur de réflexion</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Part of the light that the mirror reflects, at all angles: about 0.9 for aluminium, 0.97 for silver. It absorbs the rest.</source>
+            <translation>Part de la lumière que le miroir réfléchit, à tous les angles : environ 0.9 pour l'aluminium, 0.97 pour l'argent. Il absorbe le reste.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How far the flat back of the plate is behind the highest point of the mirror, in exports of the plate.</source>
+            <translation>À quelle distance le dos plan de la plaque est derrière le point le plus haut du miroir, dans les exports de la plaque.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image</source>
+            <translation>Image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>A receiver with the light that is wanted on it. It takes no light from other images.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Receiver</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the light is wanted: on a plane or in directions.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Rectangle of a plane. Its coordinates go along its sides, from its middle.</source>
+            <translation>Rectangle d'un plan. Ses coordonnées suivent ses côtés, à partir de son milieu.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Where the middle of the plane stands: x, y and z.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How the plane is turned about its middle: about its x, which takes its upper edge away from or towards the lens, then about its new y, then about its new z. Rows and columns turn with it.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Half of the screen's extent along x and y. The target fills it.</source>
+            <translation>La moitié de l'étendue de l'écran selon x et y. La cible le remplit.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5981,11 +6071,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Directions in which the light is wanted, in place of a screen.</source>
-            <translation>Directions où la lumière est voulue, à la place d'un écran.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Directions of the light that leaves the lens, as if a screen were infinitely far.</source>
             <translation>Directions de la lumière qui quitte la lentille, comme si un écran était infiniment loin.</translation>
         </message>
@@ -6001,63 +6086,18 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>Centre</source>
+            <translation>Centre</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>Its middle: angle to the right and angle upwards from the optical axis.</source>
             <translation>Son milieu : angle à droite et angle vers le haut depuis l'axe optique.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Image filter</source>
-            <translation>Filtre d'image</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
-            <translation>Comment la lumière d'un rayon est répartie entre pixels, par la méthode de l'article et dans les cartes de dérivées. Automatique n'a pas de filtre.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Gaussian</source>
-            <translation>Gaussien</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
-            <translation>La lumière décroît sur quelques pixels, de sorte qu'une conception sent où un rayon tombe dans un pixel.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Size</source>
-            <translation>Taille</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
-            <translation>Pixels selon x et y qu'atteint un rayon ; nombres impairs.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Alpha</source>
-            <translation>Alpha</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
-            <translation>La vitesse de décroissance de la gaussienne : exp(−alpha · distance²). Petit est large.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Box</source>
-            <translation>Boîte</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Every ray counts fully in the pixel that it hits.</source>
-            <translation>Chaque rayon compte entièrement dans le pixel qu'il touche.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The image that the light shall draw.</source>
-            <translation>L'image que la lumière doit dessiner.</translation>
+            <source>The image that the light shall draw there.</source>
+            <translation>L'image que la lumière doit y dessiner.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6068,11 +6108,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>Bright pixels get much light, black ones and transparent ones none.</source>
             <translation>Les pixels clairs reçoivent beaucoup de lumière, les noirs et les transparents aucune.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Image</source>
-            <translation>Image</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6231,11 +6266,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Radius</source>
-            <translation>Rayon</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Radius of the shape as a fraction of the smaller half-width of the whole image.</source>
             <translation>Rayon de la forme en fraction de la plus petite demi-largeur de l'image entière.</translation>
         </message>
@@ -6326,43 +6356,63 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>Images that the same light shall make elsewhere, on its way to the screen or beyond. Two freeform faces can place light and direct it; one face finds what lies between.</source>
-            <translation>Images que la même lumière doit former ailleurs, en chemin vers l'écran ou au-delà. Deux faces de forme libre peuvent placer la lumière et la diriger ; une seule trouve l'intermédiaire.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Further image</source>
-            <translation>Autre image</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>A receiver of its own with a target of its own. It takes no light from the other images.</source>
-            <translation>Un récepteur propre avec sa propre cible. Il ne prend pas de lumière aux autres images.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Where light is wanted as well, at another place.</source>
-            <translation>Où la lumière est voulue aussi, à un autre endroit.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Directions in which light is wanted as well, in place of a screen.</source>
-            <translation>Directions où la lumière est voulue aussi, à la place d'un écran.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>The image that the light shall draw there.</source>
-            <translation>L'image que la lumière doit y dessiner.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
             <source>Weight</source>
             <translation>Poids</translation>
         </message>
         <message>
             <location filename="../../workbench" />
-            <source>What the square of this image's relative error counts for in a design, beside 1 for the first image.</source>
-            <translation>Ce que compte le carré de l'erreur relative de cette image dans une conception, à côté de 1 pour la première.</translation>
+            <source>Factor of the square of this image's relative error in a design of several images.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Image filter</source>
+            <translation>Filtre d'image</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How a ray's light is shared among pixels, by the paper's method and in derivative maps. Automatic has no filter.</source>
+            <translation>Comment la lumière d'un rayon est répartie entre pixels, par la méthode de l'article et dans les cartes de dérivées. Automatique n'a pas de filtre.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Gaussian</source>
+            <translation>Gaussien</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Light falls off over some pixels, so that a design feels where in a pixel a ray lands.</source>
+            <translation>La lumière décroît sur quelques pixels, de sorte qu'une conception sent où un rayon tombe dans un pixel.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Size</source>
+            <translation>Taille</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Pixels along x and y that one ray reaches; odd numbers.</source>
+            <translation>Pixels selon x et y qu'atteint un rayon ; nombres impairs.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Alpha</source>
+            <translation>Alpha</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>How fast the Gaussian falls: exp(−alpha · distance²). Small is wide.</source>
+            <translation>La vitesse de décroissance de la gaussienne : exp(−alpha · distance²). Petit est large.</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Box</source>
+            <translation>Boîte</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>Every ray counts fully in the pixel that it hits.</source>
+            <translation>Chaque rayon compte entièrement dans le pixel qu'il touche.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6553,11 +6603,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>What the optimiser moves: one number per control height, or the weights of a network that puts the heights out. In a sparse network the neurons of control points that share a piece of the face are linked, in a dense one all are.</source>
             <translation>Ce que l'optimiseur déplace : un nombre par hauteur de contrôle, ou les poids d'un réseau qui produit les hauteurs. Dans un réseau creux, les neurones de points de contrôle qui partagent un morceau de la face sont liés, dans un dense tous le sont.</translation>
-        </message>
-        <message>
-            <location filename="../../workbench" />
-            <source>Control heights</source>
-            <translation>Hauteurs de contrôle</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7071,6 +7116,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>{input} has other signs; letters, digits, - and _ are possible</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{input} is not a list; a list of numbers is needed</source>
             <translation>{input} n'est pas une liste ; il faut une liste de nombres</translation>
         </message>
@@ -7091,6 +7141,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench" />
+            <source>{actual_length} values given; at least {min_length} are needed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench" />
             <source>{actual_length} values given; exactly {max_length} are needed</source>
             <translation>{actual_length} valeurs données ; il en faut exactement {max_length}</translation>
         </message>
@@ -7098,6 +7153,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench" />
             <source>{input}: two whole numbers or 'auto' are needed</source>
             <translation>{input} : il faut deux nombres entiers ou 'auto'</translation>
+        </message>
+        <message>
+            <location filename="../../workbench" />
+            <source>{input} is neither a name nor an index above 1</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7555,6 +7615,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{rays} sont de trop ; au plus {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/analysis/tracing/train.py" />
+            <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/analysis/validation.py" />
+            <source>cells follow light through one element only; random rays are used</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../workbench/analysis/validation.py" />
             <source>finer cells would take too long: ask for more rays</source>
             <translation>des cellules plus fines prendraient trop de temps : demander plus de rayons</translation>
@@ -7786,26 +7856,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.height_range to a wider range</source>
-            <translation>donner à lens.height_range une plage plus large</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set mirror.height_range to a wider range</source>
-            <translation>donner à mirror.height_range une plage plus large</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.max_thickness to a larger thickness</source>
-            <translation>donner à lens.max_thickness une épaisseur plus grande</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
-            <source>set lens.entrance.height_range to a wider range</source>
-            <translation>donner à lens.entrance.height_range une plage plus large</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/design/shortfall.py" />
             <source>The entrance face fills {part:.0f} % of its automatic range of {range} {unit}</source>
             <translation>La face d'entrée occupe {part:.0f} % de sa plage automatique de {range} {unit}</translation>
         </message>
@@ -7883,6 +7933,16 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/design/shortfall.py" />
             <source>{field}: {said}</source>
             <translation>{field} : {said}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set {field} to a larger thickness</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/design/shortfall.py" />
+            <source>set {field} to a wider range</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -8010,41 +8070,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>est un zip endommagé ou incomplet : {detail}</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
-            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; {cure}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>one of {fitting} fits</source>
-            <translation>une de {fitting} convient</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cut_plan.py" />
-            <source>a smaller one or higher ridges are needed</source>
-            <translation>il en faut une plus petite, ou des crêtes plus hautes</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g}; a length above 0</source>
-            <translation>{value:g} ; une longueur supérieure à 0</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g}; a length of 0 or more</source>
-            <translation>{value:g} ; une longueur de 0 ou plus</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
-            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/files/export/cutting.py" />
-            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
-            <translation>{ridge:g} ; il faut moins que le rayon de la fraise {radius:g}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/files/export/far_light.py" />
             <source>no light leaves its {body}, so that it has no intensity</source>
             <translation>aucune lumière ne quitte le {body}, il n'a donc pas d'intensité</translation>
@@ -8053,6 +8078,21 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/files/export/formats.py" />
             <source>has no ending that tells a format; one of {endings}</source>
             <translation>n'a pas d'extension qui indique un format ; l'une de {endings}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a ball cutter of {radius} does not fit: it leaves {left} at x = {x}, y = {y} and cuts off {cut}; {cure}</source>
+            <translation>une fraise hémisphérique de {radius} ne convient pas : elle laisse {left} en x = {x}, y = {y} et enlève {cut} de trop ; {cure}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>one of {fitting} fits</source>
+            <translation>une de {fitting} convient</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/gcode.py" />
+            <source>a smaller one or higher ridges are needed</source>
+            <translation>il en faut une plus petite, ou des crêtes plus hautes</translation>
         </message>
         <message>
             <location filename="../../workbench/files/export/iges.py" />
@@ -8080,7 +8120,27 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>OpenCASCADE ne trouve aucune face B-spline dans le fichier IGES qu'il a écrit</translation>
         </message>
         <message>
-            <location filename="../../workbench/files/export/mesh_unit.py" />
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; a length above 0</source>
+            <translation>{value:g} ; une longueur supérieure à 0</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g}; a length of 0 or more</source>
+            <translation>{value:g} ; une longueur de 0 ou plus</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{value:g} {unit}; from {least:g} to {most:,} {unit}</source>
+            <translation>{value:g} {unit} ; de {least:g} à {most:,} {unit}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
+            <source>{ridge:g}; less than the cutter's radius {radius:g} is needed</source>
+            <translation>{ridge:g} ; il faut moins que le rayon de la fraise {radius:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/files/export/options.py" />
             <source>{unit}; one of {known}</source>
             <translation>{unit} ; une parmi {known}</translation>
         </message>
@@ -8205,6 +8265,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>contiendrait {count} calculs conservés ; au plus {most}</translation>
         </message>
         <message>
+            <location filename="../../workbench/geometry/ball_cutter.py" />
+            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
+            <translation>{scallop:.2g} demande {moves:,} déplacements de cette fraise, plus de {most:,} ; une plus grande</translation>
+        </message>
+        <message>
             <location filename="../../workbench/geometry/body.py" />
             <source>its {face} is at z = {z:.5g} {unit} at x = {x:.4g}, y = {y:.4g}, not {limit} at z = {end:g}: that is no {body}</source>
             <translation>{face} : z = {z:.5g} {unit} en x = {x:.4g}, y = {y:.4g}, non {limit} à z = {end:g} : il n'y a pas de {body}</translation>
@@ -8228,11 +8293,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <location filename="../../workbench/geometry/body.py" />
             <source>below all</source>
             <translation>sous tout le reste</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/geometry/tool_path.py" />
-            <source>{scallop:.2g} takes {moves:,} moves of this cutter, more than {most:,}; a larger one</source>
-            <translation>{scallop:.2g} demande {moves:,} déplacements de cette fraise, plus de {most:,} ; une plus grande</translation>
         </message>
         <message>
             <location filename="../../workbench/jobs/prospect.py" />
@@ -8495,14 +8555,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>« {file} » {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/beam_angles.py" />
-            <source>it has a single angle {name}; two are needed</source>
-            <translation>il n'a qu'un angle {name} ; il en faut deux</translation>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>is no photometric file; {endings} is needed</source>
+            <translation>n'est pas un fichier photométrique ; il faut {endings}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/beam_angles.py" />
-            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
-            <translation>ses angles {name} vont de {first:g}° à {last:g}° ; ils doivent croître entre −{most}° et {most}°</translation>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>has more than {most} MB, too many for such a file</source>
+            <translation>a plus de {most} Mo, trop pour un tel fichier</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/__init__.py" />
+            <source>cannot be used: {problem}</source>
+            <translation>ne peut pas être utilisé : {problem}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/photometry/ies.py" />
@@ -8565,21 +8630,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>sa symétrie est {symmetry} et il a {n} plans C ; il faut un multiple de {parts}</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>is no photometric file; {endings} is needed</source>
-            <translation>n'est pas un fichier photométrique ; il faut {endings}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>has more than {most} MB, too many for such a file</source>
-            <translation>a plus de {most} Mo, trop pour un tel fichier</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/measured/photometry/read.py" />
-            <source>cannot be used: {problem}</source>
-            <translation>ne peut pas être utilisé : {problem}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/measured/photometry/table.py" />
             <source>it has a single angle γ; at least two are needed</source>
             <translation>il a un seul angle γ ; il en faut au moins deux</translation>
@@ -8620,9 +8670,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>ses plans C vont de {first:g}° à {last:g}° ; ce n'est aucune symétrie connue</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/rays/chunks.py" />
-            <source>it is cut off behind ray {ray}</source>
-            <translation>il est tronqué après le rayon {ray}</translation>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>it has a single angle {name}; two are needed</source>
+            <translation>il n'a qu'un angle {name} ; il en faut deux</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/photometry/table.py" />
+            <source>its angles {name} go from {first:g}° to {last:g}°; they have to ascend within −{most}° to {most}°</source>
+            <translation>ses angles {name} vont de {first:g}° à {last:g}° ; ils doivent croître entre −{most}° et {most}°</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/measured/rays/__init__.py" />
+            <source>is no ray file; {endings} are known</source>
+            <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/model.py" />
@@ -8695,9 +8755,9 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>son rayon {ray} a un flux négatif</translation>
         </message>
         <message>
-            <location filename="../../workbench/measured/rays/read.py" />
-            <source>is no ray file; {endings} are known</source>
-            <translation>n'est pas un fichier de rayons ; sont connus {endings}</translation>
+            <location filename="../../workbench/measured/rays/rayset.py" />
+            <source>it is cut off behind ray {ray}</source>
+            <translation>il est tronqué après le rayon {ray}</translation>
         </message>
         <message>
             <location filename="../../workbench/measured/rays/table.py" />
@@ -8876,6 +8936,11 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/optics/sampled.py" />
+            <source>samples of the aperture, followed through fixed faces once</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/optics/sampled.py" />
             <source>samples on the exit face, shared by all origins of the light</source>
             <translation>échantillons sur la face de sortie, communs à toutes les origines de la lumière</translation>
         </message>
@@ -8895,27 +8960,27 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{part} % de la lumière est totalement réfléchie sur la {face}, surtout autour de x = {x}, y = {y}</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>1 direction of light</source>
             <translation>1 direction de lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>{count} directions of light</source>
             <translation>{count} directions de lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>1 point of light</source>
             <translation>1 point de lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>{count} points of light</source>
             <translation>{count} points de lumière</translation>
         </message>
         <message>
-            <location filename="../../workbench/optics/train/compiled.py" />
+            <location filename="../../workbench/optics/train/entries.py" />
             <source>mirror symmetry: {some} of them are traced</source>
             <translation>symétrie miroir : {some} d'entre eux sont tracés</translation>
         </message>
@@ -8965,16 +9030,6 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{figure} ; {remark}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/base.py" />
-            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/base.py" />
-            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
-            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/collimated_source.py" />
             <source>{angle:g} brings light {steepest:g} degrees from the axis, which does not come to {front}; less than 90 in all</source>
             <translation>{angle:g} amène de la lumière à {steepest:g} degrés de l'axe, qui n'arrive pas là ({front}) ; moins de 90 en tout</translation>
@@ -8990,12 +9045,47 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{radius:g} est trop étroit pour un miroir de demi-largeur {half:g} ; au moins {least:g}</translation>
         </message>
         <message>
+            <location filename="../../workbench/scene/element.py" />
+            <source>'auto' needs a target to choose for; numbers</source>
+            <translation>'auto' demande une cible pour choisir ; des nombres</translation>
+        </message>
+        <message>
             <location filename="../../workbench/scene/emission.py" />
             <source>{parts} make {across} × {up} rectangles; at most {most} in all</source>
             <translation>{parts} font {across} × {up} rectangles ; au plus {most} en tout</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/entrance.py" />
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{count} is too few for degree {degree}; at least {least}</source>
+            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} does not span the lens; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} ne couvre pas la lentille ; plus que sa demi-diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} does not span the mirror; more than its half-diagonal {least:g}</source>
+            <translation>{radius:g} ne couvre pas le miroir ; plus que sa demi-diagonale {least:g}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>0 is no curvature; a radius, or a plane face</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} ends within the lens; more than {least:g} in size</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
+            <source>{radius:g} ends within the mirror; more than {least:g} in size</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/faces.py" />
             <source>[{low:g}, {high:g}] is empty; low before high</source>
             <translation>[{low:g}, {high:g}] est vide ; la plus petite valeur d'abord</translation>
         </message>
@@ -9010,34 +9100,14 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>n'a pas de distance ; il faut un écran</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/further_image.py" />
-            <source>{count} are given; at most {most}</source>
-            <translation>{count} sont donnés ; au plus {most}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/grid_source.py" />
             <source>{rays} from each of {points} points are too many; at most {most} rays in all</source>
             <translation>{rays} de chacun des {points} points sont trop ; au plus {most} rayons en tout</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/kinds.py" />
-            <source>missing; it or {other} is required</source>
-            <translation>manque ; lui ou {other} est nécessaire</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/kinds.py" />
-            <source>is given together with a {one}; one of them is needed</source>
-            <translation>est donné avec {one} ; il faut l'un des deux</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/lens.py" />
-            <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
-            <translation>{value} n'est ni un nombre ni un nom ; un nombre supérieur à 1 ou le nom d'un matériau</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/lens.py" />
-            <source>{value}; a number greater than 1 is needed</source>
-            <translation>{value} ; il faut un nombre supérieur à 1</translation>
+            <source>a front face is designed together with the back face; 'bspline', not fixed</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9055,24 +9125,14 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>{height:g} ne laisse pas de place au-dessous de l'épaisseur maximale ; moins de {most:g}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/lens.py" />
-            <source>missing; it goes with {material}</source>
-            <translation>manque ; elle va avec {material}</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{large:g} cannot be computed with; from {least:g} to {most:g}, in another unit if need be</source>
             <translation>{large:g} ne permet pas de calculer ; de {least:g} à {most:g}, au besoin dans une autre unité</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
-            <source>{half:g} makes the lens slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} rend la lentille plus étroite que {most:g} à 1 ; au moins {least:g}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/limits.py" />
-            <source>{half:g} makes the mirror slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation>{half:g} rend le miroir plus étroit que {most:g} à 1 ; au moins {least:g}</translation>
+            <source>{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
@@ -9100,19 +9160,39 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>'{file}' n'est aucun de ceux-ci : {endings}</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/net.py" />
-            <source>{count} is too few for degree {degree}; at least {least}</source>
-            <translation>{count} est trop peu pour le degré {degree} ; au moins {least}</translation>
-        </message>
-        <message>
-            <location filename="../../workbench/scene/optic.py" />
-            <source>'auto' needs a target to choose for; numbers</source>
-            <translation>'auto' demande une cible pour choisir ; des nombres</translation>
-        </message>
-        <message>
             <location filename="../../workbench/scene/part.py" />
             <source>{value:g} is too small for this one; a number that it can hold</source>
             <translation>{value:g} est trop petit pour celle-ci ; un nombre qu'elle peut tenir</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>no path of a field; a path as in lens.thickness is needed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>given twice; one value for each field</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>no field and no element of this scene; fields: {fields}; elements: {names}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>unknown field; there is no such part of the scene</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>there are only {count} of them; 0 to {last}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/paths.py" />
+            <source>there is none of them</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
@@ -9155,14 +9235,19 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>font des côtés qui se croisent ; dans leur ordre autour du polygone</translation>
         </message>
         <message>
-            <location filename="../../workbench/scene/screen.py" />
-            <source>[{x:g}, {y:g}] turns the back of the screen to light of the lens; its front has to face all of the lens</source>
-            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière de la lentille ; sa face avant doit regarder toute la lentille</translation>
+            <location filename="../../workbench/scene/region.py" />
+            <source>{count} are given; at most {most}</source>
+            <translation>{count} sont donnés ; au plus {most}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
-            <source>[{x:g}, {y:g}] turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
-            <translation>[{x:g}, {y:g}] tourne le dos de l'écran vers la lumière du miroir ; sa face avant doit regarder tout le miroir</translation>
+            <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/screen.py" />
+            <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
@@ -9211,8 +9296,73 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
-            <source>{count} given, which {who} cannot take into account; none</source>
-            <translation>{count} donnés, qui ne peuvent être pris en compte ({who}) ; aucun</translation>
+            <source>'{name}' is the name of another element; another name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>no face is designed; one face of shape 'bspline'</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>a second designed element; one element is designed</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>fixed B-spline faces are not traced yet; a conic face</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>a mirror that is not designed is not traced yet</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>elements behind a mirror are not traced yet; none</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>the first and the designed element stand upright on the axis; 0</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{z:g} reaches into {name}; at least {least:g}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/task.py" />
+            <source>{count} given, which {who} cannot take into account; one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>missing; it goes with {material}</source>
+            <translation>manque ; elle va avec {material}</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>{value} is neither a number nor a name; a number above 1 or a material name</source>
+            <translation>{value} n'est ni un nombre ni un nom ; un nombre supérieur à 1 ou le nom d'un matériau</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>{value}; a number greater than 1 is needed</source>
+            <translation>{value} ; il faut un nombre supérieur à 1</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>missing; it or {other} is required</source>
+            <translation>manque ; lui ou {other} est nécessaire</translation>
+        </message>
+        <message>
+            <location filename="../../workbench/scene/versions.py" />
+            <source>is given together with a {one}; one of them is needed</source>
+            <translation>est donné avec {one} ; il faut l'un des deux</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/viewing.py" />
@@ -9335,22 +9485,22 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
             <translation>'{path}' {reason}</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: {why}</source>
             <translation>n'est pas un tableau .npy complet de nombres : {why}</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>has {count} dimensions; 2 (rows, columns) are needed</source>
             <translation>a {count} dimensions ; il en faut 2 (lignes, colonnes)</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>holds values of type {kind}; real numbers are needed</source>
             <translation>contient des valeurs de type {kind} ; il faut des nombres réels</translation>
         </message>
         <message>
-            <location filename="../../workbench/targets/npy_image.py" />
+            <location filename="../../workbench/targets/image.py" />
             <source>is not a whole .npy array of numbers: it lacks some of {size} bytes</source>
             <translation>n'est pas un tableau .npy complet de nombres : il manque une partie des {size} octets</translation>
         </message>

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
+    ConfigDict,
     Field,
     PrivateAttr,
     ValidationError,
@@ -73,6 +74,8 @@ def _thinnest(data: dict[str, Any]) -> float:
 
 class CustomIndex(Part):
     """A refractive index that is the same at all wavelengths."""
+
+    model_config = ConfigDict(title="Custom index")
 
     index: Annotated[
         float, about("Index", "Refractive index at the wavelength of the light.", gt=1)

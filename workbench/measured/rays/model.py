@@ -164,7 +164,7 @@ def model_of(rays: PlacedRays, half_width: tuple[float, float], z: float, points
     x, y, arriving = rays.onto(z)
     arriving &= (np.abs(x) <= extent[0]) & (np.abs(y) <= extent[1]) & (rays.flux > 0)
     if not arriving.any():
-        raise ValueError(Said("no ray of it arrivings to the lens"))
+        raise ValueError(Said("no ray of it comes to the lens"))
     flux, crossing = rays.flux[arriving], np.column_stack([x, y])[arriving]
     slope = rays.direction[arriving, :2] / rays.direction[arriving, 2:]
     distance = _point_distance(crossing, slope, flux, max(half_width))
