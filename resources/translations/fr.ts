@@ -3356,62 +3356,62 @@
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>element</source>
-            <translation type="unfinished" />
+            <translation>élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Elements</source>
-            <translation type="unfinished" />
+            <translation>Éléments</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a plano-convex lens of fixed shape behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une lentille plan-convexe de forme fixe derrière le dernier élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a plane mirror behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Ajouter un miroir plan derrière le dernier élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a copy of the chosen element behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une copie de l'élément choisi derrière le dernier élément</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Remove the chosen element</source>
-            <translation type="unfinished" />
+            <translation>Retirer l'élément choisi</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Exchange the chosen element with the one before it, along z too</source>
-            <translation type="unfinished" />
+            <translation>Échanger l'élément choisi avec celui qui le précède, selon z aussi</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Exchange the chosen element with the one behind it, along z too</source>
-            <translation type="unfinished" />
+            <translation>Échanger l'élément choisi avec celui qui le suit, selon z aussi</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add lens</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une lentille</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add mirror</source>
-            <translation type="unfinished" />
+            <translation>Ajouter un miroir</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>designed</source>
-            <translation type="unfinished" />
+            <translation>à concevoir</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Optical train</source>
-            <translation type="unfinished" />
+            <translation>Train optique</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3516,12 +3516,12 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>image</source>
-            <translation type="unfinished" />
+            <translation>image</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Images</source>
-            <translation type="unfinished" />
+            <translation>Images</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3531,7 +3531,7 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Add a copy of the chosen image behind it</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une copie de l'image choisie après elle</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3551,7 +3551,7 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>The panels Target and Receiver have the settings of image 1.</source>
-            <translation type="unfinished" />
+            <translation>Les panneaux Cible et Récepteur contiennent les réglages de l'image 1.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3581,7 +3581,7 @@
         <message>
             <location filename="../../ui/panels/part_list.py" />
             <source>Duplicate</source>
-            <translation type="unfinished" />
+            <translation>Dupliquer</translation>
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3606,7 +3606,7 @@
         <message>
             <location filename="../../ui/panels/part_list.py" />
             <source>copy of {part} {number}</source>
-            <translation type="unfinished" />
+            <translation>copie : {part} {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3636,7 +3636,7 @@
         <message>
             <location filename="../../ui/panels/region_list.py" />
             <source>Add a copy of the chosen region behind it</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une copie de la région choisie après elle</translation>
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3751,7 +3751,7 @@
         <message>
             <location filename="../../ui/panels/stage_list.py" />
             <source>Add a copy of the chosen stage behind it</source>
-            <translation type="unfinished" />
+            <translation>Ajouter une copie de l'étape choisie après elle</translation>
         </message>
         <message>
             <location filename="../../ui/panels/stage_list.py" />
@@ -5387,7 +5387,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
-            <translation type="unfinished" />
+            <translation>Longueur d'onde dans le vide à laquelle sont pris les indices des matériaux. Vide : 0.5876 µm (raie d de l'hélium).</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5572,7 +5572,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>How the lamp is turned about its own origin: about its x, then about its new y, then about its new z.</source>
-            <translation type="unfinished" />
+            <translation>La rotation de la lampe autour de sa propre origine : autour de son x, puis de son nouvel y, puis de son nouveau z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5662,22 +5662,22 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
-            <translation type="unfinished" />
+            <translation>Lentilles et miroirs dans l'ordre où la lumière les rencontre. La lumière qui passe à côté de l'un d'eux y est perdue.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Two faces with a material between; light goes through along its +z.</source>
-            <translation type="unfinished" />
+            <translation>Deux faces avec un matériau entre elles ; la lumière la traverse selon son +z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>What the element is called; letters, digits, - and _.</source>
-            <translation type="unfinished" />
+            <translation>Le nom de l'élément ; lettres, chiffres, - et _.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Where the vertex of its front face stands: x, y and z.</source>
-            <translation type="unfinished" />
+            <translation>La position du sommet de sa face avant : x, y et z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5687,17 +5687,17 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>How the element is turned about its front vertex: about its x, then about its new y, then about its new z.</source>
-            <translation type="unfinished" />
+            <translation>La rotation de l'élément autour de son sommet avant : autour de son x, puis de son nouvel y, puis de son nouveau z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Half of its extent along x and y. All of it is lit.</source>
-            <translation type="unfinished" />
+            <translation>La moitié de son étendue selon x et y. Il est éclairé en entier.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
-            <translation type="unfinished" />
+            <translation>Sa forme vue selon l'axe ; les demi-largeurs d'une ellipse sont ses demi-axes. La lumière à côté manque l'élément.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5712,7 +5712,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>A refractive index that is the same at all wavelengths.</source>
-            <translation type="unfinished" />
+            <translation>Un indice de réfraction identique à toutes les longueurs d'onde.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5722,7 +5722,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Refractive index at the wavelength of the light.</source>
-            <translation type="unfinished" />
+            <translation>Indice de réfraction à la longueur d'onde de la lumière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5732,22 +5732,22 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>From the vertex of the front face to the vertex of the back face.</source>
-            <translation type="unfinished" />
+            <translation>Du sommet de la face avant au sommet de la face arrière.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Faces</source>
-            <translation type="unfinished" />
+            <translation>Faces</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Front face and back face, in the order in which light meets them.</source>
-            <translation type="unfinished" />
+            <translation>Face avant et face arrière, dans l'ordre où la lumière les rencontre.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Plane</source>
-            <translation type="unfinished" />
+            <translation>Plan</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5757,12 +5757,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Conic</source>
-            <translation type="unfinished" />
+            <translation>Conique</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>A surface of revolution: a conic with aspheric coefficients (ISO 10110-12).</source>
-            <translation type="unfinished" />
+            <translation>Une surface de révolution : une conique à coefficients asphériques (ISO 10110-12).</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5772,37 +5772,37 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Radius of curvature at the vertex: positive where the centre of curvature lies on the +z side of the vertex.</source>
-            <translation type="unfinished" />
+            <translation>Rayon de courbure au sommet : positif si le centre de courbure est du côté +z du sommet.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Conic constant</source>
-            <translation type="unfinished" />
+            <translation>Constante de conicité</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.</source>
-            <translation type="unfinished" />
+            <translation>0 donne une sphère, −1 un paraboloïde, moins un hyperboloïde, entre −1 et 0 un ellipsoïde.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Coefficients</source>
-            <translation type="unfinished" />
+            <translation>Coefficients</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.</source>
-            <translation type="unfinished" />
+            <translation>Coefficients asphériques a4, a6, … : a4 r⁴ + a6 r⁶ + … s'ajoute à la flèche.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>B-spline</source>
-            <translation type="unfinished" />
+            <translation>B-spline</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>A B-spline over a base; designed unless it is fixed.</source>
-            <translation type="unfinished" />
+            <translation>Une B-spline sur une base ; à concevoir, sauf si elle est fixe.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5812,7 +5812,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation type="unfinished" />
+            <translation>Degré polynomial de la B-spline selon x et y. 3 donne une courbure lisse.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5822,7 +5822,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth, and as many for the front face as for the back face; the paper's method then has nets like those of the paper.</source>
-            <translation type="unfinished" />
+            <translation>Nombre de points de contrôle selon x et y. Plus dessinent un détail plus fin et prennent plus de temps. Automatique prend ce que valent le détail de la cible, les pixels de l'écran et la taille de la source, et autant pour la face avant que pour la face arrière ; la méthode de l'article a alors des réseaux comme ceux de l'article.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5832,7 +5832,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>The shape of the face before the design; heights are counted from it.</source>
-            <translation type="unfinished" />
+            <translation>La forme de la face avant la conception ; les hauteurs sont comptées à partir d'elle.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5887,7 +5887,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>How far the face may be from the base. Automatic takes what the task needs.</source>
-            <translation type="unfinished" />
+            <translation>De combien la face peut s'écarter de la base. Automatique prend ce que la tâche demande.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5897,12 +5897,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Fixed</source>
-            <translation type="unfinished" />
+            <translation>Fixe</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>The design leaves the face as it is, with the control heights given.</source>
-            <translation type="unfinished" />
+            <translation>La conception laisse la face telle quelle, avec les hauteurs de contrôle données.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5912,7 +5912,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>File (.npy) of the control heights of a fixed face, in the element's coordinates.</source>
-            <translation type="unfinished" />
+            <translation>Fichier (.npy) des hauteurs de contrôle d'une face fixe, dans les coordonnées de l'élément.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5967,7 +5967,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>The back face is at most this far from the front face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
-            <translation type="unfinished" />
+            <translation>La face arrière est au plus à cette distance de la face avant : l'épaisseur du brut dont la pièce est faite. Vide : sans limite.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5977,7 +5977,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>The back face stays at least this far from the front face, so that the part can be made.</source>
-            <translation type="unfinished" />
+            <translation>La face arrière reste au moins à cette distance de la face avant, pour que la pièce soit réalisable.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5992,7 +5992,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>The face that reflects.</source>
-            <translation type="unfinished" />
+            <translation>La face qui réfléchit.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6012,7 +6012,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
-            <translation type="unfinished" />
+            <translation>Où la lumière est voulue, et laquelle. Deux faces de forme libre peuvent former plusieurs images ; une seule forme un compromis.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6022,17 +6022,17 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>A receiver with the light that is wanted on it. It takes no light from other images.</source>
-            <translation type="unfinished" />
+            <translation>Un récepteur avec la lumière qui y est voulue. Il ne prend aucune lumière aux autres images.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Receiver</source>
-            <translation type="unfinished" />
+            <translation>Récepteur</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Where the light is wanted: on a plane or in directions.</source>
-            <translation type="unfinished" />
+            <translation>Où la lumière est voulue : sur un plan ou dans des directions.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6042,12 +6042,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Where the middle of the plane stands: x, y and z.</source>
-            <translation type="unfinished" />
+            <translation>La position du milieu du plan : x, y et z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>How the plane is turned about its middle: about its x, which takes its upper edge away from or towards the lens, then about its new y, then about its new z. Rows and columns turn with it.</source>
-            <translation type="unfinished" />
+            <translation>La rotation du plan autour de son milieu : autour de son x, ce qui éloigne ou rapproche son bord supérieur de la lentille, puis de son nouvel y, puis de son nouveau z. Lignes et colonnes tournent avec lui.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6362,7 +6362,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>Factor of the square of this image's relative error in a design of several images.</source>
-            <translation type="unfinished" />
+            <translation>Facteur du carré de l'erreur relative de cette image dans une conception à plusieurs images.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7117,7 +7117,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>{input} has other signs; letters, digits, - and _ are possible</source>
-            <translation type="unfinished" />
+            <translation>{input} a d'autres signes ; lettres, chiffres, - et _ sont possibles</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7142,7 +7142,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>{actual_length} values given; at least {min_length} are needed</source>
-            <translation type="unfinished" />
+            <translation>{actual_length} valeurs données ; il en faut au moins {min_length}</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7157,7 +7157,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench" />
             <source>{input} is neither a name nor an index above 1</source>
-            <translation type="unfinished" />
+            <translation>{input} n'est ni un nom ni un indice supérieur à 1</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7617,12 +7617,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/analysis/tracing/train.py" />
             <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
-            <translation type="unfinished" />
+            <translation>un récepteur à z = {z:g} peut toucher l'élément {name} ; plus de {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells follow light through one element only; random rays are used</source>
-            <translation type="unfinished" />
+            <translation>les cellules ne suivent la lumière qu'à travers un seul élément ; des rayons aléatoires sont utilisés</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7937,12 +7937,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/design/shortfall.py" />
             <source>set {field} to a larger thickness</source>
-            <translation type="unfinished" />
+            <translation>donner à {field} une épaisseur plus grande</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
             <source>set {field} to a wider range</source>
-            <translation type="unfinished" />
+            <translation>donner à {field} une plage plus large</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -8937,7 +8937,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/optics/sampled.py" />
             <source>samples of the aperture, followed through fixed faces once</source>
-            <translation type="unfinished" />
+            <translation>échantillons de l'ouverture, suivis une seule fois à travers les faces fixes</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/sampled.py" />
@@ -9072,17 +9072,17 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>0 is no curvature; a radius, or a plane face</source>
-            <translation type="unfinished" />
+            <translation>0 n'est pas une courbure ; un rayon, ou une face plane</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>{radius:g} ends within the lens; more than {least:g} in size</source>
-            <translation type="unfinished" />
+            <translation>{radius:g} s'arrête à l'intérieur de la lentille ; plus de {least:g} en valeur absolue</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>{radius:g} ends within the mirror; more than {least:g} in size</source>
-            <translation type="unfinished" />
+            <translation>{radius:g} s'arrête à l'intérieur du miroir ; plus de {least:g} en valeur absolue</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
@@ -9107,7 +9107,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>a front face is designed together with the back face; 'bspline', not fixed</source>
-            <translation type="unfinished" />
+            <translation>une face avant se conçoit avec la face arrière ; 'bspline', non fixe</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9132,7 +9132,7 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation type="unfinished" />
+            <translation>{half:g} rend l'élément plus étroit que {most:g} pour 1 ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
@@ -9167,32 +9167,32 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>no path of a field; a path as in lens.thickness is needed</source>
-            <translation type="unfinished" />
+            <translation>n'est pas un chemin de champ ; il faut un chemin comme lens.thickness</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>given twice; one value for each field</source>
-            <translation type="unfinished" />
+            <translation>donné deux fois ; une valeur pour chaque champ</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>no field and no element of this scene; fields: {fields}; elements: {names}</source>
-            <translation type="unfinished" />
+            <translation>ni champ ni élément de cette scène ; champs : {fields} ; éléments : {names}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>unknown field; there is no such part of the scene</source>
-            <translation type="unfinished" />
+            <translation>champ inconnu ; la scène n'a pas une telle partie</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>there are only {count} of them; 0 to {last}</source>
-            <translation type="unfinished" />
+            <translation>il n'y en a que {count} ; 0 à {last}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>there is none of them</source>
-            <translation type="unfinished" />
+            <translation>il n'y en a aucun</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
@@ -9242,12 +9242,12 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
-            <translation type="unfinished" />
+            <translation>{tilt} tourne le dos de l'écran vers la lumière de la lentille ; son avant doit faire face à toute la lentille</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
-            <translation type="unfinished" />
+            <translation>{tilt} tourne le dos de l'écran vers la lumière du miroir ; son avant doit faire face à tout le miroir</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
@@ -9297,47 +9297,47 @@ Les flèches déplacent l'endroit ou la ligne d'un pixel, avec Maj de dix ; ave
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>'{name}' is the name of another element; another name</source>
-            <translation type="unfinished" />
+            <translation>'{name}' est le nom d'un autre élément ; un autre nom</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
-            <translation type="unfinished" />
+            <translation>aucune face n'est à concevoir ; une face de forme 'bspline'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>a second designed element; one element is designed</source>
-            <translation type="unfinished" />
+            <translation>un second élément à concevoir ; un seul élément est conçu</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>fixed B-spline faces are not traced yet; a conic face</source>
-            <translation type="unfinished" />
+            <translation>les faces B-spline fixes ne sont pas encore tracées ; une face conique</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>a mirror that is not designed is not traced yet</source>
-            <translation type="unfinished" />
+            <translation>un miroir qui n'est pas à concevoir n'est pas encore tracé</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>elements behind a mirror are not traced yet; none</source>
-            <translation type="unfinished" />
+            <translation>les éléments derrière un miroir ne sont pas encore tracés ; aucun</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>the first and the designed element stand upright on the axis; 0</source>
-            <translation type="unfinished" />
+            <translation>le premier élément et celui à concevoir sont droits sur l'axe ; 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
-            <translation type="unfinished" />
+            <translation>{z:g} empiète sur {name} ; au moins {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; one</source>
-            <translation type="unfinished" />
+            <translation>il y en a {count}, ce dont {who} ne peut tenir compte ; il en faut 1</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />
