@@ -3356,62 +3356,62 @@
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>element</source>
-            <translation type="unfinished" />
+            <translation>Element</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Elements</source>
-            <translation type="unfinished" />
+            <translation>Elemente</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a plano-convex lens of fixed shape behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Eine plankonvexe Linse fester Form hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a plane mirror behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Einen ebenen Spiegel hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add a copy of the chosen element behind the last element</source>
-            <translation type="unfinished" />
+            <translation>Eine Kopie des gewählten Elements hinter dem letzten Element hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Remove the chosen element</source>
-            <translation type="unfinished" />
+            <translation>Das gewählte Element entfernen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Exchange the chosen element with the one before it, along z too</source>
-            <translation type="unfinished" />
+            <translation>Das gewählte Element mit dem davor tauschen, auch entlang z</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Exchange the chosen element with the one behind it, along z too</source>
-            <translation type="unfinished" />
+            <translation>Das gewählte Element mit dem dahinter tauschen, auch entlang z</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add lens</source>
-            <translation type="unfinished" />
+            <translation>Linse hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>Add mirror</source>
-            <translation type="unfinished" />
+            <translation>Spiegel hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/element_list.py" />
             <source>designed</source>
-            <translation type="unfinished" />
+            <translation>entworfen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
             <source>Optical train</source>
-            <translation type="unfinished" />
+            <translation>Optisches System</translation>
         </message>
         <message>
             <location filename="../../ui/panels/elements.py" />
@@ -3516,12 +3516,12 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>image</source>
-            <translation type="unfinished" />
+            <translation>Bild</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Images</source>
-            <translation type="unfinished" />
+            <translation>Bilder</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3531,7 +3531,7 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>Add a copy of the chosen image behind it</source>
-            <translation type="unfinished" />
+            <translation>Eine Kopie des gewählten Bildes dahinter hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3551,7 +3551,7 @@
         <message>
             <location filename="../../ui/panels/image_list.py" />
             <source>The panels Target and Receiver have the settings of image 1.</source>
-            <translation type="unfinished" />
+            <translation>Die Bereiche Ziel und Empfänger haben die Einstellungen von Bild 1.</translation>
         </message>
         <message>
             <location filename="../../ui/panels/image_list.py" />
@@ -3581,7 +3581,7 @@
         <message>
             <location filename="../../ui/panels/part_list.py" />
             <source>Duplicate</source>
-            <translation type="unfinished" />
+            <translation>Duplizieren</translation>
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3606,7 +3606,7 @@
         <message>
             <location filename="../../ui/panels/part_list.py" />
             <source>copy of {part} {number}</source>
-            <translation type="unfinished" />
+            <translation>Kopie von {part} {number}</translation>
         </message>
         <message>
             <location filename="../../ui/panels/part_list.py" />
@@ -3636,7 +3636,7 @@
         <message>
             <location filename="../../ui/panels/region_list.py" />
             <source>Add a copy of the chosen region behind it</source>
-            <translation type="unfinished" />
+            <translation>Eine Kopie des gewählten Ausschnitts dahinter hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/region_list.py" />
@@ -3751,7 +3751,7 @@
         <message>
             <location filename="../../ui/panels/stage_list.py" />
             <source>Add a copy of the chosen stage behind it</source>
-            <translation type="unfinished" />
+            <translation>Eine Kopie der gewählten Stufe dahinter hinzufügen</translation>
         </message>
         <message>
             <location filename="../../ui/panels/stage_list.py" />
@@ -5387,7 +5387,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Vacuum wavelength at which the indices of materials are taken. Left empty, it is 0.5876 µm (helium d).</source>
-            <translation type="unfinished" />
+            <translation>Vakuumwellenlänge, bei der die Brechzahlen der Materialien genommen werden. Leer: 0.5876 µm (Helium d).</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5572,7 +5572,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>How the lamp is turned about its own origin: about its x, then about its new y, then about its new z.</source>
-            <translation type="unfinished" />
+            <translation>Wie die Lampe um ihren eigenen Ursprung gedreht ist: um ihr x, dann um ihr neues y, dann um ihr neues z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5662,22 +5662,22 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Lenses and mirrors in the order in which light meets them. Light that passes one by is lost there.</source>
-            <translation type="unfinished" />
+            <translation>Linsen und Spiegel in der Reihenfolge, in der Licht sie trifft. Licht, das an einem Element vorbeigeht, ist dort verloren.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Two faces with a material between; light goes through along its +z.</source>
-            <translation type="unfinished" />
+            <translation>Zwei Flächen mit einem Material dazwischen; Licht geht entlang +z des Elements hindurch.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>What the element is called; letters, digits, - and _.</source>
-            <translation type="unfinished" />
+            <translation>Wie das Element heißt; Buchstaben, Ziffern, - und _.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Where the vertex of its front face stands: x, y and z.</source>
-            <translation type="unfinished" />
+            <translation>Wo der Scheitel seiner Vorderfläche steht: x, y und z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5687,17 +5687,17 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>How the element is turned about its front vertex: about its x, then about its new y, then about its new z.</source>
-            <translation type="unfinished" />
+            <translation>Wie das Element um seinen vorderen Scheitel gedreht ist: um sein x, dann um sein neues y, dann um sein neues z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Half of its extent along x and y. All of it is lit.</source>
-            <translation type="unfinished" />
+            <translation>Die halbe Ausdehnung entlang x und y. Alles davon ist beleuchtet.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Its shape as seen along the axis; the half widths of an ellipse are its semi-axes. Light beside it misses the element.</source>
-            <translation type="unfinished" />
+            <translation>Die Form entlang der Achse gesehen; bei einer Ellipse sind die Halbbreiten Halbachsen. Licht daneben verfehlt das Element.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5712,7 +5712,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>A refractive index that is the same at all wavelengths.</source>
-            <translation type="unfinished" />
+            <translation>Eine Brechzahl, die bei allen Wellenlängen gleich ist.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5722,7 +5722,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Refractive index at the wavelength of the light.</source>
-            <translation type="unfinished" />
+            <translation>Brechzahl bei der Wellenlänge des Lichts.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5732,22 +5732,22 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>From the vertex of the front face to the vertex of the back face.</source>
-            <translation type="unfinished" />
+            <translation>Vom Scheitel der Vorderfläche bis zum Scheitel der Rückfläche.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Faces</source>
-            <translation type="unfinished" />
+            <translation>Flächen</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Front face and back face, in the order in which light meets them.</source>
-            <translation type="unfinished" />
+            <translation>Vorderfläche und Rückfläche, in der Reihenfolge, in der Licht sie trifft.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Plane</source>
-            <translation type="unfinished" />
+            <translation>Ebene</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5757,12 +5757,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Conic</source>
-            <translation type="unfinished" />
+            <translation>Kegelschnitt</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>A surface of revolution: a conic with aspheric coefficients (ISO 10110-12).</source>
-            <translation type="unfinished" />
+            <translation>Eine Rotationsfläche: ein Kegelschnitt mit asphärischen Koeffizienten (ISO 10110-12).</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5772,37 +5772,37 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Radius of curvature at the vertex: positive where the centre of curvature lies on the +z side of the vertex.</source>
-            <translation type="unfinished" />
+            <translation>Krümmungsradius am Scheitel: positiv, wenn der Krümmungsmittelpunkt auf der +z-Seite des Scheitels liegt.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Conic constant</source>
-            <translation type="unfinished" />
+            <translation>Konische Konstante</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>0 makes a sphere, −1 a paraboloid, less a hyperboloid, between −1 and 0 an ellipsoid.</source>
-            <translation type="unfinished" />
+            <translation>0 ergibt eine Kugel, −1 ein Paraboloid, weniger ein Hyperboloid, zwischen −1 und 0 ein Ellipsoid.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Coefficients</source>
-            <translation type="unfinished" />
+            <translation>Koeffizienten</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Aspheric coefficients a4, a6, …: a4 r⁴ + a6 r⁶ + … is added to the sag.</source>
-            <translation type="unfinished" />
+            <translation>Asphärische Koeffizienten a4, a6, …: a4 r⁴ + a6 r⁶ + … wird zur Pfeilhöhe addiert.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>B-spline</source>
-            <translation type="unfinished" />
+            <translation>B-Spline</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>A B-spline over a base; designed unless it is fixed.</source>
-            <translation type="unfinished" />
+            <translation>Ein B-Spline über einer Grundform; wird entworfen, wenn er nicht fest ist.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5812,7 +5812,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Polynomial degree of the B-spline along x and y. 3 gives smooth curvature.</source>
-            <translation type="unfinished" />
+            <translation>Polynomgrad des B-Splines entlang x und y. 3 ergibt glatte Krümmung.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5822,7 +5822,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Number of control points along x and y. More of them draw finer detail and take longer. Automatic takes what the target's detail, the screen's pixels and the size of the source are worth, and as many for the front face as for the back face; the paper's method then has nets like those of the paper.</source>
-            <translation type="unfinished" />
+            <translation>Anzahl der Kontrollpunkte entlang x und y. Mehr davon zeichnen feinere Einzelheiten und brauchen länger. Automatisch nimmt, was die Einzelheiten des Ziels, die Pixel des Schirms und die Größe der Quelle wert sind, und für die Vorderfläche so viele wie für die Rückfläche; die Methode der Veröffentlichung hat dann Netze wie die der Veröffentlichung.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5832,7 +5832,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>The shape of the face before the design; heights are counted from it.</source>
-            <translation type="unfinished" />
+            <translation>Die Form der Fläche vor dem Entwurf; Höhen zählen von ihr aus.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5887,7 +5887,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>How far the face may be from the base. Automatic takes what the task needs.</source>
-            <translation type="unfinished" />
+            <translation>Wie weit die Fläche von der Grundform abweichen darf. Automatisch nimmt, was die Aufgabe braucht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5897,12 +5897,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Fixed</source>
-            <translation type="unfinished" />
+            <translation>Fest</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>The design leaves the face as it is, with the control heights given.</source>
-            <translation type="unfinished" />
+            <translation>Der Entwurf lässt die Fläche, wie sie ist, mit den angegebenen Kontrollhöhen.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5912,7 +5912,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>File (.npy) of the control heights of a fixed face, in the element's coordinates.</source>
-            <translation type="unfinished" />
+            <translation>Datei (.npy) mit den Kontrollhöhen einer festen Fläche, in den Koordinaten des Elements.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5967,7 +5967,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>The back face is at most this far from the front face: the thickness of the stock that the part is made of. Left empty, any will do.</source>
-            <translation type="unfinished" />
+            <translation>Die Rückfläche ist höchstens so weit von der Vorderfläche entfernt: die Dicke des Rohteils, aus dem das Teil gefertigt wird. Leer: beliebig.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5977,7 +5977,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>The back face stays at least this far from the front face, so that the part can be made.</source>
-            <translation type="unfinished" />
+            <translation>Die Rückfläche bleibt mindestens so weit von der Vorderfläche entfernt, damit sich das Teil fertigen lässt.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -5992,7 +5992,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>The face that reflects.</source>
-            <translation type="unfinished" />
+            <translation>Die Fläche, die reflektiert.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6012,7 +6012,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Where light is wanted, and which. Two freeform faces can form several images; one face forms a compromise.</source>
-            <translation type="unfinished" />
+            <translation>Wo Licht gewünscht ist, und welches. Zwei Freiformflächen können mehrere Bilder formen; eine Fläche formt einen Kompromiss.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6022,17 +6022,17 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>A receiver with the light that is wanted on it. It takes no light from other images.</source>
-            <translation type="unfinished" />
+            <translation>Ein Empfänger mit dem Licht, das auf ihm gewünscht ist. Anderen Bildern nimmt er kein Licht.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Receiver</source>
-            <translation type="unfinished" />
+            <translation>Empfänger</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>Where the light is wanted: on a plane or in directions.</source>
-            <translation type="unfinished" />
+            <translation>Wo das Licht gewünscht ist: auf einer Ebene oder in Richtungen.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6042,12 +6042,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Where the middle of the plane stands: x, y and z.</source>
-            <translation type="unfinished" />
+            <translation>Wo die Mitte der Ebene steht: x, y und z.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
             <source>How the plane is turned about its middle: about its x, which takes its upper edge away from or towards the lens, then about its new y, then about its new z. Rows and columns turn with it.</source>
-            <translation type="unfinished" />
+            <translation>Wie die Ebene um ihre Mitte gedreht ist: um ihr x, was ihre obere Kante von der Linse weg oder zu ihr hin bewegt, dann um ihr neues y, dann um ihr neues z. Zeilen und Spalten drehen sich mit.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -6362,7 +6362,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>Factor of the square of this image's relative error in a design of several images.</source>
-            <translation type="unfinished" />
+            <translation>Faktor des Quadrats des relativen Fehlers dieses Bildes bei einem Entwurf mit mehreren Bildern.</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7117,7 +7117,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>{input} has other signs; letters, digits, - and _ are possible</source>
-            <translation type="unfinished" />
+            <translation>{input} hat andere Zeichen; möglich sind Buchstaben, Ziffern, - und _</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7142,7 +7142,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>{actual_length} values given; at least {min_length} are needed</source>
-            <translation type="unfinished" />
+            <translation>{actual_length} Werte angegeben; mindestens {min_length} sind nötig</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7157,7 +7157,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench" />
             <source>{input} is neither a name nor an index above 1</source>
-            <translation type="unfinished" />
+            <translation>{input} ist weder ein Name noch eine Brechzahl über 1</translation>
         </message>
         <message>
             <location filename="../../workbench" />
@@ -7617,12 +7617,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/analysis/tracing/train.py" />
             <source>a receiver at z = {z:g} may touch the element {name}; more than {least:g}</source>
-            <translation type="unfinished" />
+            <translation>ein Empfänger bei z = {z:g} kann das Element {name} berühren; mehr als {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
             <source>cells follow light through one element only; random rays are used</source>
-            <translation type="unfinished" />
+            <translation>Zellen verfolgen Licht nur durch ein einziges Element; Zufallsstrahlen werden verwendet</translation>
         </message>
         <message>
             <location filename="../../workbench/analysis/validation.py" />
@@ -7937,12 +7937,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/design/shortfall.py" />
             <source>set {field} to a larger thickness</source>
-            <translation type="unfinished" />
+            <translation>{field} auf eine größere Dicke setzen</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
             <source>set {field} to a wider range</source>
-            <translation type="unfinished" />
+            <translation>{field} auf einen weiteren Bereich setzen</translation>
         </message>
         <message>
             <location filename="../../workbench/design/shortfall.py" />
@@ -8937,7 +8937,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/optics/sampled.py" />
             <source>samples of the aperture, followed through fixed faces once</source>
-            <translation type="unfinished" />
+            <translation>Stützstellen der Apertur, einmal durch feste Flächen verfolgt</translation>
         </message>
         <message>
             <location filename="../../workbench/optics/sampled.py" />
@@ -9072,17 +9072,17 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>0 is no curvature; a radius, or a plane face</source>
-            <translation type="unfinished" />
+            <translation>0 ist keine Krümmung; ein Radius oder eine ebene Fläche</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>{radius:g} ends within the lens; more than {least:g} in size</source>
-            <translation type="unfinished" />
+            <translation>{radius:g} endet innerhalb der Linse; dem Betrag nach mehr als {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
             <source>{radius:g} ends within the mirror; more than {least:g} in size</source>
-            <translation type="unfinished" />
+            <translation>{radius:g} endet innerhalb des Spiegels; dem Betrag nach mehr als {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/faces.py" />
@@ -9107,7 +9107,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/lens.py" />
             <source>a front face is designed together with the back face; 'bspline', not fixed</source>
-            <translation type="unfinished" />
+            <translation>eine Vorderfläche wird zusammen mit der Rückfläche entworfen; 'bspline', nicht fest</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/lens.py" />
@@ -9132,7 +9132,7 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/limits.py" />
             <source>{half:g} makes the element slimmer than {most:g} to 1; at least {least:g}</source>
-            <translation type="unfinished" />
+            <translation>{half:g} macht das Element schlanker als {most:g} zu 1; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/limits.py" />
@@ -9167,32 +9167,32 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>no path of a field; a path as in lens.thickness is needed</source>
-            <translation type="unfinished" />
+            <translation>kein Pfad eines Feldes; nötig ist ein Pfad wie lens.thickness</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>given twice; one value for each field</source>
-            <translation type="unfinished" />
+            <translation>doppelt angegeben; ein Wert für jedes Feld</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>no field and no element of this scene; fields: {fields}; elements: {names}</source>
-            <translation type="unfinished" />
+            <translation>kein Feld und kein Element dieser Szene; Felder: {fields}; Elemente: {names}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>unknown field; there is no such part of the scene</source>
-            <translation type="unfinished" />
+            <translation>unbekanntes Feld; einen solchen Teil der Szene gibt es nicht</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>there are only {count} of them; 0 to {last}</source>
-            <translation type="unfinished" />
+            <translation>davon gibt es nur {count}; 0 bis {last}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/paths.py" />
             <source>there is none of them</source>
-            <translation type="unfinished" />
+            <translation>davon gibt es keines</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/points.py" />
@@ -9242,12 +9242,12 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{tilt} turns the back of the screen to light of the lens; its front has to face all of the lens</source>
-            <translation type="unfinished" />
+            <translation>{tilt} wendet dem Licht der Linse die Rückseite des Schirms zu; seine Vorderseite muss der ganzen Linse zugewandt sein</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
             <source>{tilt} turns the back of the screen to light of the mirror; its front has to face all of the mirror</source>
-            <translation type="unfinished" />
+            <translation>{tilt} wendet dem Licht des Spiegels die Rückseite des Schirms zu; seine Vorderseite muss dem ganzen Spiegel zugewandt sein</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/screen.py" />
@@ -9297,47 +9297,47 @@ Pfeiltasten verschieben Stelle oder Linie um ein Pixel, mit Umschalt um zehn; mi
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>'{name}' is the name of another element; another name</source>
-            <translation type="unfinished" />
+            <translation>'{name}' ist der Name eines anderen Elements; ein anderer Name</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>no face is designed; one face of shape 'bspline'</source>
-            <translation type="unfinished" />
+            <translation>keine Fläche wird entworfen; eine Fläche der Form 'bspline'</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>a second designed element; one element is designed</source>
-            <translation type="unfinished" />
+            <translation>ein zweites entworfenes Element; entworfen wird ein einziges Element</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>fixed B-spline faces are not traced yet; a conic face</source>
-            <translation type="unfinished" />
+            <translation>feste B-Spline-Flächen werden noch nicht durchgerechnet; eine Kegelschnittfläche</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>a mirror that is not designed is not traced yet</source>
-            <translation type="unfinished" />
+            <translation>ein Spiegel, der nicht entworfen wird, wird noch nicht durchgerechnet</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>elements behind a mirror are not traced yet; none</source>
-            <translation type="unfinished" />
+            <translation>Elemente hinter einem Spiegel werden noch nicht durchgerechnet; keines</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>the first and the designed element stand upright on the axis; 0</source>
-            <translation type="unfinished" />
+            <translation>das erste und das entworfene Element stehen aufrecht auf der Achse; 0</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{z:g} reaches into {name}; at least {least:g}</source>
-            <translation type="unfinished" />
+            <translation>{z:g} ragt in {name} hinein; mindestens {least:g}</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/task.py" />
             <source>{count} given, which {who} cannot take into account; one</source>
-            <translation type="unfinished" />
+            <translation>{count} angegeben, nicht zu berücksichtigen durch: {who}; eines</translation>
         </message>
         <message>
             <location filename="../../workbench/scene/versions.py" />

@@ -115,7 +115,7 @@ def at_first(later):
 class TestCheckpoint:
     def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
         program = (
-            "import sys, workbench.cli.checkpoints as keeping; checkpoints._SECONDS = 0.0; "
+            "import sys, workbench.cli.checkpoints as checkpoints; checkpoints._SECONDS = 0.0; "
             "from workbench.cli import main; sys.exit(main(sys.argv[1:]))"
         )
         arguments = ["design", endless, "-o", out]

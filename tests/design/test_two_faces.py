@@ -1,12 +1,9 @@
 """Runs that shape both faces of a lens."""
 
-import json
-
 import numpy as np
 import pytest
 
 from resources import path
-from tests.scenes import changed
 from workbench.analysis.validation import validate
 from workbench.design.limits import HeightLimits, bounded, undesigned
 from workbench.design.run import run
@@ -15,6 +12,7 @@ from workbench.design.transport import first_of
 from workbench.files.session import read_session, write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.scene import Scene
+from workbench.scene.paths import with_values
 from workbench.targets import load_target
 
 FREEFORM = {"lens.entrance": {"shape": "freeform"}, "lens.height_range": None}
@@ -87,21 +85,21 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
 
 
 def test_near_an_led_two_faces_make_a_better_image_of_more_light_than_one():
-    example = json.loads(path("examples", "led-dome.json").read_text())
+    example = Scene.from_json(path("examples", "led-dome.json").read_text())
     small = {
-        "lens.control_points": [16, 16],
-        "screen.pixels": [24, 24],
+        "lens.back.control_points": 16,
+        "images[0].receiver.pixels": 24,
         "run.iterations": 20,
-        "target": {"builtin": "tophat"},
+        "images[0].target": {"builtin": "tophat"},
     }
 
     def verified(changes):
-        scene = Scene.from_data(changed({**small, **changes}, example))
+        scene = with_values(example, {**small, **changes})
         target = load_target(scene, path("examples"))
         best = [shot for shot in run(scene, target) if shot.best][-1]
         return validate(scene, target, best.state.heights, rays=300_000)
 
-    two, one = verified({}), verified({"lens.entrance": {"shape": "flat"}})
+    two, one = verified({}), verified({"lens.faces[0]": {"shape": "plane"}})
     (_, two_at_most), (one_at_least, _) = (
         each.relative_l2_corrected_interval for each in (two, one)
     )

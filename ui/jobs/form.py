@@ -62,7 +62,11 @@ class JobForm(QScrollArea):
         column.addStretch()
         self._form = form
         own: dict[str, Make] = dict.fromkeys(_LATER, lambda field, path: [])
-        makers = Rows(lambda: self.job.scene(), own | {"image": image_rows, "file": file_rows})
+        makers = Rows(
+            lambda: self.job.scene(),
+            own | {"image": image_rows, "file": file_rows},
+            place="images[0].",
+        )
         self.rows = [
             row for field in job.fields() if field.tip for row in makers.of_field(field, field.name)
         ]

@@ -22,12 +22,13 @@ from workbench.targets import load_target
 
 def test_a_lens_for_the_sun_lies_between_its_bound_and_a_sharp_lens():
     small = {
-        "screen": {"pixels": [24, 24]},
-        "lens": {"control_points": [32, 32]},
-        "source": {"angular_diameter": 5.0},
+        "images[0].receiver.pixels": 24,
+        "lens.back.control_points": 32,
+        "source.angular_diameter": 5.0,
+        "run.iterations": 4,
     }
     progress = []
-    example = BenchmarkTask.of("sun-plate", run={"iterations": 4}, **small)
+    example = BenchmarkTask.of("sun-plate", changes=small)
     found = compare_with_bound("photo", example, lambda case, state: progress.append((case, state)))
     assert 0 < found.bound <= found.light < found.lens < found.sharp
     assert found.bound <= found.spots < found.lens

@@ -117,7 +117,7 @@ def test_the_verdict_comes_before_the_cut_can_be_written(dialog, qtbot):
 def test_a_cutter_that_does_not_fit_cannot_write_and_one_that_fits_is_offered(
     open_dialog, qtbot, monkeypatch
 ):
-    monkeypatch.setattr("workbench.files.export.gcode._LEFT", -1.0)
+    monkeypatch.setattr("workbench.files.export.gcode._EXCESS", -1.0)
     dialog = open_dialog(Cutting(0.9, 0.002))
     qtbot.waitUntil(dialog.fit.isVisible)
     assert "a ball cutter of 0.9 cm does not fit: it leaves" in dialog.found.text()

@@ -71,7 +71,7 @@ class Desk:
 
     def edit(self, z, key=""):
         scene = self.document.session.scene
-        screen = scene.receiver.model_copy(update={"z": z})
+        screen = scene.receiver.moved_to(z)
         self.document.edit(scene.with_receiver(screen), "change", key)
 
     def wait(self, settled=1):
