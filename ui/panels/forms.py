@@ -25,7 +25,7 @@ from workbench.errors import Refused
 from workbench.files.session import Session
 from workbench.scene import Image, ImageTarget, Scene
 
-_MOST_OF_SCREEN = 0.31  # of its width, that the forms insist on
+_MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
 
 
 class Forms(QScrollArea):

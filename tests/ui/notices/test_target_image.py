@@ -14,7 +14,7 @@ def test_the_field_is_named_until_it_is_corrected(window, qtbot):
     begun = []
     enter(qtbot, window.forms, "images[0].receiver.position[2]", "0.1")
     window.early.begin(lambda: begun.append(1))
-    assert window.messages.text.startswith("Screen at z: 0.1 may touch the lens")
+    assert window.messages.text.startswith("Receiver position: 0.1 may touch the lens")
     assert "Correct it, or press Esc" in window.messages.text and not begun
     enter(qtbot, window.forms, "images[0].receiver.position[2]", "6")
     assert window.messages.text == ""
