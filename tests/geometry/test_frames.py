@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from workbench.geometry.frames import Frame, rotation_of
+from workbench.geometry.frames import Frame
+from workbench.scene.turning import tilted
 
 
 def about(axis, degrees):
@@ -19,15 +20,13 @@ def about(axis, degrees):
 def test_a_tilt_turns_about_x_then_the_new_y_then_the_new_z():
     """An asymmetric case: three angles of which no order but one gives the matrix."""
     expected = about("x", 20.0) @ about("y", -35.0) @ about("z", 70.0)
-    assert rotation_of((20.0, -35.0, 70.0)) == pytest.approx(expected, abs=1e-15)
+    assert tilted((20.0, -35.0, 70.0)) == pytest.approx(expected, abs=1e-15)
     # In steps: the element's own y after the first turn is the axis of the second one.
     first = about("x", 20.0)
     new_y = first @ [0, 1, 0]
     second = rodrigues(new_y, -35.0) @ first
     new_z = second @ [0, 0, 1]
-    assert rotation_of((20.0, -35.0, 70.0)) == pytest.approx(
-        rodrigues(new_z, 70.0) @ second, abs=1e-14
-    )
+    assert tilted((20.0, -35.0, 70.0)) == pytest.approx(rodrigues(new_z, 70.0) @ second, abs=1e-14)
 
 
 def rodrigues(axis, degrees):

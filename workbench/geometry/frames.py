@@ -4,21 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from workbench.arrays import Array
+from workbench.scene.turning import tilted
 
 # Parts of a shift that are smaller than this part of the positions are rounding.
 _ROUNDING = 1e-15
-
-
-def rotation_of(tilt: Sequence[float]) -> Array:
-    """Return the matrix R_x(a) R_y(b) R_z(c), shape (3, 3), of a tilt (a, b, c) in degrees.
-
-    An element is turned about its own x, then its own new y, then its own new z.
-    """
-    matrix: Array = Rotation.from_euler("XYZ", tilt, degrees=True).as_matrix()
-    return matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +31,8 @@ class Frame:
     def at(
         cls, position: Sequence[float] | Array, tilt: Sequence[float] = (0.0, 0.0, 0.0)
     ) -> "Frame":
-        """Return the frame at a position with a tilt as for `rotation_of`."""
-        return cls(np.asarray(position, float), rotation_of(tilt))
+        """Return the frame at a position with a tilt as for `tilted`."""
+        return cls(np.asarray(position, float), tilted(tilt))
 
     def turned(self) -> "Frame":
         """Return the frame turned by 180° about its own x: its z points the other way."""

@@ -326,7 +326,9 @@ class Element(Part):
 
     @property
     def known_shape(self) -> tuple[int, int] | None:
-        """As `net_shape`; None where the program has yet to choose."""
+        """As `net_shape`; None where the program has yet to choose, or nothing is designed."""
+        if not self.designed:
+            return None
         points = self.control_points
         return points.shape if isinstance(points, AutoNet) else points
 

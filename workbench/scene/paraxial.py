@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 # A source farther away than so many half-widths of the designed element counts as collimated.
 _FAR = 1e3
+# Degrees across the light of a source that the fixed elements collimate, at most.
+_WIDEST = 10.0
 
 
 class _Vertex(NamedTuple):
@@ -104,20 +106,20 @@ def _seen_from_behind(source: Source, before: Sequence[Element], element: Elemen
         return source.placed((m * x, m * y, seen.z)).shrunk(abs(m))
     if place is None and (math.isinf(seen.z) or not 0 < away < _FAR * size):
         return source
-    width = 0.0 if place is None else _angle(source, vertices, element)
+    width = 0.0 if place is None else _angle(source, vertices[0].z)
     return CollimatedSource(
         kind="collimated", angular_diameter=width, wavelength_um=source.wavelength_um
     )
 
 
-def _angle(source: Source, vertices: Sequence[_Vertex], element: Element) -> float:
+def _angle(source: Source, front_z: float) -> float:
     """Degrees across the light of a source that the elements before collimate."""
     half = max(getattr(source, "half_width", (0.0, 0.0)))
     place = source.place
     if not half or place is None:
         return 0.0
-    first = vertices[0].z - place[2]
-    return min(math.degrees(2 * math.atan(half / max(first, 1e-9 * half))), 10.0)
+    away = max(front_z - place[2], 1e-9 * half)
+    return min(math.degrees(2 * math.atan(half / away)), _WIDEST)
 
 
 def _seen_from_before(image: Image, behind: Sequence[Element]) -> Image:

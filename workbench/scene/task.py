@@ -13,7 +13,6 @@ from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import limits, versions
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element
-from workbench.scene.faces import SplineFace
 from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
 from workbench.scene.image import (
@@ -34,11 +33,10 @@ from workbench.scene.run import AutoRun, Run
 from workbench.scene.source import Source
 from workbench.scene.stages import stage_scenes
 from workbench.scene.target import Target
+from workbench.scene.train_checks import check_behind, check_elements, too_many
 
 Unit = Literal["mm", "cm", "m", "inch"]
 AnyElement = Annotated[Lens | Mirror, Kinds("kind")]
-_MOST_ELEMENTS = 16
-_ROUNDING = 1e-9
 
 
 class _Versioned(Part, extra="ignore"):
@@ -126,22 +124,21 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
-        self._check_elements()
+        check_elements(self)
+        self.source.measured_in(self.unit)
         if len(self.elements) > 1:
+            self.source.check_before(self.first)
+            if not self.elements[-1].designed:
+                check_behind(self.elements[-1], self.receivers)
             of_designed_element(self).check()
-            check_regions(self.regions)
             return
         optic = self.optic
         radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
         asked = [(f"run.{name}", radius) for name, radius in radii.items() if radius is not None]
         limits.check_lengths(asked, optic.half_width, limits.FAR)
-        self.source.measured_in(self.unit)
         self.source.check_before(optic)
         if len(self.images) > MOST_IMAGES:
-            many = Said(
-                "{count} are given; at most {most}", count=len(self.images), most=MOST_IMAGES
-            )
-            raise Refused("images", many)
+            raise too_many("images", len(self.images), MOST_IMAGES)
         for number, image in enumerate(self.images):
             with refused_within(f"images[{number}]"):
                 image.check_lit_by(optic)
@@ -159,66 +156,6 @@ class Scene(Part):
                     ),
                 )
         stage_scenes(self)
-
-    def _check_elements(self) -> None:
-        if len(self.elements) > _MOST_ELEMENTS:
-            many = Said(
-                "{count} are given; at most {most}", count=len(self.elements), most=_MOST_ELEMENTS
-            )
-            raise Refused("elements", many)
-        names = [element.name for element in self.elements]
-        for number, element in enumerate(self.elements):
-            if element.name in names[:number]:
-                twice = Said(
-                    "'{name}' is the name of another element; another name", name=element.name
-                )
-                raise Refused(f"elements[{number}].name", twice)
-        designed = [number for number, element in enumerate(self.elements) if element.designed]
-        if not designed:
-            raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
-        for number, element in enumerate(self.elements):
-            self._check_element(number, element, designed[0])
-
-    def _check_element(self, number: int, element: Element, designed: int) -> None:
-        """Refuse an element that cannot be computed with, or has no place in a train yet."""
-        path = f"elements[{number}]"
-        lit = element.lit(self.source.wavelength)
-        try:
-            lit.check_element()
-        except Refused as refused:
-            if refused.path.startswith("source."):  # a wavelength beyond the data of a material
-                raise
-            raise Refused(f"{path}.{refused.path}", refused.reason) from None
-        if number != designed and element.designed:
-            raise Refused(path, Said("a second designed element; one element is designed"))
-        fixed_net = any(
-            isinstance(each.face, SplineFace) and each.face.fixed for each in element.placed_faces
-        )
-        if fixed_net:
-            raise Refused(path, Said("fixed B-spline faces are not traced yet; a conic face"))
-        if number != designed and not isinstance(element, Lens):
-            raise Refused(path, Said("a mirror that is not designed is not traced yet"))
-        if number > designed and self.optic.onwards < 0:
-            raise Refused(path, Said("elements behind a mirror are not traced yet; none"))
-        upright = not any(element.tilt) and not any(element.position[:2])
-        if number in (0, designed) and not upright:
-            raise Refused(
-                f"{path}.tilt" if any(element.tilt) else f"{path}.position",
-                Said("the first and the designed element stand upright on the axis; 0"),
-            )
-        if number:
-            last = self.elements[number - 1].lit(self.source.wavelength)
-            least = last.leaving_z if number - 1 != designed else last.highest
-            if lit.front_z < least - _ROUNDING * max(lit.half_width):
-                raise Refused(
-                    f"{path}.position[2]",
-                    Said(
-                        "{z:g} reaches into {name}; at least {least:g}",
-                        z=element.position[2],
-                        name=last.name,
-                        least=least + element.position[2] - lit.front_z,
-                    ),
-                )
 
     @property
     def designed_number(self) -> int:
@@ -454,7 +391,3 @@ class Scene(Part):
         """The scene as plain dictionaries and lists."""
         data: dict[str, Any] = self.model_dump(mode="json", exclude_none=True)
         return data
-
-
-def _too_many(path: str, count: int, most: int) -> Refused:
-    return Refused(path, Said("{count} are given; at most {most}", count=count, most=most))

@@ -1,6 +1,7 @@
 """Rotations: tilts of elements, receivers and lamps, and of collimated light."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -30,7 +31,7 @@ def turned(about: tuple[float, float]) -> Array:
     return np.asarray(np.eye(3) + turn)
 
 
-def tilted(tilt: tuple[float, float, float]) -> Array:
+def tilted(tilt: Sequence[float]) -> Array:
     """Return the matrix (3, 3) R_x(a) R_y(b) R_z(c) of a tilt (a, b, c) in degrees.
 
     An element is turned about its own x, then about its new y, then about its new z.

@@ -233,8 +233,7 @@ def _source(path: str, source: Any) -> Any:
         angles = _numbers(f"{path}.rotation", source["rotation"], 3)
         if sum(angle != 0 for angle in angles) > 1 and _finite(*angles):
             about = [
-                tilted(tuple(a if axis == k else 0.0 for k in range(3)))  # type: ignore[arg-type]
-                for axis, a in enumerate(angles)
+                tilted([a if axis == k else 0.0 for k in range(3)]) for axis, a in enumerate(angles)
             ]
             new["rotation"] = list(tilt_of(about[2] @ about[1] @ about[0]))
     return new

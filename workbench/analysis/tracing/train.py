@@ -26,11 +26,10 @@ from workbench.analysis.tracing.surfaces import (
     SplineFace,
 )
 from workbench.arrays import Array
-from workbench.errors import Refused
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.said import Said
 from workbench.scene import AnyReceiver, ConicFace, Element, Lens, Mirror, Scene
+from workbench.scene.train_checks import check_behind
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -116,7 +115,7 @@ class OpticalTrain:
             scene.check_one_element("a check of an element out of its place")
         elements = [element.lit(scene.source.wavelength) for element in scene.elements]
         if not elements[-1].designed:
-            _check_behind(elements[-1], receivers)
+            check_behind(elements[-1], receivers)
         first = elements[0]  # all light passes its aperture, from which z is counted
         middle = scene.source.place or (0.0, 0.0, first.front_z)
         faces: list[tuple[TracedFace, Boundary]] = []
@@ -222,31 +221,6 @@ def _refracting(
         (front, DielectricBoundary(1.0, n, "fresnel_entrance", entering)),
         (back, DielectricBoundary(n, 1.0, "fresnel_exit", leaving, lens.absorption)),
     )
-
-
-def _check_behind(last: Element, receivers: Sequence[AnyReceiver]) -> None:
-    """Refuse a receiver that may be within the last element, or before it."""
-    turn = Rotation.from_euler("XYZ", last.tilt, degrees=True).as_matrix()
-    ends = [
-        placed.z - last.position[2] + sag
-        for placed in last.placed_faces
-        for sag in (
-            placed.face.extent(last.half_width) if isinstance(placed.face, ConicFace) else (0.0,)
-        )
-    ]
-    reach = float(abs(turn[2, :2]) @ last.half_width)
-    highest = last.position[2] + reach + max(float(turn[2, 2]) * end for end in ends)
-    nearest = min(receiver.nearest_to(last) for receiver in receivers)
-    if nearest <= highest:
-        raise Refused(
-            "images",
-            Said(
-                "a receiver at z = {z:g} may touch the element {name}; more than {least:g}",
-                z=nearest,
-                name=last.name,
-                least=highest,
-            ),
-        )
 
 
 def _placed(
