@@ -1,10 +1,10 @@
 """Faces in the order in which light meets them: those of the elements of a train.
 
-A new kind of element is its fields in `workbench.scene`, and a row in ``_DESIGNED``; a new shape of
-a fixed face is a case of `_surface`.
+A new kind of element is its fields in `workbench.scene`, and a row in ``_FACES``; a new shape of
+a fixed face is a case of `_fixed`.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -18,7 +18,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import ConicFace, Element, Face, Lens, Mirror, PlaneFace, Scene
+from workbench.scene import ConicFace, Lens, Mirror, PlacedFace, PlaneFace, Scene
 
 
 class FaceStep(NamedTuple):
@@ -109,58 +109,43 @@ def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
     """Faces of all elements of a scene, in the order in which light meets them."""
     steps: list[FaceStep] = []
     for number, element in enumerate(scene.elements):
+        if number or scene.designed_number:  # light comes through an aperture, or other faces
+            along = along._replace(by_area=False, along_axis=False)
         lit = element.lit(scene.source.wavelength)
-        if number == scene.designed_number:
-            if number:  # what is sampled is the aperture before the first element
-                along = along._replace(by_area=False, along_axis=False)
-            steps += _DESIGNED[type(lit)](lit, along)
-        else:
-            steps += _of_fixed_lens(lit, along)
+        steps += _FACES[type(lit)](lit, along)
     return tuple(steps)
 
 
-def _of_fixed_lens(lens: Element, along: PathContext) -> Iterator[FaceStep]:
-    if not isinstance(lens, Lens):
-        raise TypeError(f"a fixed {lens.called} has no faces here")
+def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
     upright = not any(lens.tilt) and not any(lens.position[:2])
     frame = None if upright else Frame.at(lens.position, lens.tilt)
-    origin = lens.position[2] - along.datum if upright else 0.0
-    outline, (entering, leaving) = outline_of(lens), TransmittanceLaw.of(lens)
+    origin = along.datum if upright else lens.position[2]
+    outline, straight = outline_of(lens), along.along_axis
+    before = Rectangle(lens.half_width) if along.by_area else outline
+    nets = freeform_nets(lens)
+    if nets:
+        nets |= {lens.designed_face: along.net}
     names = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
-    depths = 0.0, lens.thickness
-    for face, depth, law, (reflected, missed) in zip(
-        lens.faces, depths, (entering, leaving), names, strict=True
+    media = zip(TransmittanceLaw.of(lens), (0.0, lens.absorption), names, strict=True)
+    for placed, (law, absorption, (reflected, missed)) in zip(
+        lens.placed_faces, media, strict=True
     ):
-        absorption = lens.absorption if depth == lens.thickness else 0.0
-        surface = _surface(f"{lens.name} {reflected}", face, origin + depth, outline)
+        net = nets.get(placed.name)
+        if net is None:
+            surface = _fixed(placed, placed.z - origin, before)
+        else:
+            surface = along.spline(placed.name, net, before if straight else outline, placed.z)
+            straight = False
         yield FaceStep(surface, Refraction(law, reflected, absorption), missed, frame)
 
 
-def _surface(name: str, face: Face, z: float, outline: Outline) -> Surface:
-    match face:
+def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
+    match placed.face:
         case PlaneFace():
-            return Plane(name, z, outline)
+            return Plane(placed.name, z, outline)
         case ConicFace(radius=radius, conic=conic, coefficients=coefficients):
-            return Conic(name, z, 1 / radius, conic, outline, coefficients)
-    raise TypeError(f"a fixed face of shape {face.shape} is not traced")
-
-
-def _of_lens(lens: Lens, along: PathContext) -> tuple[FaceStep, ...]:
-    outline, entrance_net = outline_of(lens), freeform_nets(lens).get("entrance")
-    entering, leaving = TransmittanceLaw.of(lens)
-    before = Rectangle(lens.half_width) if along.by_area else outline
-    straight = along.along_axis and entrance_net is None  # up to the exit face
-    entrance: Surface
-    if entrance_net is not None:
-        at_face = before if along.along_axis else outline
-        entrance = along.spline("entrance", entrance_net, at_face, lens.entrance_z)
-    else:
-        entrance = _surface("entrance", lens.faces[0], lens.entrance_z - along.datum, before)
-    exit_face = along.spline("exit", along.net, before if straight else outline, lens.base.height)
-    return (
-        FaceStep(entrance, Refraction(entering, "fresnel_entrance"), "missed_lens"),
-        FaceStep(exit_face, Refraction(leaving, "fresnel_exit", lens.absorption), "left_side"),
-    )
+            return Conic(placed.name, z, 1 / radius, conic, outline, coefficients)
+    raise TypeError(f"a fixed face of shape {placed.face.shape} is not traced")
 
 
 def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
@@ -170,7 +155,7 @@ def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
-_DESIGNED: Mapping[type, Callable[[Any, PathContext], tuple[FaceStep, ...]]] = {
+_FACES: Mapping[type, Callable[[Any, PathContext], Iterable[FaceStep]]] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
 }

@@ -26,7 +26,8 @@ from workbench.scene.filter import BoxFilter, Filter, GaussianFilter
 from workbench.scene.grid_source import GridSource
 from workbench.scene.image import DrawnTarget, Image, Receiver, WantedImage
 from workbench.scene.kinds import Kinds
-from workbench.scene.lens import CustomIndex, Lens
+from workbench.scene.lens import Lens
+from workbench.scene.material import CustomIndex
 from workbench.scene.measured_source import MeasuredSource, PhotometricSource, RayFileSource
 from workbench.scene.mirror import Mirror
 from workbench.scene.part import NonNegative, Part, Positive

@@ -4,15 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import (
-    ConfigDict,
-    Field,
-    PrivateAttr,
-    ValidationError,
-    ValidatorFunctionWrapHandler,
-    field_validator,
-)
-from pydantic_core import PydanticCustomError
+from pydantic import Field, PrivateAttr
 
 from workbench import materials
 from workbench.arrays import Array
@@ -34,7 +26,8 @@ from workbench.scene.faces import ConicFace, Face
 from workbench.scene.fields import LENGTH, PLACE, Choices, Measure, Members, about
 from workbench.scene.lens_losses import LENS_LOSSES
 from workbench.scene.losses import Loss, TakesLight
-from workbench.scene.part import NonNegative, Part, Positive
+from workbench.scene.material import CustomIndex, Material
+from workbench.scene.part import NonNegative, Positive
 
 Reflectance = Annotated[float, Field(ge=0, lt=1)]
 # An automatic entrance face may rise by this part of the lens's half-width, and for several images
@@ -72,16 +65,6 @@ def _thinnest(data: dict[str, Any]) -> float:
     return usual if thickest is None else min(usual, thickest / 2)
 
 
-class CustomIndex(Part):
-    """A refractive index that is the same at all wavelengths."""
-
-    model_config = ConfigDict(title="Custom index")
-
-    index: Annotated[
-        float, about("Index", "Refractive index at the wavelength of the light.", gt=1)
-    ]
-
-
 class Lens(Element):
     """Two faces with a material between; light goes through along its +z.
 
@@ -105,7 +88,7 @@ class Lens(Element):
     half_width: HalfWidth
     outline: Outline = "rectangle"
     material: Annotated[
-        str | CustomIndex,
+        Material,
         about("Material", "What the lens is made of: a catalogue material, or a custom index."),
     ]
     thickness: Annotated[
@@ -118,15 +101,6 @@ class Lens(Element):
         Members(("Front face", "Back face")),
         about("Faces", "Front face and back face, in the order in which light meets them."),
     ]
-
-    @field_validator("material", mode="wrap")
-    @classmethod
-    def _name_or_index(cls, value: Any, read: ValidatorFunctionWrapHandler) -> Any:
-        # One error, not one for each member of the union.
-        try:
-            return read(value)
-        except ValidationError:
-            raise PydanticCustomError("material", "neither a name nor an index above 1") from None
 
     _wavelength: float = PrivateAttr(default=DEFAULT_WAVELENGTH)
 
