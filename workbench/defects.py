@@ -22,15 +22,8 @@ _LARGEST = 1 << 18
 def unexpected(error: BaseException) -> str:
     """Write an error down, and say what it is and where the details are.
 
-    Parameters
-    ----------
-    error : BaseException
-        With its traceback, and with what caused it.
-
-    Returns
-    -------
-    str
-        A part of a sentence: ``unexpected KeyError: 'x' (details are in /home/…/errors.log)``.
+    `error`: with its traceback, and with what caused it. Returns a part of a sentence: ``unexpected
+    KeyError: 'x' (details are in /home/…/errors.log)``.
     """
     text = f"unexpected {type(error).__name__}: {error}".rstrip(": ")
     try:

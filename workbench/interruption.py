@@ -44,10 +44,7 @@ def given_up_when(given_up: Callable[[], bool]) -> Iterator[None]:
 def check_interruption() -> None:
     """Called now and then by long work that can do without the rest of it.
 
-    Raises
-    ------
-    Interrupted
-        If it is to end.
+    Raises `Interrupted` if it is to end.
     """
     if _asked_to_end.get()():
         raise Interrupted
@@ -57,10 +54,7 @@ def check_interruption() -> None:
 def check_given_up() -> None:
     """Called now and then by long work without whose end there is nothing to show.
 
-    Raises
-    ------
-    Interrupted
-        If it is not wanted any more.
+    Raises `Interrupted` if it is not wanted any more.
     """
     if _given_up.get()():
         raise Interrupted

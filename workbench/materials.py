@@ -9,21 +9,11 @@ from workbench.said import Said
 
 @dataclass(frozen=True)
 class Material:
-    """A dispersion formula and where it holds.
+    """A dispersion formula and where it holds."""
 
-    Attributes
-    ----------
-    index : Callable[[float], float]
-        Refractive index at a wavelength in µm.
-    range_um : tuple[float, float]
-        Wavelengths that the fit covers, µm.
-    source : str
-        Where the coefficients come from.
-    """
-
-    index: Callable[[float], float]
-    range_um: tuple[float, float]
-    source: str
+    index: Callable[[float], float]  # refractive index at a wavelength in µm
+    range_um: tuple[float, float]  # wavelengths that the fit covers, µm
+    source: str  # where the coefficients come from
 
 
 def _sellmeier(*terms: tuple[float, float]) -> Callable[[float], float]:
@@ -60,17 +50,8 @@ CATALOGUE = {
 def refractive_index(name: str, wavelength_um: float) -> float:
     """Refractive index of a catalogue material.
 
-    Parameters
-    ----------
-    name : str
-        A key of `CATALOGUE`.
-    wavelength_um : float
-        Vacuum wavelength in µm.
-
-    Raises
-    ------
-    Refused
-        If the name is not in the catalogue or its data do not cover the wavelength.
+    `name`: a key of `CATALOGUE`; `wavelength_um`: vacuum wavelength in µm. Raises `Refused` if the
+    name is not in the catalogue or its data do not cover the wavelength.
     """
     material = CATALOGUE.get(name)
     if material is None:

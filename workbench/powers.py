@@ -39,14 +39,8 @@ def written(value: float, unit: str = "", digits: int = 4) -> str:
 
     A number without a unit, as a loss, has any power.
 
-    Parameters
-    ----------
-    value : float
-        The number.
-    unit : str
-        What stands behind it; empty for none.
-    digits : int
-        How many of the number count; zeros at its end are left out.
+    `value`: the number; `unit`: what stands behind it; empty for none; `digits`: how many of the
+    number count; zeros at its end are left out.
 
     Examples
     --------

@@ -45,22 +45,8 @@ def read_number(text: str, unit: str = "") -> Fraction:
     `WRITTEN`, where the field is of one, and a part of something may be in percent; without it, it
     is in the unit of the field.
 
-    Parameters
-    ----------
-    text : str
-        What was typed.
-    unit : str
-        Unit of the field; empty for a plain number, "of …" for a part of something.
-
-    Returns
-    -------
-    Fraction
-        Exactly, in the field's unit.
-
-    Raises
-    ------
-    ValueError
-        With what is wrong in one sentence.
+    `text`: what was typed; `unit`: unit of the field; empty for a plain number, "of …" for a part
+    of something. Raises `ValueError` with what is wrong in one sentence.
 
     Examples
     --------

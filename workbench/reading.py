@@ -15,20 +15,8 @@ from workbench.said import Said
 def opened(path: Path) -> Iterator[BinaryIO]:
     """Open an ordinary file for reading.
 
-    Parameters
-    ----------
-    path : Path
-        File to read.
-
-    Yields
-    ------
-    BinaryIO
-        The open file.
-
-    Raises
-    ------
-    Refused
-        If it is missing, no ordinary file, or cannot be read, here or in the block.
+    `path`: file to read. Yields the open file. Raises `Refused` if it is missing, no ordinary file,
+    or cannot be read, here or in the block.
     """
     if "\0" in str(path):  # which Python would not look for
         raise Refused(str(path), Said("does not exist; no file can have such a name"))

@@ -41,19 +41,8 @@ SENTENCES = {
 def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene") -> Refused:
     """Describe the first thing that is wrong.
 
-    Parameters
-    ----------
-    error : pydantic.ValidationError
-        What validation found.
-    model : type[pydantic.BaseModel]
-        The model that was asked for.
-    whole : str
-        The path where no field of it is wrong, but all.
-
-    Returns
-    -------
-    Refused
-        With the path of the field, the value and what is allowed.
+    `error`: what validation found; `model`: the model that was asked for; `whole`: the path where
+    no field of it is wrong, but all.
     """
     details = error.errors(include_url=False)[0]
     path, fields = _follow(details["loc"], model)

@@ -9,19 +9,7 @@ class Said(str):
 
     It is the English sentence; the window translates the words and puts the values in again.
 
-    Parameters
-    ----------
-    words : str
-        With braces for the values, as `str.format` takes them.
-    **values
-        By their names; ``optic`` and ``receiver`` are what these are called.
-
-    Attributes
-    ----------
-    words : str
-        See above.
-    values : mapping of str to object
-        See above.
+    `**values`: by their names; ``optic`` and ``receiver`` are what these are called.
 
     Examples
     --------

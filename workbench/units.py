@@ -24,10 +24,7 @@ def sized(number: str, unit: str) -> str:
 def times(number: float, factor: Fraction) -> float:
     """The product, with the number taken as it is written: 0.3 mm are 0.03 cm, not 0.03 + 3e-18.
 
-    Raises
-    ------
-    OverflowError
-        If the product is beyond float64.
+    Raises `OverflowError` if the product is beyond float64.
     """
     return float(Fraction(repr(number)) * factor)
 

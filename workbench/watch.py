@@ -42,12 +42,8 @@ def of_equal(pieces: int, done: int, fraction: float) -> float:
 def within(steps: Steps[T], fraction: Callable[[float], float]) -> Steps[T]:
     """Take steps that yield the part of them that is done, as steps of something larger.
 
-    Parameters
-    ----------
-    steps : generator
-        The steps; closed when these are left.
-    fraction : callable
-        What part of the whole is done when that part of the steps is.
+    `steps`: the steps; closed when these are left; `fraction`: what part of the whole is done when
+    that part of the steps is.
     """
     with closing(steps):
         while True:

@@ -30,21 +30,11 @@ _OF_RUN, _SHARE_OF_RUN = 0.02, 0.005
 
 
 class RandomShare(NamedTuple):
-    """The part of the light that random rays find on the receiver.
+    """The part of the light that random rays find on the receiver."""
 
-    Attributes
-    ----------
-    value : float
-        Part of the emitted flux.
-    noise : float
-        Its standard error.
-    rays : int
-        Rays of all batches.
-    """
-
-    value: float
-    noise: float
-    rays: int
+    value: float  # part of the emitted flux
+    noise: float  # its standard error
+    rays: int  # rays of all batches
 
     @classmethod
     def of(cls, value: float, batches: Sequence[float], rays: int) -> Self:
@@ -60,27 +50,13 @@ class RandomShare(NamedTuple):
 
 
 class Agreement(NamedTuple):
-    """How far the image by cells and random rays are apart.
+    """How far the image by cells and random rays are apart."""
 
-    Attributes
-    ----------
-    by_cells : float
-        Part of the emitted light that cells find on the receiver.
-    bound : float
-        Bound of the error of that part.
-    share : RandomShare
-        The same of random rays.
-    image_bound : float
-        Bound of the relative error of the image by cells.
-    image : CorrectedDistance
-        Distance of the two images without the scatter of the rays.
-    """
-
-    by_cells: float
-    bound: float
-    share: RandomShare
-    image_bound: float
-    image: CorrectedDistance
+    by_cells: float  # part of the emitted light that cells find on the receiver
+    bound: float  # bound of the error of that part
+    share: RandomShare  # the same of random rays
+    image_bound: float  # bound of the relative error of the image by cells
+    image: CorrectedDistance  # distance of the two images without the scatter of the rays
 
     @property
     def contradiction(self) -> Said | None:
@@ -110,18 +86,10 @@ def run_apart(
 ) -> Said | None:
     """That the image of a run differs from the check by more than both may be off.
 
-    Parameters
-    ----------
-    image_apart, image_off : float
-        Relative L2 difference of the two images, and how far that of the check may be off.
-    share, by_check, share_off : float
-        Part of the emitted light on the receiver by the run and by the check, and how far that of
-        the check may be off.
-
-    Returns
-    -------
-    Said or None
-        None where they agree.
+    `image_apart`, `image_off`: relative L2 difference of the two images, and how far that of the
+    check may be off; `share`, `by_check`, `share_off`: part of the emitted light on the receiver by
+    the run and by the check, and how far that of the check may be off. Returns None where they
+    agree.
     """
     if abs(share - by_check) > share_off + _SHARE_OF_RUN:
         return Said(

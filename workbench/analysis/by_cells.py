@@ -29,51 +29,25 @@ _NOTHING = 0.5
 
 @dataclass(frozen=True)
 class ByCells:
-    """Error of a lens without random rays, and random rays as the second opinion.
+    """Error of a lens without random rays, and random rays as the second opinion."""
 
-    Attributes
-    ----------
-    relative_l2_corrected : float
-        ‖I − T‖ / ‖T‖ of image and target, each divided by its sum. No rays scatter here.
-    relative_l2_corrected_interval : tuple[float, float]
-        Where it lies: by the bound of the image's error, or that of independent images.
-    loss : float
-        Paper's loss (section 2.4).
-    efficiency : float
-        Part of the emitted flux that lands on the screen.
-    bound : float
-        Bound of the error of the image, over its norm; see `imaging`.
-    wanted : float
-        What this, or how far the error is off, was to be at most.
-    cells : tuple[int, int]
-        Cells along x and y.
-    difference : float
-        ‖R − I‖ / ‖I‖ of the image R of random rays.
-    noise : float
-        What that would be by the scatter of the rays alone.
-    unscattered : CorrectedDistance
-        The same difference without their scatter.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y.
-    agreement : Agreement, optional
-        How far the two traces are apart; None where some rays of a file are all that is known of
-        the light, for which cells only stand.
-    independent : IndependentError, optional
-        Where the error is from independent images of random rays, as these are more exact.
-    """
-
+    # ‖I − T‖ / ‖T‖ of image and target, each divided by its sum. No rays scatter here.
     relative_l2_corrected: float
+    # Where it lies: by the bound of the image's error, or that of independent images.
     relative_l2_corrected_interval: tuple[float, float]
-    loss: float
-    efficiency: float
-    bound: float
-    wanted: float
-    cells: tuple[int, int]
-    difference: float
-    noise: float
-    unscattered: CorrectedDistance
-    irradiance: Array
+    loss: float  # Paper's loss (section 2.4)
+    efficiency: float  # part of the emitted flux that lands on the screen
+    bound: float  # bound of the error of the image, over its norm; see `imaging`
+    wanted: float  # what this, or how far the error is off, was to be at most
+    cells: tuple[int, int]  # cells along x and y
+    difference: float  # ‖R − I‖ / ‖I‖ of the image R of random rays
+    noise: float  # what that would be by the scatter of the rays alone
+    unscattered: CorrectedDistance  # the same difference without their scatter
+    irradiance: Array  # (n_y, n_x), flux per area on the screen, row 0 at +y
+    # How far the two traces are apart; None where some rays of a file are all that is known of the
+    # light, for which cells only stand.
     agreement: Agreement | None = None
+    # Where the error is from independent images of random rays, as these are more exact.
     independent: IndependentError | None = None
 
     @classmethod
@@ -89,21 +63,11 @@ class ByCells:
     ) -> "ByCells":
         """Compare an image with the target and with one of random rays.
 
-        Parameters
-        ----------
-        image : CellImage
-            The image by cells.
-        target, of_rays : ndarray, shape (n_y, n_x)
-            The target and the image of random rays, in any scale.
-        receiver : AnyReceiver
-            What the images are on.
-        unscattered : CorrectedDistance
-            Distance of these two without the scatter of the rays.
-        share : RandomShare, optional
-            Part of the light of the random rays on the receiver; None where cells only stand for
-            the rays of a file.
-        independent : IndependentError, optional
-            What has the error, in place of the image by cells.
+        `image`: the image by cells; `target`, `of_rays` (n_y, n_x): the target and the image of
+        random rays, in any scale; `receiver`: what the images are on; `unscattered`: distance of
+        these two without the scatter of the rays; `share`: part of the light of the random rays on
+        the receiver; None where cells only stand for the rays of a file; `independent`: what has
+        the error, in place of the image by cells.
         """
         by_cells, apart = image.error(target)
         error, interval = by_cells, (max(by_cells - apart, 0.0), by_cells + apart)
@@ -138,10 +102,7 @@ class ByCells:
     def poorer_than(self, interval: tuple[float, float]) -> bool:
         """Whether the error is by far less exact than asked for, and than by random rays.
 
-        Parameters
-        ----------
-        interval : tuple[float, float]
-            Where the error lies by random rays.
+        `interval`: where the error lies by random rays.
         """
         low, high = self.relative_l2_corrected_interval
         return self.bound > _FAR * self.wanted and high - low > interval[1] - interval[0]
@@ -208,12 +169,7 @@ def without_scatter(
 ) -> Steps[tuple[CellImage | None, IndependentError | None]]:
     """Find the image by cells, and independent ones where these tell its error more exactly.
 
-    Parameters
-    ----------
-    scene, heights, accuracy, pose, threads, random_rays
-        As for `imaging`.
-    target : ndarray, shape (n_y, n_x)
-        The target image in any scale.
+    `target` (n_y, n_x): the target image in any scale.
     """
     steps = imaging(scene, heights, accuracy, pose, threads, random_rays)
     image = yield from within(steps, lambda part: part / 2)

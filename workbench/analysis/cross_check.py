@@ -25,21 +25,13 @@ _95 = 1.96
 
 @dataclass(frozen=True)
 class TracerResult:
-    """What one tracer says of a lens.
+    """What one tracer says of a lens."""
 
-    Attributes
-    ----------
-    relative_l2, relative_l2_corrected : float
-        Error against the target, with and without the scatter of the rays, as in `Validation`.
-    efficiency : float
-        Part of the emitted flux that lands on the screen.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y, of all emitted flux together 1.
-    """
-
+    # Error against the target, with and without the scatter of the rays, as in `Validation`.
     relative_l2: float
     relative_l2_corrected: float
-    efficiency: float
+    efficiency: float  # part of the emitted flux that lands on the screen
+    # (n_y, n_x), flux per area on the screen, row 0 at +y, of all emitted flux together 1.
     irradiance: Array
 
     def to_data(self) -> dict[str, float]:
@@ -53,34 +45,20 @@ class TracerResult:
 
 @dataclass(frozen=True)
 class CrossCheck:
-    """How far apart the images of two tracers are; both are divided by their sums.
+    """How far apart the images of two tracers are; both are divided by their sums."""
 
-    Attributes
-    ----------
-    difference : float
-        ‖M − O‖ / ‖O‖ of Mitsuba's image M and our image O.
-    noise : float
-        What it would be on the scatter of the rays alone, from two halves of each image.
-    difference_corrected : float
-        The same difference without the scatter: the root of ⟨M₁ − O₁, M₂ − O₂⟩ / ‖O‖², where 1 and
-        2 are the halves. Their scatter is independent and falls out; a negative one counts as 0.
-    difference_corrected_interval : tuple[float, float]
-        Where that lies with 95 % confidence, pixels scattering independently.
-    ours, mitsuba : TracerResult
-        What each of them says of the lens.
-    rays : int
-        Rays of each.
-    left_out : tuple of str
-        What of the lens both are without, since Mitsuba does not have it; see `bare_and_clear`.
-    """
-
-    difference: float
-    noise: float
+    difference: float  # ‖M − O‖ / ‖O‖ of Mitsuba's image M and our image O
+    noise: float  # what it would be on the scatter of the rays alone, from two halves of each image
+    # The same difference without the scatter: the root of ⟨M₁ − O₁, M₂ − O₂⟩ / ‖O‖², where 1 and 2
+    # are the halves. Their scatter is independent and falls out; a negative one counts as 0.
     difference_corrected: float
+    # Where that lies with 95 % confidence, pixels scattering independently.
     difference_corrected_interval: tuple[float, float]
+    # What each of them says of the lens.
     ours: TracerResult
     mitsuba: TracerResult
-    rays: int
+    rays: int  # rays of each
+    # What of the lens both are without, since Mitsuba does not have it; see `bare_and_clear`.
     left_out: tuple[str, ...] = ()
 
     def to_data(self) -> dict[str, Any]:
@@ -112,23 +90,8 @@ def cross_check(
     approximation, the difference is in the result. In both what is reflected is lost. Coatings,
     faces that reflect nothing, and fields of a lens that take light are left out of both.
 
-    Parameters
-    ----------
-    scene, target, heights
-        As for `validate`.
-    rays : int
-        Rays for each of the two, at least.
-    seed : int
-        The same seed gives the same rays.
-    watch : callable
-        Called with the part that is done.
-
-    Raises
-    ------
-    Refused
-        If Mitsuba is not installed, pixels are not square, or the lens is no body.
-    RunFailed
-        If no light reaches the screen.
+    `rays`: rays for each of the two, at least. Raises `Refused` if Mitsuba is not installed, pixels
+    are not square, or the lens is no body; `RunFailed` if no light reaches the screen.
     """
     scene.check_one_image("the comparison with Mitsuba")
     scene.check_one_element("the comparison with Mitsuba")

@@ -24,18 +24,10 @@ from workbench.watch import Steps, of_equal, within
 
 
 class CutLens(NamedTuple):
-    """Errors of a lens.
+    """Errors of a lens."""
 
-    Attributes
-    ----------
-    designed : CorrectedDistance
-        Relative L2 error of the lens as it was designed.
-    cut : CorrectedDistance
-        The same as the cutter leaves it.
-    """
-
-    designed: CorrectedDistance
-    cut: CorrectedDistance
+    designed: CorrectedDistance  # relative L2 error of the lens as it was designed
+    cut: CorrectedDistance  # the same as the cutter leaves it
 
     @property
     def sentence(self) -> Said:
@@ -59,23 +51,10 @@ def tracing_cut(
 ) -> Steps[CutLens]:
     """Trace a lens whose exit face is as a cutter leaves it, in steps of a moment.
 
-    Parameters
-    ----------
-    scene : Scene
-        The design task; of several images the first counts.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    target : ndarray, shape (n_y, n_x)
-        The target image in any scale.
-    raster : Raster
-        The cuts of the exit face.
-    rays : int
-        Rays to trace for the cut; four times as many for the lens as it was designed.
-
-    Raises
-    ------
-    Refused
-        If the scene has several elements, or a mirror: it is cut from the other side.
+    `scene`: the design task; of several images the first counts; `heights` (n_u, n_v); `target`
+    (n_y, n_x): the target image in any scale; `raster`: the cuts of the exit face; `rays`: rays to
+    trace for the cut; four times as many for the lens as it was designed. Raises `Refused` if the
+    scene has several elements, or a mirror: it is cut from the other side.
     """
     scene.check_one_element("the trace of a cut lens")
     optic = scene.optic

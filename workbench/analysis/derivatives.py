@@ -25,29 +25,17 @@ _DUAL_NUMBERS = Lock()
 
 @dataclass(frozen=True, eq=False)
 class DerivativeMap:
-    """How the image changes as one control point rises.
+    """How the image changes as one control point rises."""
 
-    Attributes
-    ----------
-    index : tuple[int, int]
-        The control point, along x and along y.
-    position : tuple[float, float]
-        Its x and y, scene units.
-    map : ndarray, shape (n_y, n_x)
-        Change of flux per area, per scene unit of height; row 0 at +y. Exactly 0 in pixels out of
-        the control point's reach.
-    sum : float
-        Change of the flux on the screen per scene unit of height; near 0 where no light crosses
-        the image's border, since a control point moves light and makes none.
-    flux : float
-        Flux on the screen.
-    """
-
-    index: tuple[int, int]
-    position: tuple[float, float]
+    index: tuple[int, int]  # the control point, along x and along y
+    position: tuple[float, float]  # its x and y, scene units
+    # (n_y, n_x), change of flux per area, per scene unit of height; row 0 at +y. Exactly 0 in
+    # pixels out of the control point's reach.
     map: Array
+    # Change of the flux on the screen per scene unit of height; near 0 where no light crosses the
+    # image's border, since a control point moves light and makes none.
     sum: float
-    flux: float
+    flux: float  # flux on the screen
 
 
 def irradiance_derivative(
@@ -59,24 +47,10 @@ def irradiance_derivative(
 ) -> DerivativeMap:
     """Derivative of the irradiance image with respect to one control height.
 
-    Parameters
-    ----------
-    scene : Scene
-        What is traced.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    index : tuple[int, int]
-        The control point, along x and along y, counted from 0.
-    dtype : torch.dtype
-        Float type of the trace.
-    face : str
-        The name of its face; by default the one that the task shapes.
-
-    Raises
-    ------
-    Refused
-        If there is no such control point, or if the filter gives pixels that jump instead of
-        changing smoothly as rays move.
+    `scene`: what is traced; `heights` (n_u, n_v); `index`: the control point, along x and along y,
+    counted from 0; `dtype`: float type of the trace; `face`: the name of its face; by default the
+    one that the task shapes. Raises `Refused` if there is no such control point, or if the filter
+    gives pixels that jump instead of changing smoothly as rays move.
 
     Examples
     --------

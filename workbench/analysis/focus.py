@@ -20,24 +20,13 @@ _MOST_PIXELS = 512
 
 @dataclass(frozen=True, eq=False)
 class Focus:
-    """The image at one distance.
+    """The image at one distance."""
 
-    Attributes
-    ----------
-    z : float
-        Where the screen is.
-    relative_l2 : float
-        Error against the target, ray noise included; 1 where there is no light.
-    efficiency : float
-        Part of the emitted flux that lands on the screen.
-    irradiance : ndarray, shape (m_y, m_x)
-        Flux per area, row 0 at +y; the mean of some pixels where the screen has more than 512
-        along a side, so that a long series needs little memory.
-    """
-
-    z: float
-    relative_l2: float
-    efficiency: float
+    z: float  # where the screen is
+    relative_l2: float  # error against the target, ray noise included; 1 where there is no light
+    efficiency: float  # part of the emitted flux that lands on the screen
+    # (m_y, m_x), flux per area, row 0 at +y; the mean of some pixels where the screen has more than
+    # 512 along a side, so that a long series needs little memory.
     irradiance: Array
 
     def to_data(self) -> dict[str, float]:
@@ -48,19 +37,8 @@ class Focus:
 def screen_at(scene: Scene, heights: Mapping[str, Array], fraction: float) -> float:
     """Where a screen stands at a part of the way from the lens to the scene's screen.
 
-    Parameters
-    ----------
-    scene : Scene
-        Lens and screen.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    fraction : float
-        Above 0, which is as high as the exit face is or may be; 1 is the scene's screen.
-
-    Returns
-    -------
-    float
-        z of the screen.
+    `heights` (n_u, n_v); `fraction`: above 0, which is as high as the exit face is or may be; 1 is
+    the scene's screen. Returns z of the screen.
     """
     optic, onwards = scene.optic, scene.optic.onwards
     beyond = float((onwards * heights[optic.designed_face]).max())
@@ -78,24 +56,8 @@ def focus_series(
 ) -> Iterator[Focus]:
     """Images at several distances, by the same rays.
 
-    Parameters
-    ----------
-    scene, target, heights, rays
-        As for `workbench.analysis.validation.validate`.
-    distances : sequence of float
-        z of each screen; as large as the scene's.
-    watch : callable
-        Called with the part that is done.
-
-    Yields
-    ------
-    Focus
-        One for each.
-
-    Raises
-    ------
-    Refused
-        If a screen may touch the lens.
+    `distances`: z of each screen; as large as the scene's. Raises `Refused` if a screen may touch
+    the lens.
 
     Examples
     --------

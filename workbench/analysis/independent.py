@@ -26,18 +26,10 @@ _BEGIN, _MOST, _EACH = 1 << 22, 1 << 24, 4
 
 
 class IndependentError(NamedTuple):
-    """What independent images of random rays say of a lens.
+    """What independent images of random rays say of a lens."""
 
-    Attributes
-    ----------
-    unscattered : CorrectedDistance
-        Relative L2 distance of the lens's image to a target.
-    rays : int
-        Rays of all images together.
-    """
-
-    unscattered: CorrectedDistance
-    rays: int
+    unscattered: CorrectedDistance  # relative L2 distance of the lens's image to a target
+    rays: int  # rays of all images together
 
 
 def tracing_independently(
@@ -51,16 +43,9 @@ def tracing_independently(
 ) -> Steps[IndependentError]:
     """Find the error of a lens from independent images; twice as many rays until it is exact.
 
-    Parameters
-    ----------
-    scene, heights, pose, threads
-        As for `imaging`.
-    target : ndarray, shape (n_y, n_x)
-        The target image in any scale.
-    accuracy : float
-        How far the error may be off, unless that takes too many rays.
-    random_rays : int, optional
-        Random rays of the check: the images have at most four times as many.
+    `target` (n_y, n_x): the target image in any scale; `accuracy`: how far the error may be off,
+    unless that takes too many rays; `random_rays`: random rays of the check: the images have at
+    most four times as many.
     """
     images = np.zeros((BATCHES, *target.shape))
     most = _MOST if random_rays is None else min(_EACH * random_rays, _MOST)

@@ -52,12 +52,8 @@ def compile_all(
 ) -> None:
     """Compile all kernels, or take them from disk.
 
-    Parameters
-    ----------
-    goes_on : callable
-        Asked before each part; the rest is left out once it says no.
-    dtypes : sequence of torch.dtype
-        Float types of the traces of designs.
+    `goes_on`: asked before each part; the rest is left out once it says no; `dtypes`: float types
+    of the traces of designs.
     """
     try:
         kernels.compile_all(goes_on, dtypes)

@@ -28,21 +28,11 @@ _FLAT = 1e-9
 
 
 class Extreme(NamedTuple):
-    """The most or the least of something over the lens.
+    """The most or the least of something over the lens."""
 
-    Attributes
-    ----------
-    value : float
-        The extreme among many places.
-    bound : float
-        What it is not beyond anywhere.
-    place : tuple[float, float]
-        X and y of the value, scene units.
-    """
-
-    value: float
-    bound: float
-    place: tuple[float, float]
+    value: float  # the extreme among many places
+    bound: float  # what it is not beyond anywhere
+    place: tuple[float, float]  # X and y of the value, scene units
 
     def to_data(self) -> dict[str, Any]:
         """The numbers by name, for JSON, which has no infinity: None in its place."""
@@ -54,52 +44,30 @@ class SurfaceMaps(NamedTuple):
     """A freeform face point by point; all of shape (n_y, n_x) with row 0 at +y.
 
     Places beside the lens, within its bounding rectangle, have no numbers (NaN).
-
-    Attributes
-    ----------
-    x : ndarray, shape (n_x,)
-        Ascending; scene units.
-    y : ndarray, shape (n_y,)
-        Descending; scene units.
-    thickness : ndarray
-        Distance between both faces along z, scene units.
-    slope : ndarray
-        Angle between the face and a plane across the axis, degrees.
-    concave, convex : ndarray
-        Largest curvature of a hollow and of a hump there, as the face is seen from outside,
-        1 / scene unit; negative where there is none in any direction.
     """
 
-    x: Array
-    y: Array
-    thickness: Array
-    slope: Array
+    x: Array  # (n_x,), ascending; scene units
+    y: Array  # (n_y,), descending; scene units
+    thickness: Array  # distance between both faces along z, scene units
+    slope: Array  # angle between the face and a plane across the axis, degrees
+    # Largest curvature of a hollow and of a hump there, as the face is seen from outside, 1 / scene
+    # unit; negative where there is none in any direction.
     concave: Array
     convex: Array
 
 
 @dataclass(frozen=True)
 class FaceFigures:
-    """Figures of a freeform face, in scene units and degrees.
+    """Figures of a freeform face, in scene units and degrees."""
 
-    Attributes
-    ----------
-    sag_range : float
-        Height of the highest point of the face over the lowest.
-    steepest : Extreme
-        Angle between the face and a plane across the axis, degrees.
-    tightest_concave, tightest_convex : Extreme
-        Smallest radius of curvature of hollows and humps of the face; infinite where there is
-        none, 0 at the edges that a face of degree 1 has.
-    tool_radius : Extreme
-        Largest radius of a ball cutter that fits everywhere and cuts into no other part of the
-        face; infinite where any does, 0 at hollow edges. At the place it is tightest.
-    """
-
-    sag_range: float
-    steepest: Extreme
+    sag_range: float  # height of the highest point of the face over the lowest
+    steepest: Extreme  # angle between the face and a plane across the axis, degrees
+    # Smallest radius of curvature of hollows and humps of the face; infinite where there is none, 0
+    # at the edges that a face of degree 1 has.
     tightest_concave: Extreme
     tightest_convex: Extreme
+    # Largest radius of a ball cutter that fits everywhere and cuts into no other part of the face;
+    # infinite where any does, 0 at hollow edges. At the place it is tightest.
     tool_radius: Extreme
 
     @property
@@ -124,19 +92,12 @@ class FaceFigures:
 
 @dataclass(frozen=True)
 class Manufacture(FaceFigures):
-    """Figures of a lens: of its exit face, and of both faces together.
+    """Figures of a lens: of its exit face, and of both faces together."""
 
-    Attributes
-    ----------
-    thinnest, thickest : Extreme
-        Thickness along z.
-    entrance : FaceFigures, optional
-        Those of a freeform entrance face.
-    """
-
+    # Thickness along z.
     thinnest: Extreme
     thickest: Extreme
-    entrance: FaceFigures | None = None
+    entrance: FaceFigures | None = None  # those of a freeform entrance face
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON; those of a flat entrance face are left out."""
@@ -150,16 +111,8 @@ def surface_maps(
 ) -> SurfaceMaps:
     """Thickness, slope and curvatures on a regular grid that includes the rim.
 
-    Parameters
-    ----------
-    optic : Element
-        The lens.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    count : tuple[int, int]
-        Numbers of points along x and y.
-    face : str
-        The name of the face; by default the one that the task shapes.
+    `heights` (n_u, n_v); `count`: numbers of points along x and y; `face`: the name of the face; by
+    default the one that the task shapes.
     """
     face = face or optic.designed_face
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
@@ -196,12 +149,7 @@ def _other_side(
 def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
     """Figures of a lens.
 
-    Parameters
-    ----------
-    optic : Element
-        The lens.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
+    `heights` (n_u, n_v).
 
     Examples
     --------

@@ -23,17 +23,10 @@ _ORDERS = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 
 
 class FaceBounds(NamedTuple):
-    """What a face is not beyond anywhere.
+    """What a face is not beyond anywhere."""
 
-    Attributes
-    ----------
-    slope : float
-        Largest magnitude of the gradient of z.
-    hollow, hump : float
-        Largest curvature of hollows and of humps, 1 / scene unit; 0 where there are none.
-    """
-
-    slope: float
+    slope: float  # largest magnitude of the gradient of z
+    # Largest curvature of hollows and of humps, 1 / scene unit; 0 where there are none.
     hollow: float
     hump: float
 
@@ -43,16 +36,9 @@ def shape_bounds(
 ) -> FaceBounds:
     """Bounds of slope and curvature.
 
-    Parameters
-    ----------
-    net : ControlNet
-        The control net.
-    heights : ndarray, shape (n_u, n_v)
-        Control heights, scene units.
-    parts : tuple[int, int]
-        Equal parts of a knot span along x and y. The bounds close in with their number.
-    where : ndarray of bool, shape (parts along x, parts along y), optional
-        Which parts are looked at; all by default.
+    `net`: the control net; `heights` (n_u, n_v): control heights, scene units; `parts`: equal parts
+    of a knot span along x and y. The bounds close in with their number; `where` (parts along x,
+    parts along y): which parts are looked at; all by default.
 
     Notes
     -----
@@ -90,19 +76,9 @@ def difference_range(
 ) -> tuple[Array, Array, tuple[Array, Array]]:
     """How far one face is above another, on parts between the knots of both.
 
-    Parameters
-    ----------
-    upper, lower : tuple of ControlNet and ndarray, shape (n_u, n_v)
-        Net and control heights of each face, both over the same rectangle.
-    least : int
-        Parts along each axis, at least.
-
-    Returns
-    -------
-    low, high : ndarray, shape (m_x, m_y)
-        Distances along z that no place of the part is beyond.
-    ends : tuple of ndarray, shapes (m_x + 1,) and (m_y + 1,)
-        Where the parts end, in [0, 1].
+    `upper`, `lower` (n_u, n_v): net and control heights of each face, both over the same rectangle;
+    `least`: parts along each axis, at least. Returns `low, high` (m_x, m_y): distances along z that
+    no place of the part is beyond; `ends`: where the parts end, in [0, 1].
 
     Notes
     -----
@@ -136,10 +112,8 @@ def _coefficients(
 ) -> Iterator[tuple[Array, ...]]:
     """Bernstein coefficients, all of the net's degree, of the first and second derivatives.
 
-    Yields
-    ------
-    tuple of five arrays, shape (parts along x, p + 1, parts along y, q + 1)
-        z_x, z_y, z_xx, z_xy, z_yy on some of the parts.
+    Yields (parts along x, p + 1, parts along y, q + 1): z_x, z_y, z_xx, z_xy, z_yy on some of the
+    parts.
     """
     sizes = [degree + 1 for degree in net.degree]
     # Few control points matter on any part.
@@ -164,9 +138,7 @@ def _coefficients(
 def _raised(into: Array, degree: int) -> Array:
     """The same polynomials with the coefficients of a higher degree (Farin, section 5.1).
 
-    Returns
-    -------
-    ndarray, shape (parts * (degree + 1), count)
+    Returns (parts * (degree + 1), count).
     """
     low = into.shape[1] - 1
     raising = np.array(

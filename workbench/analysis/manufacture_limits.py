@@ -15,49 +15,27 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class Limits:
-    """What a shop asks for; None where it does not matter.
+    """What a shop asks for; None where it does not matter."""
 
-    Attributes
-    ----------
-    min_thickness, max_thickness : float, optional
-        Along z, scene units.
-    max_slope : float, optional
-        Angle between each freeform face and a plane across the axis, degrees.
-    min_radius : float, optional
-        Radius of curvature of hollows and of humps, scene units.
-    min_tool_radius : float, optional
-        Radius of the ball cutter that has to fit everywhere, scene units.
-    """
-
+    # Along z, scene units.
     min_thickness: float | None = None
     max_thickness: float | None = None
+    # Angle between each freeform face and a plane across the axis, degrees.
     max_slope: float | None = None
-    min_radius: float | None = None
+    min_radius: float | None = None  # radius of curvature of hollows and of humps, scene units
+    # Radius of the ball cutter that has to fit everywhere, scene units.
     min_tool_radius: float | None = None
 
 
 class Verdict(NamedTuple):
-    """What one limit comes to.
+    """What one limit comes to."""
 
-    Attributes
-    ----------
-    name : str
-        What is limited.
-    limit : float
-        Scene units or degrees.
-    at_least : bool
-        Whether it is a lower limit.
-    found : Extreme
-        What the lens has.
-    state : str
-        "broken" if a place of the lens is beyond the limit, "met" if surely none is, "open" if no
-        place that was looked at is, but the bound does not tell.
-    """
-
-    name: str
-    limit: float
-    at_least: bool
-    found: Extreme
+    name: str  # what is limited
+    limit: float  # scene units or degrees
+    at_least: bool  # whether it is a lower limit
+    found: Extreme  # what the lens has
+    # "broken" if a place of the lens is beyond the limit, "met" if surely none is, "open" if no
+    # place that was looked at is, but the bound does not tell.
     state: State
 
     def wanted(self, unit: str) -> str:

@@ -53,27 +53,16 @@ def paper_loss(image: Array, target: Array) -> float:
 
 @dataclass(frozen=True)
 class Quality:
-    """Figures of an image against its target. None where a figure has no meaning.
+    """Figures of an image against its target. None where a figure has no meaning."""
 
-    Attributes
-    ----------
-    psnr : float or None
-        Peak signal-to-noise ratio, dB; the signal is the target's peak. None if they are equal.
-    ssim : float
-        Mean structural similarity.
-    correlation : float or None
-        Pearson's coefficient over the pixels. None if one of them is the same everywhere.
-    uniformity : float
-        Least over mean irradiance in the lit region, each relative to the target's.
-    contrast : float or None
-        (E_lit − E_black) / (E_lit + E_black), of the mean irradiances in the lit and in the black
-        region: 1 is a perfect black. None if the target has no black region or neither is lit.
-    """
-
+    # Peak signal-to-noise ratio, dB; the signal is the target's peak. None if they are equal.
     psnr: float | None
-    ssim: float
+    ssim: float  # mean structural similarity
+    # Pearson's coefficient over the pixels. None if one of them is the same everywhere.
     correlation: float | None
-    uniformity: float
+    uniformity: float  # least over mean irradiance in the lit region, each relative to the target's
+    # (E_lit − E_black) / (E_lit + E_black), of the mean irradiances in the lit and in the black
+    # region: 1 is a perfect black. None if the target has no black region or neither is lit.
     contrast: float | None
 
     @classmethod

@@ -17,28 +17,16 @@ _INSIDE = 0.5
 
 @dataclass(frozen=True)
 class RegionLight:
-    """The light of a region. All but the share are None where no pixel is half inside.
+    """The light of a region. All but the share are None where no pixel is half inside."""
 
-    Attributes
-    ----------
-    name : str
-        Of the region.
-    share : float
-        Part of the emitted flux that falls on it; of pixels at its edge, the part inside counts.
-    mean : float
-        Flux per area, or per solid angle in a far field, over all of the region.
-    least, most : float, optional
-        The same of the darkest and the brightest pixel of which at least half is inside.
-    unit : LightUnit
-        In what it is told.
-    """
-
-    name: str
+    name: str  # of the region
+    # Part of the emitted flux that falls on it; of pixels at its edge, the part inside counts.
     share: float
-    mean: float
+    mean: float  # flux per area, or per solid angle in a far field, over all of the region
+    # The same of the darkest and the brightest pixel of which at least half is inside.
     least: float | None
     most: float | None
-    unit: LightUnit = field(default=IN_PARTS, repr=False)
+    unit: LightUnit = field(default=IN_PARTS, repr=False)  # in what it is told
 
     @property
     def uniformity(self) -> float | None:
@@ -87,16 +75,9 @@ def light_of_regions(
 ) -> tuple[RegionLight, ...]:
     """The light of each region.
 
-    Parameters
-    ----------
-    regions : sequence of AnyRegion
-        Parts of the receiver; they may overlap.
-    receiver : AnyReceiver
-        Pixel raster.
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area, or per solid angle, of a source whose flux is 1; row 0 at +y.
-    unit : LightUnit
-        In what they tell their light; by default as parts of all.
+    `regions`: parts of the receiver; they may overlap; `receiver`: pixel raster; `irradiance` (n_y,
+    n_x): flux per area, or per solid angle, of a source whose flux is 1; row 0 at +y; `unit`: in
+    what they tell their light; by default as parts of all.
 
     Examples
     --------

@@ -19,26 +19,16 @@ STUDENT_T = 2.131
 
 
 class CorrectedDistance(NamedTuple):
-    """A distance of an image of random rays to another one, without the scatter of the rays.
+    """A distance of an image of random rays to another one, without the scatter of the rays."""
 
-    Attributes
-    ----------
-    distance : float
-        The root of ⟨I − T, I′ − T⟩ / ‖T‖², where I′ is a second image of fewer, other rays. The two
-        scatter independently, so the mean of the product has no scatter in it; a negative one
-        counts as 0.
-    interval : tuple[float, float]
-        Where it lies: at least 95 % confidence, also where images are evener than independent ones.
-    square : float
-        Its square; scatter may make it negative.
-    standard_error : float
-        Of the square.
-    """
-
+    # The root of ⟨I − T, I′ − T⟩ / ‖T‖², where I′ is a second image of fewer, other rays. The two
+    # scatter independently, so the mean of the product has no scatter in it; a negative one counts
+    # as 0.
     distance: float
+    # Where it lies: at least 95 % confidence, also where images are evener than independent ones.
     interval: tuple[float, float]
-    square: float
-    standard_error: float
+    square: float  # its square; scatter may make it negative
+    standard_error: float  # of the square
 
     @classmethod
     def of(cls, products: Sequence[float]) -> "CorrectedDistance":
@@ -58,13 +48,9 @@ class CorrectedDistance(NamedTuple):
         The mean of ⟨I_r − T, I_s − T⟩ over all pairs has no scatter in it. How it varies where one
         of the images is left out tells how far it is off: the jackknife (Arvesen 1969).
 
-        Parameters
-        ----------
-        images : sequence of ndarray, shape (n_y, n_x)
-            `BATCHES` images by independent rays, in any scale. A dark one has no shape: nothing is
-            then known, and the interval is without end.
-        reference : ndarray, shape (n_y, n_x)
-            What they are compared with, in any scale.
+        `images` (n_y, n_x): `BATCHES` images by independent rays, in any scale. A dark one has no
+        shape: nothing is then known, and the interval is without end; `reference` (n_y, n_x): what
+        they are compared with, in any scale.
         """
         count, wanted = len(images), reference / reference.sum()
         if not all(image.any() for image in images):
@@ -85,7 +71,7 @@ class CorrectedDistance(NamedTuple):
     ) -> "CorrectedDistance":
         """From an estimate of the square, its standard error, and how many of these make 95 %."""
         spread = t * standard_error
-        # A square below 0 by more than its spread tells that images are evener together than ones
+        # a square below 0 by more than its spread tells that images are evener together than ones
         # that are independent, as parts of a file whose rays are laid out evenly: by so much the
         # true one may be above 0 as well.
         most = square if square >= -spread else -square

@@ -28,20 +28,11 @@ _PARTS = 8
 
 @dataclass(frozen=True)
 class Shading:
-    """Light that something is in the way of.
+    """Light that something is in the way of."""
 
-    Attributes
-    ----------
-    meets_again : float
-        Part of the emitted light that leaves the last face and comes back to it.
-    at : tuple[float, float], optional
-        About where most of it comes back, x and y in scene units.
-    through_receiver : float
-        Part of the emitted light that comes to the first face through the receiver.
-    """
-
-    meets_again: float
-    at: tuple[float, float] | None
+    meets_again: float  # part of the emitted light that leaves the last face and comes back to it
+    at: tuple[float, float] | None  # about where most of it comes back, x and y in scene units
+    # Part of the emitted light that comes to the first face through the receiver.
     through_receiver: float
 
     @property
@@ -72,13 +63,7 @@ class Shading:
 def shading_of(
     scene: Scene, heights: Mapping[str, Array], seed: int, pose: Pose | None = None
 ) -> Shading:
-    """Look along some random rays for what is in their way.
-
-    Parameters
-    ----------
-    scene, heights, seed, pose
-        As for `workbench.analysis.validation.validate`.
-    """
+    """Look along some random rays for what is in their way."""
     scene.check_one_element("the search for light that comes back")
     pose = pose or Pose()
     train = OpticalTrain.of(scene, heights, _RAYS, seed, pose, [scene.receiver])

@@ -19,24 +19,11 @@ def with_noise(
 ) -> Array:
     """A face that is wavy.
 
-    Parameters
-    ----------
-    net : ControlNet
-        Its net.
-    control_points : ndarray, shape (n_u, n_v)
-        Its control heights, scene units.
-    amplitude : float
-        Root mean square of the error over the face, about its mean; scene units.
-    scale : float
-        Distance over which the correlation of the error falls to 1/e: exp(−r² / scale²).
-        From `workbench.analysis.tolerance_fields.FINEST` of the lens's width up to its width.
-    rng : numpy.random.Generator
-        Which error.
-
-    Returns
-    -------
-    ndarray
-        Control heights on a net as fine as the error needs.
+    `control_points` (n_u, n_v): its control heights, scene units; `amplitude`: root mean square of
+    the error over the face, about its mean; scene units; `scale`: distance over which the
+    correlation of the error falls to 1/e: exp(−r² / scale²). From
+    `workbench.analysis.tolerance_fields.FINEST` of the lens's width up to its width; `rng`: which
+    error. Returns control heights on a net as fine as the error needs.
     """
     for axis, (r, n, p) in enumerate(zip(net.half_width, net.shape, net.degree, strict=True)):
         split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))

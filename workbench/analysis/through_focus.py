@@ -19,24 +19,9 @@ def through_focus(
 ) -> Array:
     """Irradiance on screens at several distances, from one trace.
 
-    Parameters
-    ----------
-    scene, heights, rays, seed
-        As for `workbench.analysis.validation.validate`; the screens are as large as the scene's.
-    distances : sequence of float, optional
-        z of each screen; None stands for the scene's receiver alone.
-    watch : callable
-        Called with the part that is done.
-
-    Returns
-    -------
-    ndarray, shape (k, n_y, n_x)
-        Flux per area on each of the k screens, row 0 at +y.
-
-    Raises
-    ------
-    Refused
-        If a screen may touch the lens, or the lens is no body.
+    `distances`: z of each screen; None stands for the scene's receiver alone. Returns (k, n_y,
+    n_x): flux per area on each of the k screens, row 0 at +y. Raises `Refused` if a screen may
+    touch the lens, or the lens is no body.
     """
     for z in distances or ():
         with_screen_at(scene, z)
@@ -56,10 +41,7 @@ def through_focus(
 def with_screen_at(scene: Scene, z: float) -> Scene:
     """The scene with its screen elsewhere.
 
-    Raises
-    ------
-    Refused
-        If the screen may touch the lens there, or the receiver is at no distance.
+    Raises `Refused` if the screen may touch the lens there, or the receiver is at no distance.
     """
     there = scene.with_receiver(scene.receiver.moved_to(z))
     there.check()

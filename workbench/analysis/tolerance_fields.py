@@ -21,30 +21,15 @@ FINEST = 1 / 250
 
 @dataclass(frozen=True)
 class ToleranceField:
-    """What a tolerance says of itself.
+    """What a tolerance says of itself."""
 
-    Attributes
-    ----------
-    title : str
-        What a person reads before its field.
-    tip : str
-        What it is; "{optic}" stands for the lens or the mirror.
-    row : str
-        What a report calls it.
-    unit : str
-        Of its number; of the first, if there are two, for both.
-    there : callable
-        Whether a scene has what could be off.
-    absent : str
-        Why it changes nothing otherwise.
-    """
-
-    title: str
-    tip: str
-    row: str
+    title: str  # what a person reads before its field
+    tip: str  # what it is; "{optic}" stands for the lens or the mirror
+    row: str  # what a report calls it
+    # Of its number; of the first, if there are two, for both.
     unit: Literal["", "degrees", "length"]
-    there: "Callable[[Scene], bool]" = lambda scene: True
-    absent: str = ""
+    there: "Callable[[Scene], bool]" = lambda scene: True  # whether a scene has what could be off
+    absent: str = ""  # why it changes nothing otherwise
 
     def tip_of(self, optic: str) -> str:
         """The tip for what is called so."""
@@ -89,42 +74,24 @@ _ONE_FACE = Said("a mirror has no other face")
 
 @dataclass(frozen=True)
 class Tolerances:
-    """How far a lens may be off; angles in radians, lengths in scene units, 0 where it is not.
+    """How far a lens may be off; angles in radians, lengths in scene units, 0 where it is not."""
 
-    Attributes
-    ----------
-    tilt : float
-        Largest angle between lens and optical axis, turned about the middle of the entrance face;
-        anywhere in the disc of all such tilts, evenly.
-    decentre : float
-        Largest distance of the lens from the axis; evenly in the disc.
-    exit_tilt, exit_decentre : float
-        The same of the exit face alone, against the entrance face: turned about its own middle.
-    index : float
-        Largest error of the refractive index; evenly to both sides.
-    distance : float
-        Largest error of the screen's distance; evenly to both sides.
-    source_tilt : float
-        As ``tilt``, of the source about its middle.
-    source_shift : float
-        Largest distance of the source from its place; evenly in the ball.
-    surface, entrance_surface : tuple[float, float]
-        Root mean square of the error of the exit face, or of a mirror, and of the entrance face;
-        and the length over which it is alike.
-    """
-
+    # Largest angle between lens and optical axis, turned about the middle of the entrance face;
+    # anywhere in the disc of all such tilts, evenly.
     tilt: float = _tolerance(
         "Tilt",
         "Largest angle between {optic} and optical axis",
         "tilt up to",
         "degrees",
     )
+    # Largest distance of the lens from the axis; evenly in the disc.
     decentre: float = _tolerance(
         "Decentre",
         "Largest distance of the {optic} from the axis",
         "decentre up to",
         "length",
     )
+    # The same of the exit face alone, against the entrance face: turned about its own middle.
     exit_tilt: float = _tolerance(
         "Exit tilt",
         "Largest tilt of the exit face against the entrance",
@@ -141,6 +108,7 @@ class Tolerances:
         there=_between_faces,
         absent=_ONE_FACE,
     )
+    # Largest error of the refractive index; evenly to both sides.
     index: float = _tolerance(
         "Index ±",
         "Largest error of the refractive index",
@@ -149,6 +117,7 @@ class Tolerances:
         there=lambda scene: scene.optic.index > 1,
         absent=Said("there is no glass"),
     )
+    # Largest error of the screen's distance; evenly to both sides.
     distance: float = _tolerance(
         "Screen ±",
         "Largest error of the screen's distance",
@@ -157,6 +126,7 @@ class Tolerances:
         there=lambda scene: scene.receiver.at_distance,
         absent=Said("a far field is at no distance"),
     )
+    # As ``tilt``, of the source about its middle.
     source_tilt: float = _tolerance(
         "Source tilt",
         "Largest tilt of the source about its middle",
@@ -165,6 +135,7 @@ class Tolerances:
         there=lambda scene: scene.source.turns,
         absent=Said("this source lights the lens alike however it is turned"),
     )
+    # Largest distance of the source from its place; evenly in the ball.
     source_shift: float = _tolerance(
         "Source shift",
         "Largest shift of the source, in any direction",
@@ -173,6 +144,8 @@ class Tolerances:
         there=lambda scene: scene.source.moves,
         absent=Said("even light from infinitely far is the same everywhere"),
     )
+    # Root mean square of the error of the exit face, or of a mirror, and of the entrance face; and
+    # the length over which it is alike.
     surface: tuple[float, float] = _tolerance(
         "Surface",
         "Root mean square of the error of the exit face, or of the mirror, and the length over "
@@ -216,10 +189,7 @@ class Tolerances:
     def check(self, scene: "Scene") -> None:
         """Refuse what is not possible for a scene, in the words of the command line.
 
-        Raises
-        ------
-        Refused
-            With the tolerance and what is allowed.
+        Raises `Refused` with the tolerance and what is allowed.
         """
         scene.check_one_image("tolerances")
         scene.check_one_element("tolerances")

@@ -25,26 +25,16 @@ from workbench.scene import CustomIndex, Element, Scene, SplineFace
 
 @dataclass(frozen=True)
 class Perturbation:
-    """How far one lens is off: as `Tolerances`, with directions and signs.
+    """How far one lens is off: as `Tolerances`, with directions and signs."""
 
-    Attributes
-    ----------
-    pose : Pose
-        How the lens stands, and its exit face.
-    index, distance : float
-        What is added to the refractive index and to the screen's distance.
-    surface, entrance_surface : tuple[float, float]
-        Root mean square and scale of the error of the exit face, and of the entrance face.
-    seed : int
-        Which errors of the faces.
-    """
-
-    pose: Pose = field(default_factory=Pose)
+    pose: Pose = field(default_factory=Pose)  # how the lens stands, and its exit face
+    # What is added to the refractive index and to the screen's distance.
     index: float = 0.0
     distance: float = 0.0
+    # Root mean square and scale of the error of the exit face, and of the entrance face.
     surface: tuple[float, float] = (0.0, 1.0)
     entrance_surface: tuple[float, float] = (0.0, 1.0)
-    seed: int = 0
+    seed: int = 0  # which errors of the faces
 
     def applied(
         self, scene: Scene, heights: Mapping[str, Array]
@@ -88,21 +78,12 @@ def _with_nets(optic: Element, heights: Mapping[str, Array]) -> Element:
 
 @dataclass(frozen=True)
 class Perturbed:
-    """What a trace says of a lens that is off.
+    """What a trace says of a lens that is off."""
 
-    Attributes
-    ----------
-    perturbation : Perturbation
-        How far it is off.
-    relative_l2 : float
-        Error of its image, without the scatter of the rays (`Validation.relative_l2_corrected`).
-    efficiency : float
-        Part of the emitted flux that lands on the screen.
-    """
-
-    perturbation: Perturbation
+    perturbation: Perturbation  # how far it is off
+    # Error of its image, without the scatter of the rays (`Validation.relative_l2_corrected`).
     relative_l2: float
-    efficiency: float
+    efficiency: float  # part of the emitted flux that lands on the screen
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON; angles in degrees."""
@@ -155,28 +136,10 @@ def perturbed(
 ) -> Iterator[Perturbed]:
     """Trace lenses that are off, one after the other.
 
-    Parameters
-    ----------
-    scene, target, heights, rays
-        As for `workbench.analysis.validation.validate`.
-    tolerances : Tolerances
-        How far they may be off.
-    samples : int
-        How many.
-    seed : int
-        The same seed gives the same lenses and rays.
-
-    Yields
-    ------
-    Perturbed
-        First the lens that is not off, then the others.
-
-    Raises
-    ------
-    Refused
-        If a tolerance is not possible.
-    RunFailed
-        If no light of the lens that is not off reaches the screen.
+    `tolerances`: how far they may be off; `samples`: how many; `seed`: the same seed gives the same
+    lenses and rays. Yields first the lens that is not off, then the others. Raises `Refused` if a
+    tolerance is not possible; `RunFailed` if no light of the lens that is not off reaches the
+    screen.
 
     Examples
     --------
@@ -205,21 +168,13 @@ def perturbed(
 
 @dataclass(frozen=True)
 class Distribution:
-    """How the error is distributed over perturbed lenses.
+    """How the error is distributed over perturbed lenses."""
 
-    Attributes
-    ----------
-    nominal : float
-        Error of the lens that is not off.
-    mean, worst : float
-        Of the others.
-    percentiles : dict[str, float]
-        Error that so many percent of them do not exceed: "5", "50", "95".
-    """
-
-    nominal: float
+    nominal: float  # error of the lens that is not off
+    # Of the others.
     mean: float
     worst: float
+    # Error that so many percent of them do not exceed: "5", "50", "95".
     percentiles: dict[str, float]
 
     @classmethod

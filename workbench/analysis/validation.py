@@ -59,39 +59,18 @@ def validate(
 ) -> Validation:
     """Trace a lens anew.
 
-    Parameters
-    ----------
-    scene : Scene
-        Lens, source and screen; filter and run settings play no part. Each of its images is
-        checked by itself, with as many rays.
-    target : ndarray, shape (n_y, n_x)
-        The target image in any scale, row 0 at +y; of further images the scene has it.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    rays : int
-        Rays to trace at least; rounded up to whole batches of a grid. A quarter as many more are
-        traced for the corrected error. With an accuracy, cells follow up to 16 times as many, or 8
-        million, and independent images up to 4 times as many; see `imaging`.
-    seed : int
-        The same seed gives the same rays.
-    screen_z : float, optional
-        Where the screen is, in place of the scene's.
-    pose : Pose, optional
-        How the lens stands; straight and centred by default.
-    threads : int, optional
-        How many trace; as many as there are cores by default.
-    accuracy : float, optional
-        Relative error that the image by cells may have; none is made by default.
-    watch : callable
-        Called with the part that is done.
-
-    Raises
-    ------
-    Refused
-        If there are too many rays, the screen may touch the lens there, or is to be elsewhere
-        while there are further images, or the lens is no body; see `check_body`.
-    RunFailed
-        If no light reaches the screen, or too few rays of a file to judge the image.
+    `scene`: lens, source and screen; filter and run settings play no part. Each of its images is
+    checked by itself, with as many rays; `target` (n_y, n_x): the target image in any scale, row 0
+    at +y; of further images the scene has it; `heights` (n_u, n_v); `rays`: rays to trace at least;
+    rounded up to whole batches of a grid. A quarter as many more are traced for the corrected
+    error. With an accuracy, cells follow up to 16 times as many, or 8 million, and independent
+    images up to 4 times as many; see `imaging`; `screen_z`: where the screen is, in place of the
+    scene's; `pose`: how the lens stands; straight and centred by default; `threads`: how many
+    trace; as many as there are cores by default; `accuracy`: relative error that the image by cells
+    may have; none is made by default. Raises `Refused` if there are too many rays, the screen may
+    touch the lens there, or is to be elsewhere while there are further images, or the lens is no
+    body; see `check_body`; `RunFailed` if no light reaches the screen, or too few rays of a file to
+    judge the image.
 
     Examples
     --------
@@ -121,13 +100,7 @@ def validating(
     threads: int | None = None,
     accuracy: float | None = None,
 ) -> Steps[Validation]:
-    """`validate` step by step, so that one can see how far it is and leave it.
-
-    Parameters
-    ----------
-    scene, target, heights, rays, seed, screen_z, pose, threads, accuracy
-        As for `validate`, and so is what is raised.
-    """
+    """`validate` step by step, so that one can see how far it is and leave it."""
     if screen_z is not None:
         scene.check_one_image("a check with the screen elsewhere")
         scene = with_screen_at(scene, screen_z)

@@ -170,13 +170,7 @@ class Validation:
 
 
 class CombinedError(NamedTuple):
-    """The error of several images.
-
-    Attributes
-    ----------
-    relative_l2_corrected, relative_l2_corrected_interval
-        As of `Validation`.
-    """
+    """The error of several images."""
 
     relative_l2_corrected: float
     relative_l2_corrected_interval: Interval

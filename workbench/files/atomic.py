@@ -26,21 +26,9 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     Until the block has ended well, whatever is at ``path`` stays as it is; if the block raises,
     it stays for good. A replaced file hands on its permissions; a symbolic link is followed.
 
-    Parameters
-    ----------
-    path : Path
-        File to write.
-
-    Yields
-    ------
-    BinaryIO
-        A temporary file in the same folder, open for writing and to be read again.
-
-    Raises
-    ------
-    Refused
-        If writing fails, here or in the block: missing or read-only folder, full disk, a folder
-        or a write-protected file at ``path``, ...
+    Yields a temporary file in the same folder, open for writing and reading. Raises `Refused` if
+    writing fails, here or in the block: missing or read-only folder, full disk, a folder or a
+    write-protected file at ``path``.
     """
     with _refusing(path):
         target = Path(os.path.realpath(path))
@@ -60,10 +48,7 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
 def check_writable(path: Path) -> None:
     """Find out beforehand whether `replacing` can write a file.
 
-    Raises
-    ------
-    Refused
-        If it cannot.
+    Raises `Refused` if it cannot.
     """
     with _refusing(path):
         target = Path(os.path.realpath(path))

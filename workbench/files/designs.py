@@ -37,15 +37,10 @@ _TINY, _HUGE = 1e-100, 1e100  # largest values that are left as they are
 
 
 class Names(NamedTuple):
-    """Names of the entries of a design in a session of some version.
+    """Names of the entries of a design in a session of some version."""
 
-    Attributes
-    ----------
-    version : int
-        Of the session. In version 3 control heights are in the coordinates of their element, in
-        older versions in those of the scene.
-    """
-
+    # Of the session. In version 3 control heights are in the coordinates of their element, in older
+    # versions in those of the scene.
     version: int
 
     def target(self, number: int) -> str:
@@ -134,10 +129,7 @@ def read_target(entries: Entries, names: Names, folder: str, scene: Scene) -> Ar
     One whose sum of squares would be beyond float64, or 0, is scaled to a largest value of 1: only
     ratios count.
 
-    Raises
-    ------
-    Refused
-        If it is not as the scene implies, or it is dark.
+    Raises `Refused` if it is not as the scene implies, or it is dark.
     """
     return _read_target(entries, folder + names.target(0), scene)
 
@@ -205,23 +197,9 @@ def read_heights(
 ) -> ControlHeights:
     """Control heights of a lens; one that is no body can be looked at, and mended.
 
-    Parameters
-    ----------
-    entries : Entries
-        Of the session.
-    names : Names
-        Names of the entries in the folder.
-    scene : Scene
-        The task of the lens.
-    folder : str
-        What the names of the entries begin with.
-    what : str
-        See `Names.face`.
-
-    Raises
-    ------
-    Refused
-        If they are not as the scene implies, or so far away that the file must be damaged.
+    `entries`: of the session; `names`: names of the entries in the folder; `scene`: the task of the
+    lens; `folder`: what the names of the entries begin with; `what`: see `Names.face`. Raises
+    `Refused` if they are not as the scene implies, or so far away that the file must be damaged.
     """
     nets, lift = freeform_nets(scene.optic), names.lift(scene)
     return FaceArrays(
@@ -310,10 +288,7 @@ def read_result(
 ) -> Result:
     """The lens of a design.
 
-    Raises
-    ------
-    Refused
-        If an array is not as scene and figures imply.
+    Raises `Refused` if an array is not as scene and figures imply.
     """
     seconds, count = folder + _SECONDS, (figures.iterations,)
     starts = figures.stage_starts or ()

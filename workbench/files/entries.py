@@ -28,17 +28,8 @@ _DAMAGE = (
 class Entries:
     """The stored entries of a zip, each checked before any of it is read.
 
-    Parameters
-    ----------
-    path : Path
-        What refusals call the zip.
-    file : BinaryIO
-        The zip, open for reading as long as this is used.
-
-    Raises
-    ------
-    Refused
-        If it is no zip; later, if an entry is not as it must be.
+    `path`: what refusals call the zip; `file`: the zip, open for reading as long as this is used.
+    Raises `Refused` if it is no zip; later, if an entry is not as it must be.
     """
 
     def __init__(self, path: Path, file: BinaryIO) -> None:

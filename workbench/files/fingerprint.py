@@ -14,20 +14,8 @@ def fingerprint(path: Path) -> str | None:
 
     Times and sizes tell less: a copy may keep both, and a clock may be coarse.
 
-    Parameters
-    ----------
-    path : Path
-        File; a symbolic link is followed.
-
-    Returns
-    -------
-    str or None
-        Hexadecimal; None where there is no file.
-
-    Raises
-    ------
-    Refused
-        If there is something that cannot be read.
+    `path`: file; a symbolic link is followed. Returns None where there is no file. Raises `Refused`
+    if there is something that cannot be read.
     """
     if not path.exists():
         return None

@@ -60,17 +60,8 @@ class _Kind(Part, extra="ignore"):
 def read_header(text: bytes, where: str) -> Header:
     """Read the text.
 
-    Parameters
-    ----------
-    text : bytes
-        JSON.
-    where : str
-        What refusals call it.
-
-    Raises
-    ------
-    Refused
-        If it is anything but what `Header` says, or of a newer program.
+    `text`: JSON; `where`: what refusals call it. Raises `Refused` if it is anything but what
+    `Header` says, or of a newer program.
     """
     try:
         kind = _Kind.model_validate_json(text)
@@ -108,10 +99,7 @@ def chosen_net(scene: Scene) -> NetShape | None:
 def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:
     """Read one of the scenes that the text holds, with the net that was chosen for it.
 
-    Raises
-    ------
-    Refused
-        If it is not possible.
+    Raises `Refused` if it is not possible.
     """
     try:
         found = Scene.from_data(scene)
@@ -123,10 +111,7 @@ def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:
 def plain_view(view: Mapping[str, Any] | None, where: str) -> dict[str, Any] | None:
     """A view as JSON gives it back.
 
-    Raises
-    ------
-    Refused
-        If it is no object of moderate size and depth with finite numbers.
+    Raises `Refused` if it is no object of moderate size and depth with finite numbers.
     """
     try:
         text = json.dumps(view, allow_nan=False, ensure_ascii=False, separators=(",", ":"))

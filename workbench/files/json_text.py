@@ -16,17 +16,8 @@ class _Fields(list[tuple[str, Any]]):
 def check_fields_once(text: str | bytes, before: str = "") -> None:
     """Refuse an object that has a field twice: readers of JSON take the one or the other.
 
-    Parameters
-    ----------
-    text : str or bytes
-        Valid JSON, not too deep for `json.loads`.
-    before : str
-        What a refusal puts before the path.
-
-    Raises
-    ------
-    Refused
-        With the path of the field.
+    `text`: valid JSON, not too deep for `json.loads`; `before`: what a refusal puts before the
+    path. Raises `Refused` with the path of the field.
     """
     # Numbers stay text: those of thousands of digits need not be understood here.
     read = json.loads(

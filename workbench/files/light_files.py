@@ -32,16 +32,8 @@ def with_kept_light(
 ) -> Scene:
     """The scene of a design with what its sources' files held when it was written.
 
-    Parameters
-    ----------
-    entries : Entries
-        The session.
-    folder : str
-        What the names of the design's entries begin with.
-    scene : Scene
-        Its scene.
-    kept : mapping of str to bytes
-        What is kept in other entries, by names of files.
+    `folder`: what the names of the design's entries begin with; `scene`: its scene; `kept`: what is
+    kept in other entries, by names of files.
     """
     found = dict(kept)
     for file, name in _entry_names(folder, scene).items():

@@ -21,17 +21,9 @@ def locked(path: Path, busy: str) -> Iterator[None]:
 
     However a process ends, its locks end with it.
 
-    Parameters
-    ----------
-    path : Path
-        File that stands for the lock. It is there while somebody holds it, or was killed.
-    busy : str
-        What a refusal says of its folder while another process holds the lock.
-
-    Raises
-    ------
-    Refused
-        If it does, or the file cannot be made.
+    `path`: file that stands for the lock. It is there while somebody holds it, or was killed;
+    `busy`: what a refusal says of its folder while another process holds the lock. Raises `Refused`
+    if it does, or the file cannot be made.
     """
     try:
         handle = _taken(path)

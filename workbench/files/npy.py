@@ -32,24 +32,8 @@ def write_array(file: IO[bytes], array: Array | Mask) -> None:
 def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
     """Read an array of float64 whose shape is known beforehand.
 
-    Parameters
-    ----------
-    content : bytes
-        The whole file.
-    shape : tuple of int
-        The shape that it must have.
-    where : str
-        What a refusal calls it.
-
-    Returns
-    -------
-    ndarray of float64
-        Finite; read-only.
-
-    Raises
-    ------
-    Refused
-        If it is anything but such an array.
+    `content`: the whole file; `shape`: the shape that it must have; `where`: what a refusal calls
+    it. The array is finite and read-only. Raises `Refused` if it is anything but such an array.
     """
     values = _values(content, shape, np.dtype("<f8"), where)
     array = np.frombuffer(values, dtype=np.float64).reshape(shape)

@@ -17,15 +17,8 @@ from workbench.scene import Scene
 def files_of(path: Path) -> tuple[tuple[str, Path], ...]:
     """Files that a scene file, or a session with the runs kept in it, refers to.
 
-    Returns
-    -------
-    tuple of (str, Path)
-        With the field that names each: ``target.image``.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be read or its scene is not possible.
+    Each with its field: ``target.image``. Raises `Refused` if the file cannot be read or its scene
+    is not possible.
     """
     return tuple((field, Path(name)) for scene in _scenes(path) for field, name in scene.files())
 

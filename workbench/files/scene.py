@@ -17,20 +17,8 @@ LARGEST_TEXT = 1 << 20
 def read_scene(path: Path) -> Scene:
     """Read a scene file.
 
-    Parameters
-    ----------
-    path : Path
-        Scene file.
-
-    Returns
-    -------
-    Scene
-        With absolute names of files.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be read or its scene is not possible.
+    Its file names become absolute. Raises `Refused` if the file cannot be read or its scene is not
+    possible.
     """
     with opened(path) as file:
         content = file.read(LARGEST_TEXT + 1)
@@ -55,10 +43,7 @@ def read_scene(path: Path) -> Scene:
 def write_scene(scene: Scene, path: Path) -> None:
     """Write a scene file; names of files below its folder become relative.
 
-    Raises
-    ------
-    Refused
-        If it cannot be written; what was at ``path`` before is still there.
+    Raises `Refused` if it cannot be written; what was at ``path`` before is still there.
     """
     text = with_portable_files(scene, path).to_json()
     with replacing(path) as file:

@@ -62,10 +62,7 @@ _LOCKED, _START = "locked", "start"
 def open_design(path: Path) -> Session:
     """Open a session, or a scene file together with its target; distinguished by content.
 
-    Raises
-    ------
-    Refused
-        If a file cannot be read or what it says is not possible.
+    Raises `Refused` if a file cannot be read or what it says is not possible.
     """
     if is_session(path):
         return read_session(path)
@@ -75,10 +72,7 @@ def open_design(path: Path) -> Session:
 def is_session(path: Path) -> bool:
     """Whether a file is a zip, whole or not; a scene file never is.
 
-    Raises
-    ------
-    Refused
-        If the file cannot be read.
+    Raises `Refused` if the file cannot be read.
     """
     with opened(path) as file:
         return file.read(2) == b"PK"
@@ -87,16 +81,8 @@ def is_session(path: Path) -> bool:
 def write_session(session: Session, path: Path) -> str:
     """Write a session file; ``target.image`` becomes relative where it lies below its folder.
 
-    Returns
-    -------
-    str
-        Fingerprint of what was written, whatever another program has made of it since.
-
-    Raises
-    ------
-    Refused
-        If it cannot be written, or would be too large to be read again; what was at ``path``
-        before is still there.
+    Returns the fingerprint of the written file. Raises `Refused` if it cannot be written, or would
+    be too large to be read again; what was at ``path`` before is still there.
 
     Examples
     --------
@@ -145,20 +131,8 @@ def read_session(path: Path) -> Session:
 
     Nothing is unpickled or unpacked, and nothing is read that is larger than the scenes imply.
 
-    Parameters
-    ----------
-    path : Path
-        Session file.
-
-    Returns
-    -------
-    Session
-        Its arrays are read-only.
-
-    Raises
-    ------
-    Refused
-        If it cannot be read or is not, in every entry, what `write_session` writes.
+    Its arrays are read-only. Raises `Refused` if it cannot be read or is not, in every entry, what
+    `write_session` writes.
     """
     if not is_session(path):
         raise Refused(str(path), Said("is no session: it does not begin like a zip"))

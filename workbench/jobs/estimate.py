@@ -30,19 +30,13 @@ from workbench.scene.faces import LARGEST_NET
 
 
 class _Coarse(NamedTuple):
-    """How coarse a design is, and what its error says of that of the whole design.
+    """How coarse a design is, and what its error says of that of the whole design."""
 
-    Attributes
-    ----------
-    pixels, net, iterations : int
-        Pixels along the longer side, control points along an axis and iterations, at most.
-    least, most : float
-        Error of the whole design over that of the coarse one.
-    """
-
+    # Pixels along the longer side, control points along an axis and iterations, at most.
     pixels: int
     net: int
     iterations: int
+    # Error of the whole design over that of the coarse one.
     least: float
     most: float
 
@@ -64,38 +58,19 @@ _NARROW, _SHRUNK = 2.0, 0.01
 
 @dataclass(frozen=True)
 class Estimate:
-    """What a design is expected to reach.
+    """What a design is expected to reach."""
 
-    Attributes
-    ----------
-    least, most : float
-        Relative L2 error: between these.
-    light : float
-        Part of the light of the source that lands on the receiver.
-    """
-
+    # Relative L2 error: between these.
     least: float
     most: float
-    light: float
+    light: float  # part of the light of the source that lands on the receiver
 
 
 def estimating(session: Session) -> Generator[float, None, Estimate | None]:
     """Design a task coarsely, step by step, so that one can leave it.
 
-    Parameters
-    ----------
-    session : Session
-        The task, its target drawn.
-
-    Yields
-    ------
-    float
-        The part that is done.
-
-    Returns
-    -------
-    Estimate or None
-        None where no light arrives, or where another method than the automatic one designs.
+    `session`: the task, its target drawn. Yields the part that is done. Returns None where no light
+    arrives, or where another method than the automatic one designs.
     """
     if session.scene.run.method != "auto":
         return None

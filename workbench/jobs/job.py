@@ -26,10 +26,7 @@ class Job(Part):
     def scene(self) -> Scene:
         """The design task, with all that is proposed.
 
-        Raises
-        ------
-        Refused
-            If the answers make no scene; the path is one of the scene.
+        Raises `Refused` if the answers make no scene; the path is one of the scene.
         """
 
     def check(self) -> None:
@@ -42,10 +39,7 @@ class Job(Part):
     def with_answers(self, answers: dict[str, Any]) -> Self:
         """The job with other answers, plain data by the names of fields.
 
-        Raises
-        ------
-        Refused
-            With the path of the field, the value and what is allowed.
+        Raises `Refused` with the path of the field, the value and what is allowed.
         """
         data = self.model_dump(mode="json", exclude_none=True) | answers
         try:

@@ -25,10 +25,7 @@ class LensJob(Job):
     ) -> Scene:
         """Return the proposed scene with a source and a receiver, both as plain data.
 
-        Raises
-        ------
-        Refused
-            If this is no possible scene.
+        Raises `Refused` if this is no possible scene.
         """
         return proposed(
             {

@@ -18,18 +18,9 @@ _MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8
 def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
     """The scene of a task in millimetres, with what it leaves open.
 
-    Parameters
-    ----------
-    task : dict
-        Plain data of a scene with one element and one image. A lens may lack its thickness, and the
-        receiver its pixels.
-    thickness : float, optional
-        Of the stock that a lens is cut from.
-
-    Raises
-    ------
-    Refused
-        If this is no possible scene.
+    `task`: plain data of a scene with one element and one image. A lens may lack its thickness, and
+    the receiver its pixels; `thickness`: of the stock that a lens is cut from. Raises `Refused` if
+    this is no possible scene.
     """
     (element,), (image,) = task["elements"], task["images"]
     receiver = image["receiver"]

@@ -29,55 +29,30 @@ _STEEP = 0.85  # of the largest turn, from where much light is reflected
 
 
 class Figure(NamedTuple):
-    """One thing that is known beforehand.
+    """One thing that is known beforehand."""
 
-    Attributes
-    ----------
-    name : str
-        What it is.
-    value : str
-        With its unit.
-    meaning : str
-        What follows from it, in a sentence.
-    warns : bool
-        Whether the task will not end well for it.
-    """
-
-    name: str
-    value: str
-    meaning: str
-    warns: bool = False
+    name: str  # what it is
+    value: str  # with its unit
+    meaning: str  # what follows from it, in a sentence
+    warns: bool = False  # whether the task will not end well for it
 
 
 @dataclass(frozen=True, eq=False)
 class Prospect:
-    """What can be expected of a task.
+    """What can be expected of a task."""
 
-    Attributes
-    ----------
-    picture : ndarray, shape (n_y, n_x), optional
-        The image as it would look at best: blurred by the source; None while that is not known.
-    figures : tuple of Figure
-        What can be resolved, how steep the face becomes, how much light can arrive.
-    """
-
+    # (n_y, n_x), the image as it would look at best: blurred by the source; None while that is not
+    # known.
     picture: Array | None
+    # What can be resolved, how steep the face becomes, how much light can arrive.
     figures: tuple[Figure, ...]
 
 
 def prospecting(session: Session) -> Generator[Prospect | float | None, None, Prospect]:
     """Find what can be expected of a task, step by step, so that one can leave it.
 
-    Parameters
-    ----------
-    session : Session
-        The task, its target drawn.
-
-    Yields
-    ------
-    Prospect, float or None
-        What is known: at first what is known at once, then with the estimate. Between, the part
-        of the estimate that is done.
+    `session`: the task, its target drawn. Yields what is known: at first what is known at once,
+    then with the estimate. Between, the part of the estimate that is done.
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))

@@ -14,20 +14,11 @@ _BEFORE = 0.25  # of all the way, that light from infinitely far is drawn before
 
 @dataclass(frozen=True, eq=False)
 class Dimension:
-    """A length between two places.
+    """A length between two places."""
 
-    Attributes
-    ----------
-    ends : ndarray, shape (2, 2)
-        Along the axis and across it.
-    text : str
-        What stands there.
-    distance : bool
-        Whether it is one between parts, where nothing else is drawn, and no size of a part.
-    """
-
-    ends: Array
-    text: str
+    ends: Array  # (2, 2), along the axis and across it
+    text: str  # what stands there
+    # Whether it is one between parts, where nothing else is drawn, and no size of a part.
     distance: bool = False
 
 
@@ -36,29 +27,15 @@ class SideView:
     """Lines in the plane of the axis, scene units: to the right, then upwards.
 
     To the right is along the axis, or across the image where that is tilted before a lens.
-
-    Attributes
-    ----------
-    across : str
-        The axis that is drawn upwards.
-    source : ndarray, shape (n, 2)
-        What shines: ends of a line, a point, or none for light from infinitely far.
-    optic : ndarray, shape (n, 2)
-        Outline of the lens or mirror.
-    receiver : ndarray, shape (n, 2)
-        The image, seen edge on.
-    rays : tuple of ndarray, shape (3, 2)
-        From the source by the optic to the image.
-    dimensions : tuple of Dimension
-        Widths and distances, in the unit of the scene.
     """
 
-    across: str
+    across: str  # the axis that is drawn upwards
+    # (n, 2), what shines: ends of a line, a point, or none for light from infinitely far.
     source: Array
-    optic: Array
-    receiver: Array
-    rays: tuple[Array, ...]
-    dimensions: tuple[Dimension, ...]
+    optic: Array  # (n, 2), outline of the lens or mirror
+    receiver: Array  # (n, 2), the image, seen edge on
+    rays: tuple[Array, ...]  # (3, 2), from the source by the optic to the image
+    dimensions: tuple[Dimension, ...]  # widths and distances, in the unit of the scene
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:

@@ -16,26 +16,16 @@ _PLACES = 17  # along each axis
 
 @dataclass(frozen=True, eq=False)
 class Slopes:
-    """What a face needs.
+    """What a face needs."""
 
-    Attributes
-    ----------
-    gradient : ndarray, shape (n, n, 2)
-        Slope along x and y at places with x along the first axis; NaN where no slope sends light
-        there.
-    turn : float
-        The largest angle by which the face has to turn light, degrees.
-    most : float
-        The largest angle by which it can turn light, degrees; less just inside that is lost to
-        reflection.
-    rise : float
-        Highest less lowest place of the face, about, scene units.
-    """
-
+    # (n, n, 2), slope along x and y at places with x along the first axis; NaN where no slope sends
+    # light there.
     gradient: Array
-    turn: float
+    turn: float  # the largest angle by which the face has to turn light, degrees
+    # The largest angle by which it can turn light, degrees; less just inside that is lost to
+    # reflection.
     most: float
-    rise: float
+    rise: float  # highest less lowest place of the face, about, scene units
 
     @property
     def possible(self) -> bool:
@@ -52,13 +42,8 @@ class Slopes:
 def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None = None) -> Slopes:
     """The slopes that the last face of an optic needs.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its source counts as a point, or as light from one direction.
-    part : tuple of float, optional
-        Left, right, bottom and top of what shall be lit, in coordinates of the receiver; all of
-        it by default.
+    `scene`: its source counts as a point, or as light from one direction; `part`: left, right,
+    bottom and top of what shall be lit, in coordinates of the receiver; all of it by default.
     """
     optic, receiver = scene.optic, scene.receiver
     steps = np.linspace(-1, 1, _PLACES)

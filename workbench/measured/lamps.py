@@ -156,21 +156,12 @@ def _from(file: str, data: bytes | None, read: Callable[[Path, BinaryIO], T]) ->
 
 
 class LightUnit(NamedTuple):
-    """Unit in which light is shown, for a source whose flux is 1 in the computation.
+    """Unit in which light is shown, for a source whose flux is 1 in the computation."""
 
-    Attributes
-    ----------
-    words : str
-        Unit of a density: "lx", "cd", or "flux / cm²" and the like.
-    density : float
-        Factor for a density: flux per area in the scene's unit, or per solid angle.
-    lumens : float, optional
-        Flux of the source, lm; None if unknown.
-    """
-
-    words: str = "flux"
+    words: str = "flux"  # unit of a density: "lx", "cd", or "flux / cm²" and the like
+    # Factor for a density: flux per area in the scene's unit, or per solid angle.
     density: float = 1.0
-    lumens: float | None = None
+    lumens: float | None = None  # flux of the source, lm; None if unknown
 
     @property
     def short(self) -> str:

@@ -137,23 +137,8 @@ def map_image(
 ) -> Any:
     """Draw an image of zeros with labelled axes and return it.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Empty axes.
-    name : str
-        Quantity.
-    extent : Extent
-        Rectangle.
-    count : tuple[int, int]
-        Numbers of values along x and y.
-    colours : str or Colormap
-        Colour map.
-
-    Returns
-    -------
-    matplotlib.image.AxesImage
-        Its data have shape (n_y, n_x) with row 0 at +y.
+    `axes`: empty axes; `name`: quantity; `extent`: rectangle; `count`: numbers of values along x
+    and y; `colours`: colour map. The data of the picture are (n_y, n_x) with row 0 at +y.
     """
     image = axes.imshow(
         np.zeros(count[::-1]),

@@ -34,14 +34,8 @@ _FLATTEST = 80.0  # degrees from the axis; beyond, a lens near its screen shows 
 class FittedCamera:
     """Camera of a plotter, fitted to a scene; it renders nothing.
 
-    Attributes
-    ----------
-    view : str
-        The last fitted view.
-    hidden : int
-        Height in pixels of the lower part of the window that `fit` leaves free.
-    top : float
-        Greatest z of the exit face as drawn.
+    `view`: the last fitted view; `hidden`: height in pixels of the lower part of the window that
+    `fit` leaves free; `top`: greatest z of the exit face as drawn.
     """
 
     def __init__(self, plotter: Any, scene: Scene, *, perspective: bool = False) -> None:

@@ -43,19 +43,8 @@ _UNAFFECTED = "#a8a8a8"  # unlike the colours of gain and loss and the white bet
 def target_irradiance(scene: Scene, target: npt.NDArray[Any], flux: float = 1.0) -> Array:
     """Return the target (n_y, n_x) as irradiance with a given total flux.
 
-    Parameters
-    ----------
-    scene : Scene
-        Gives the size of a pixel.
-    target : ndarray, shape (n_y, n_x)
-        Non-negative; an image of zeros stays zero.
-    flux : float
-        Total flux.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Flux per area.
+    `scene`: gives the size of a pixel; `target` (n_y, n_x): non-negative; an image of zeros stays
+    zero; `flux`: total flux. Returns (n_y, n_x): flux per area.
     """
     peak = float(target.max())
     if not peak > 0:

@@ -70,22 +70,10 @@ _AXES = (("x", "#dc5b57"), ("y", "#4caf50"), ("z", "#4a8fe0"))
 class LensPicture:
     """Draws a scene on a plotter of the caller; until `update`, faces have their base shape.
 
-    Parameters
-    ----------
-    plotter : pyvista.BasePlotter
-        Empty plotter, off screen or in a window.
-    scene : Scene
-        The scene.
-    target : ndarray, shape (n_y, n_x)
-        Target image; the brightness of the screen is relative to it.
-    dark : bool
-        Dark background.
-    explode : bool
-        Compress distances.
-    perspective : bool
-        Perspective instead of parallel projection.
-    by_weight : bool
-        Colour rays by their transmittance instead of by where they end.
+    `plotter`: empty plotter, off screen or in a window; `target` (n_y, n_x): target image; the
+    brightness of the screen is relative to it; `dark`: dark background; `explode`: compress
+    distances; `perspective`: perspective instead of parallel projection; `by_weight`: colour rays
+    by their transmittance instead of by where they end.
     """
 
     def __init__(
@@ -133,18 +121,10 @@ class LensPicture:
     ) -> None:
         """Show another state of the same scene; the camera stays.
 
-        Parameters
-        ----------
-        surfaces : mapping of str to ndarray, shape (m_u, m_v, 3)
-            Points of each freeform face on a grid including its rim; see `sample_faces`.
-        paths : RayPaths
-            Rays from source to receiver.
-        irradiance : ndarray, shape (n_y, n_x)
-            Flux per area on the receiver, row 0 at +y.
-        source : Source, optional
-            Source of the rays, if a stage of the run has its own.
-        further : sequence of ndarray, shape (n_y, n_x)
-            Flux per area at the receiver of each further image.
+        `surfaces` (m_u, m_v, 3): points of each freeform face on a grid including its rim; see
+        `sample_faces`; `paths`: rays from source to receiver; `irradiance` (n_y, n_x): flux per
+        area on the receiver, row 0 at +y; `source`: source of the rays, if a stage of the run has
+        its own; `further` (n_y, n_x): flux per area at the receiver of each further image.
         """
         lit = self._traced.model_copy(update={"source": source or self._traced.source})
         points = paths.points

@@ -129,18 +129,10 @@ class LossPicture(UpdatedPicture):
     ) -> bool:
         """Show losses; return whether the whole figure has to be redrawn.
 
-        Parameters
-        ----------
-        losses : ndarray, shape (k,)
-            Loss after each iteration; a logarithmic axis shows positive ones only.
-        iterations : int
-            Least length of the axis of iterations.
-        stage_starts : tuple of int
-            Index of the first loss of each stage but the first; marked by vertical lines.
-        times : ndarray, shape (k,), optional
-            Run time at the end of each iteration, for an axis of seconds.
-        verified : sequence of Verified
-            Checks of lenses of the run.
+        `losses` (k,): loss after each iteration; a logarithmic axis shows positive ones only;
+        `iterations`: least length of the axis of iterations; `stage_starts`: index of the first
+        loss of each stage but the first; marked by vertical lines; `times` (k,): run time at the
+        end of each iteration, for an axis of seconds; `verified`: checks of lenses of the run.
         """
         by_time = self._against == "seconds"
         x = self._x_values(losses, np.zeros(0) if times is None else times)

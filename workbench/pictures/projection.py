@@ -56,20 +56,10 @@ class Projection:
     def movement(self, point: Array, directions: Array, moved: tuple[float, float]) -> Array:
         """Return the lengths (k,) by which an object follows the pointer.
 
-        Parameters
-        ----------
-        point : ndarray, shape (3,)
-            Position of the object.
-        directions : ndarray, shape (k, 3)
-            One or two unit vectors of allowed movement.
-        moved : tuple[float, float]
-            Movement of the pointer in pixels, to the right and up.
-
-        Returns
-        -------
-        ndarray, shape (k,)
-            Scene units; 0 along a direction seen head-on beside another. A single direction seen
-            head-on is taken to point upwards in the picture.
+        `point` (3,): position of the object; `directions` (k, 3): one or two unit vectors of
+        allowed movement; `moved`: movement of the pointer in pixels, to the right and up. Returns
+        (k,): scene units; 0 along a direction seen head-on beside another. A single direction seen
+        head-on is taken to point upwards in the picture.
         """
         camera = self._renderer.GetActiveCamera()
         up = np.array(camera.GetViewUp())

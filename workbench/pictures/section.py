@@ -23,23 +23,12 @@ _LIGHT, _TARGET = "#2f86d1", "#d9822b"  # distinguishable without red or green
 
 
 class Cut(NamedTuple):
-    """Points along a straight line across the receiver.
+    """Points along a straight line across the receiver."""
 
-    Attributes
-    ----------
-    name : str
-        Label of the coordinate along the line.
-    ends : tuple[float, float]
-        First and last coordinate, in units of the receiver.
-    along : ndarray, shape (m,)
-        Coordinates of the points.
-    rows, columns : ndarray, shape (m,)
-        The same points in pixels from the middle of the first pixel.
-    """
-
-    name: str
-    ends: tuple[float, float]
-    along: Array
+    name: str  # label of the coordinate along the line
+    ends: tuple[float, float]  # first and last coordinate, in units of the receiver
+    along: Array  # (m,), coordinates of the points
+    # (m,), the same points in pixels from the middle of the first pixel.
     rows: Array
     columns: Array
 

@@ -40,26 +40,12 @@ def read_picture(path: Path, side: int = 1024, tone: Tone = LINEAR) -> Picture:
     colour is read with 8 bits). Of several frames or pages the first is read. An orientation in
     the file is applied. EXR, Radiance HDR and ``.npy`` hold light.
 
-    Parameters
-    ----------
-    path : Path
-        Image file in one of `KNOWN`; a .npy holds a 2-D array of numbers.
-    side : int
-        Pixels of the longer side of an SVG, which has no pixels.
-    tone : Tone
-        Conversion of stored values if the file defines none.
-
-    Returns
-    -------
-    Picture
-        8-bit and 16-bit images span [0, 1].
-
-    Raises
-    ------
-    Refused
-        If the file is missing, no such image, damaged or empty, has more than `MOST_PIXELS`,
-        holds a negative or non-finite value, links to another picture, has letters that no font
-        has, or holds unbounded numbers while the tone is that of a monitor.
+    `path`: image file in one of `KNOWN`; a .npy holds a 2-D array of numbers; `side`: pixels of the
+    longer side of an SVG, which has no pixels; `tone`: conversion of stored values if the file
+    defines none. 8-bit and 16-bit images span [0, 1]. Raises `Refused` if the file is missing, no
+    such image, damaged or empty, has more than `MOST_PIXELS`, holds a negative or non-finite value,
+    links to another picture, has letters that no font has, or holds unbounded numbers while the
+    tone is that of a monitor.
     """
     try:
         if path.is_dir():

@@ -46,24 +46,9 @@ def draw_target(scene: Scene, folder: Path, kept: bytes | None = None) -> DrawnL
     leaves the border black. Only ratios matter: the brightest value of the picture is 1. All this
     is in the viewer's orientation; `as_viewed` then lays the image onto the receiver.
 
-    Parameters
-    ----------
-    scene : Scene
-        Its target and receiver are used.
-    folder : Path
-        Base of a relative image path.
-    kept : bytes, optional
-        Content of the image file, used instead of the file.
-
-    Returns
-    -------
-    DrawnLight
-        The target, and remarks about its image file.
-
-    Raises
-    ------
-    Refused
-        If the image file is unusable or the target is black.
+    `scene`: its target and receiver are used; `folder`: base of a relative image path; `kept`:
+    content of the image file, used instead of the file. Returns the target, and remarks about its
+    image file. Raises `Refused` if the image file is unusable or the target is black.
     """
     target, receiver = scene.target, scene.receiver
     inside = 1 - 2 * target.padding

@@ -19,21 +19,9 @@ def put(
 ) -> Array:
     """Average a picture (rows, columns) over the pixels (n_y, n_x) of a receiver.
 
-    Parameters
-    ----------
-    picture : ndarray, shape (rows, columns)
-        Light, row 0 at +y; its aspect is kept.
-    receiver : AnyReceiver
-        Pixel raster.
-    half_extent : tuple of two float
-        Half-sizes of the area for the picture, about the receiver's middle.
-    fit : {"whole", "fill"}
-        Whether the picture fits into the area or fills it.
-
-    Returns
-    -------
-    ndarray, shape (n_y, n_x)
-        Black outside the area.
+    `picture` (rows, columns): light, row 0 at +y; its aspect is kept; `receiver`: pixel raster;
+    `half_extent`: half-sizes of the area for the picture, about the receiver's middle; `fit`:
+    whether the picture fits into the area or fills it. Returns (n_y, n_x): black outside the area.
     """
     rows, columns = picture.shape
     sizes = [half / count for half, count in zip(half_extent, (columns, rows), strict=True)]

@@ -23,31 +23,16 @@ _RAYS = 1 << 20
 
 @dataclass(frozen=True)
 class BoundedDesign:
-    """A lens beside its bound; errors are relative L2.
+    """A lens beside its bound; errors are relative L2."""
 
-    Attributes
-    ----------
-    scene : str
-        The picture.
-    sharp : float
-        The error of the target itself, blurred as the source blurs it.
-    bound : float
-        What no lens is below, certified.
-    spots : float
-        What no light is below in spots of the width √(λ · distance), certified: narrower ones are
-        washed out by diffraction.
-    light : float
-        The error of the best light that is known.
-    lens : float
-        The verified error of the designed lens.
-    """
-
-    scene: str
-    sharp: float
-    bound: float
+    scene: str  # the picture
+    sharp: float  # the error of the target itself, blurred as the source blurs it
+    bound: float  # what no lens is below, certified
+    # What no light is below in spots of the width √(λ · distance), certified: narrower ones are
+    # washed out by diffraction.
     spots: float
-    light: float
-    lens: float
+    light: float  # the error of the best light that is known
+    lens: float  # the verified error of the designed lens
 
     @property
     def ratio(self) -> float:

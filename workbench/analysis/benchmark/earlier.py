@@ -26,15 +26,8 @@ class _File(BaseModel):
 def kept_courses(path: Path) -> list[Course]:
     """Read the curves of a result of ``freeform benchmark``.
 
-    Parameters
-    ----------
-    path : Path
-        The JSON file that a benchmark with curves has written.
-
-    Raises
-    ------
-    Refused
-        If it cannot be read or is no such file.
+    `path`: the JSON file that a benchmark with curves has written. Raises `Refused` if it cannot be
+    read or is no such file.
     """
     try:
         file = _File.model_validate_json(path.read_bytes())

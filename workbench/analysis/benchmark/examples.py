@@ -31,22 +31,12 @@ Notify = Callable[[str, str], None]
 
 @dataclass(frozen=True, eq=False)
 class BenchmarkTask:
-    """A scene and its target.
-
-    Attributes
-    ----------
-    name, group : str
-        As in `resources.EXAMPLES`.
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The target image.
-    """
+    """A scene and its target."""
 
     name: str
     group: str
     scene: Scene
-    target: Array
+    target: Array  # (n_y, n_x), the target image
 
     @classmethod
     def of(
@@ -54,14 +44,8 @@ class BenchmarkTask:
     ) -> "BenchmarkTask":
         """Read a shipped example.
 
-        Parameters
-        ----------
-        name : str
-            As in `resources.EXAMPLES`.
-        image : ndarray, shape (n_y, n_x), optional
-            The target, in place of the example's own.
-        changes : mapping of str to plain data, optional
-            Values that differ from the example's, by their paths; see `workbench.scene.paths`.
+        `image` (n_y, n_x): the target, in place of the example's own; `changes`: values that differ
+        from the example's, by their paths; see `workbench.scene.paths`.
         """
         shipped = next(each for each in resources.EXAMPLES if each.name == name)
         scene = with_values(Scene.from_json(shipped.file.read_bytes()), changes)
@@ -88,12 +72,8 @@ class BenchmarkTask:
     ) -> Result:
         """Run the design to its end.
 
-        Parameters
-        ----------
-        tell : callable
-            Told how far it is.
-        locked : mapping of str to ndarray of bool, shape (n_u, n_v)
-            Control points of each face that stay; see `run`.
+        `tell`: told how far it is; `locked` (n_u, n_v): control points of each face that stay; see
+        `run`.
         """
         history = History()
         for snapshot in run(self.scene, self.target, locked=locked):
@@ -106,10 +86,7 @@ class BenchmarkTask:
     def save(self, folder: Path) -> Path:
         """Write the scene and its target into a folder.
 
-        Returns
-        -------
-        Path
-            The scene file.
+        Returns the scene file.
         """
         np.save(folder / "target.npy", self.target)
         scene = with_values(self.scene, {"images[0].target": {"image": "target.npy"}})
@@ -121,10 +98,7 @@ class BenchmarkTask:
 def cloud(size: int) -> Array:
     """Noise with an amplitude of 1 / frequency: detail of every size, as in photographs of nature.
 
-    Returns
-    -------
-    ndarray, shape (size, size)
-        Values in [0, 1], the same ones each time.
+    Returns (size, size): values in [0, 1], the same ones each time.
     """
     noise = np.random.default_rng(_SEED).standard_normal((size, size))
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size))
@@ -136,16 +110,13 @@ def cloud(size: int) -> Array:
 def wavy(scene: Scene) -> Array:
     """Control heights of a lens that bends light everywhere, some ten per cent of the screen far.
 
-    Returns
-    -------
-    ndarray, shape (n_u, n_v)
-        Scene units, within the scene's height range.
+    Returns (n_u, n_v): scene units, within the scene's height range.
     """
     x, y = ControlNet.of(scene.optic).positions
     r_x, r_y = scene.optic.half_width
     rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
     receiver = scene.receiver
-    # A slope s bends light by (n − 1) s.
+    # a slope s bends light by (n − 1) s.
     wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.base.height), strict=True)
     slope = min(0.1 * r / far for r, far in wide) / scene.optic.deflection
     height = slope * min(r_x, r_y) / (1.5 * np.pi)

@@ -40,40 +40,22 @@ _RAYS = 16_000_000
 
 @dataclass(frozen=True, eq=False)
 class ExampleDesign:
-    """One designed lens.
+    """One designed lens."""
 
-    Attributes
-    ----------
-    name, group, method : str
-        The example, what it belongs to, and what ran.
-    scene : Scene
-        The design task.
-    target : ndarray, shape (n_y, n_x)
-        The target image.
-    result : Result or None
-        The lens, if there is one.
-    times : tuple of float
-        Time after each iteration, s.
-    error, noise, efficiency : float or None
-        Verified; see `Validation`.
-    memory : int or None
-        Peak of the process while it ran, bytes.
-    failure : str
-        Why there is no more; empty if all went well.
-    """
-
+    # The example, what it belongs to, and what ran.
     name: str
     group: str
     method: str
     scene: Scene
-    target: Array
-    result: Result | None = None
-    times: tuple[float, ...] = ()
+    target: Array  # (n_y, n_x), the target image
+    result: Result | None = None  # the lens, if there is one
+    times: tuple[float, ...] = ()  # time after each iteration, s
+    # Verified; see `Validation`.
     error: float | None = None
     noise: float | None = None
     efficiency: float | None = None
-    memory: int | None = None
-    failure: str = ""
+    memory: int | None = None  # peak of the process while it ran, bytes
+    failure: str = ""  # why there is no more; empty if all went well
 
     @property
     def loss(self) -> float | None:
@@ -105,30 +87,14 @@ class ExampleDesign:
 
 @dataclass(frozen=True, eq=False)
 class Derivative:
-    """How the image of a flat lens answers to the control point in its middle.
+    """How the image of a flat lens answers to the control point in its middle."""
 
-    Attributes
-    ----------
-    name : str
-        The example.
-    scene : Scene
-        The scene.
-    map : ndarray, shape (n_y, n_x)
-        Change of flux per area, per scene unit of height.
-    sum : float
-        Change of the flux on the screen.
-    moved : float
-        Change of the flux where it grows: what the sum is small against.
-    pixels : int
-        Pixels in reach.
-    """
-
-    name: str
+    name: str  # the example
     scene: Scene
-    map: Array
-    sum: float
-    moved: float
-    pixels: int
+    map: Array  # (n_y, n_x), change of flux per area, per scene unit of height
+    sum: float  # change of the flux on the screen
+    moved: float  # change of the flux where it grows: what the sum is small against
+    pixels: int  # pixels in reach
 
     @property
     def balance(self) -> float:

@@ -17,27 +17,16 @@ _POLL = 0.05  # s
 
 
 class FreshRun(NamedTuple):
-    """What processes took.
+    """What processes took."""
 
-    Attributes
-    ----------
-    seconds : float
-        Median time from the start of a process to its end.
-    memory : int or None
-        Peak of the largest one, bytes; None where the system does not say.
-    """
-
-    seconds: float
-    memory: int | None
+    seconds: float  # median time from the start of a process to its end
+    memory: int | None  # peak of the largest one, bytes; None where the system does not say
 
 
 def fresh_design(example: BenchmarkTask, iterations: int, times: int) -> FreshRun:
     """Design an example from the command line, so many times.
 
-    Raises
-    ------
-    RunFailed
-        If a process fails.
+    Raises `RunFailed` if a process fails.
     """
     with TemporaryDirectory(prefix="freeform-") as folder:
         scene = example.save(Path(folder))

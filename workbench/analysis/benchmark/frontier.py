@@ -33,84 +33,45 @@ _NOTE = (
 
 @dataclass(frozen=True)
 class Effort:
-    """How thoroughly courses are measured.
+    """How thoroughly courses are measured."""
 
-    Attributes
-    ----------
-    examples : tuple of BenchmarkTask
-        The scenes.
-    methods : tuple of str
-        What designs them; speed is measured against the first.
-    iterations : int or None
-        Upper limit of every method; None leaves it to each.
-    step : float
-        Factor from one time at which a lens is verified to the next.
-    processes : int
-        Fresh processes that design each scene.
-    """
-
-    examples: tuple[BenchmarkTask, ...]
-    methods: tuple[str, ...]
-    iterations: int | None
-    step: float
-    processes: int
+    examples: tuple[BenchmarkTask, ...]  # the scenes
+    methods: tuple[str, ...]  # what designs them; speed is measured against the first
+    iterations: int | None  # upper limit of every method; None leaves it to each
+    step: float  # factor from one time at which a lens is verified to the next
+    processes: int  # fresh processes that design each scene
 
 
 class TracedError(NamedTuple):
-    """What an independent tracer says of a lens.
+    """What an independent tracer says of a lens."""
 
-    Attributes
-    ----------
-    error, bound : float
-        Relative L2 error, and how far from the true one it may be.
-    efficiency : float
-        Part of the emitted flux that lands on the screen.
-    """
-
+    # Relative L2 error, and how far from the true one it may be.
     error: float
     bound: float
-    efficiency: float
+    efficiency: float  # part of the emitted flux that lands on the screen
 
 
 @dataclass(frozen=True)
 class Course:
-    """Verified error of a method on a scene, against time.
+    """Verified error of a method on a scene, against time."""
 
-    Attributes
-    ----------
-    scene, method : str
-        Their names.
-    pixels : int
-        Pixels of the screen.
-    times, errors : tuple of float
-        Verified error of the best lens after some times, s. The method's own time: verifying is
-        not in it.
-    own_curve : tuple of (float, float)
-        Time and own error of the best lens after each iteration.
-    last : TracedError or None
-        What is said of the last lens.
-    waited : float or None
-        Time that a fresh process takes, s.
-    memory : int or None
-        Peak of that process, bytes.
-    sooner : float or None
-        How many times sooner than the first method this one has its lowest error, or a lower one;
-        None if it never does.
-    failure : str
-        Why there is no more; empty if all went well.
-    """
-
+    # Their names.
     scene: str
     method: str
-    pixels: int = 0
+    pixels: int = 0  # pixels of the screen
+    # Verified error of the best lens after some times, s. The method's own time: verifying is not
+    # in it.
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
+    # Time and own error of the best lens after each iteration.
     own_curve: tuple[tuple[float, float], ...] = ()
-    last: TracedError | None = None
-    waited: float | None = None
-    memory: int | None = None
+    last: TracedError | None = None  # what is said of the last lens
+    waited: float | None = None  # time that a fresh process takes, s
+    memory: int | None = None  # peak of that process, bytes
+    # How many times sooner than the first method this one has its lowest error, or a lower one;
+    # None if it never does.
     sooner: float | None = None
-    failure: str = ""
+    failure: str = ""  # why there is no more; empty if all went well
 
     @property
     def curve(self) -> list[tuple[float, float]]:
@@ -265,7 +226,7 @@ def _timed(method: Method, example: BenchmarkTask, iterations: int | None) -> It
 
 def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) -> TracedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
-    # A method may design on a net of its own.
+    # a method may design on a net of its own.
     scene = example.scene.with_optic(example.scene.optic.shaped(control_points=lens.shape))
     image = finished(imaging(scene, {example.scene.optic.designed_face: lens}, accuracy))
     if image is None:

@@ -46,24 +46,14 @@ _VARIANTS = (
 
 @dataclass(frozen=True)
 class LedDesign:
-    """A lens close to an LED.
+    """A lens close to an LED."""
 
-    Attributes
-    ----------
-    scene : str
-        Its entrance and its exit face.
-    seconds : float
-        What its run took.
-    efficiency : float
-        Part of the LED's light that lands on the rectangle, as independent random rays verify it.
-    deviation : float
-        Relative standard deviation of the irradiance on the rectangle, without the scatter of
-        these rays.
-    """
-
-    scene: str
-    seconds: float
+    scene: str  # its entrance and its exit face
+    seconds: float  # what its run took
+    # Part of the LED's light that lands on the rectangle, as independent random rays verify it.
     efficiency: float
+    # Relative standard deviation of the irradiance on the rectangle, without the scatter of these
+    # rays.
     deviation: float
 
     @property
@@ -85,16 +75,8 @@ def lenses(iterations: int | None, notify: Notify) -> Iterator[LedDesign]:
 def designed(name: str, example: BenchmarkTask, plane_exit: bool, notify: Notify) -> LedDesign:
     """Design a lens, and check how much light lands where the target is bright.
 
-    Parameters
-    ----------
-    name : str
-        What the design is called.
-    example : BenchmarkTask
-        The design task; its target is bright or dark.
-    plane_exit : bool
-        Whether the exit face stays as its base is.
-    notify : callable
-        Told what is done.
+    `name`: what the design is called; `example`: the design task; its target is bright or dark;
+    `plane_exit`: whether the exit face stays as its base is; `notify`: told what is done.
     """
     scene, target = example.scene, example.target
     locked = {"exit": np.ones(scene.optic.net_shape, bool)} if plane_exit else NO_LOCKS

@@ -16,33 +16,15 @@ _PACKAGES = ("freeform-lens-workbench", "torch", "numba", "numpy", "scipy")
 
 @dataclass(frozen=True)
 class Machine:
-    """A machine and the software on it.
+    """A machine and the software on it."""
 
-    Attributes
-    ----------
-    cpu : str
-        What the CPU calls itself.
-    cores : int
-        Cores that this process may use.
-    threads : int
-        Threads that the tracer uses.
-    memory : int or None
-        Bytes; None where the system does not say.
-    gpu : str or None
-        The first CUDA device.
-    system : str
-        Operating system.
-    versions : dict
-        Of Python and the packages that matter.
-    """
-
-    cpu: str
-    cores: int
-    threads: int
-    memory: int | None
-    gpu: str | None
-    system: str
-    versions: dict[str, str]
+    cpu: str  # what the CPU calls itself
+    cores: int  # cores that this process may use
+    threads: int  # threads that the tracer uses
+    memory: int | None  # bytes; None where the system does not say
+    gpu: str | None  # the first CUDA device
+    system: str  # operating system
+    versions: dict[str, str]  # of Python and the packages that matter
 
     @classmethod
     def here(cls) -> "Machine":

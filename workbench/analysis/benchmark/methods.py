@@ -19,20 +19,12 @@ from workbench.scene import Scene
 
 
 class MethodLens(NamedTuple):
-    """A lens that a method has found.
+    """A lens that a method has found."""
 
-    Attributes
-    ----------
-    seconds : float
-        Time of the method up to here.
-    heights : ndarray, shape (n_u, n_v)
-        Control heights of the exit face, on a net that may be the method's own.
-    own : float or None
-        Relative L2 error of the image as the method itself sees it, if it does.
-    """
-
-    seconds: float
+    seconds: float  # time of the method up to here
+    # (n_u, n_v), control heights of the exit face, on a net that may be the method's own.
     heights: Array
+    # Relative L2 error of the image as the method itself sees it, if it does.
     own: float | None = None
 
 

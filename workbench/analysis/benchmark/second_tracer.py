@@ -95,21 +95,14 @@ OPTICS: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class SeenTwice:
-    """A lens or mirror in both tracers.
+    """A lens or mirror in both tracers."""
 
-    Attributes
-    ----------
-    optic, source, receiver, outline : str
-        What is traced.
-    found : CrossCheck
-        What both see.
-    """
-
+    # What is traced.
     optic: str
     source: str
     receiver: str
     outline: str
-    found: CrossCheck
+    found: CrossCheck  # what both see
 
     @property
     def scene(self) -> str:
@@ -153,12 +146,8 @@ def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
 
     Two faces and a mirror follow, in parallel light and in that of a point.
 
-    Parameters
-    ----------
-    notify : callable
-        Called with what is traced, and how far that is.
-    rays : int
-        Rays for each of the two tracers.
+    `notify`: called with what is traced, and how far that is; `rays`: rays for each of the two
+    tracers.
     """
     for case in cases():
         scene = scene_of(*case)

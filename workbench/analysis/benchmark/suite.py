@@ -9,19 +9,12 @@ from workbench.analysis.benchmark.table import Table
 
 
 class Benchmark(NamedTuple):
-    """A benchmark.
+    """A benchmark."""
 
-    Attributes
-    ----------
-    measure : callable
-        Given a limit of iterations (None leaves it to each scene) and what to call with the
-        progress, it yields one row after the other.
-    tables : callable
-        Puts rows into tables.
-    """
-
+    # Given a limit of iterations (None leaves it to each scene) and what to call with the progress,
+    # it yields one row after the other.
     measure: Callable[[int | None, Notify], Iterator[Any]]
-    tables: Callable[[Sequence[Any]], tuple[Table, ...]]
+    tables: Callable[[Sequence[Any]], tuple[Table, ...]]  # puts rows into tables
 
 
 def _courses(effort: Callable[[int | None], frontier.Effort]) -> Benchmark:

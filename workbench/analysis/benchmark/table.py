@@ -7,43 +7,22 @@ from typing import Any
 
 @dataclass(frozen=True)
 class TableColumn:
-    """A column.
+    """A column."""
 
-    Attributes
-    ----------
-    name : str
-        Its key in JSON, and the attribute of a row that it shows.
-    heading : str
-        What people read; empty for a column that only JSON has.
-    form : str
-        Format specification of its values, such as ".1%".
-    """
-
-    name: str
-    heading: str
-    form: str = ""
+    name: str  # its key in JSON, and the attribute of a row that it shows
+    heading: str  # what people read; empty for a column that only JSON has
+    form: str = ""  # format specification of its values, such as ".1%"
 
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under a title.
+    """Rows under a title."""
 
-    Attributes
-    ----------
-    title : str
-        What the rows are.
-    columns : tuple of TableColumn
-        What is known of each.
-    rows : sequence
-        Anything with the columns' names as attributes; None for what does not apply.
-    note : str
-        What has to be known to read it.
-    """
-
-    title: str
-    columns: tuple[TableColumn, ...]
+    title: str  # what the rows are
+    columns: tuple[TableColumn, ...]  # what is known of each
+    # Anything with the columns' names as attributes; None for what does not apply.
     rows: Sequence[Any]
-    note: str = ""
+    note: str = ""  # what has to be known to read it
 
     def to_markdown(self) -> str:
         """Title, table and note, without the columns that have no heading."""

@@ -19,10 +19,8 @@ _FAR = 16.0
 class Grading:
     """The map from [-1, 1], where nodes are even, onto [-1, 1], where they are not.
 
-    Parameters
-    ----------
-    distance, foot : float
-        How far a point of light is from the face and where its foot is, half-widths.
+    `distance`, `foot`: how far a point of light is from the face and where its foot is,
+    half-widths.
 
     Examples
     --------

@@ -38,27 +38,15 @@ _FASTEST, _SLOWEST = 4.0, 1.25
 
 @dataclass(frozen=True, eq=False)
 class CellImage:
-    """The image of a lens by cells.
+    """The image of a lens by cells."""
 
-    Attributes
-    ----------
-    irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen for a source of flux 1, row 0 at +y.
-    bound : float
-        Bound of the error of the image, ‖I − I_exact‖ / ‖I‖, from two levels of cells.
-    cells : tuple[int, int]
-        Cells along x and y of the finer level.
-    wanted : float
-        The accuracy that was asked for. Where the bound is above it, finer cells would have taken
-        too many rays.
-    sized : bool
-        Whether its origins stand for a source of some size, so that finer cells need more of them.
-    """
-
-    irradiance: Array
-    bound: float
-    cells: tuple[int, int]
+    irradiance: Array  # (n_y, n_x), flux per area on the screen for a source of flux 1, row 0 at +y
+    bound: float  # bound of the error of the image, ‖I − I_exact‖ / ‖I‖, from two levels of cells
+    cells: tuple[int, int]  # cells along x and y of the finer level
+    # The accuracy that was asked for. Where the bound is above it, finer cells would have taken too
+    # many rays.
     wanted: float
+    # Whether its origins stand for a source of some size, so that finer cells need more of them.
     sized: bool = False
 
     def error(self, target: Array) -> tuple[float, float]:
@@ -85,34 +73,14 @@ def imaging(
     factor is measured from three levels, and is taken to be at most 4, that of second order: where
     the error falls sooner, as it mostly does, the bound is above it.
 
-    Parameters
-    ----------
-    scene : Scene
-        Lens, source and screen; filter and run settings play no part.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    accuracy : float
-        Cells are refined until the bound is below this, or too many rays would be followed.
-    pose : Pose, optional
-        How the lens stands; straight and centred by default.
-    threads : int, optional
-        How many trace; as many as there are cores by default.
-    random_rays : int, optional
-        Random rays of the check. Up to 16 rays of cells are followed at each level for each of
-        these, or 8 million, and never more than 67 million, the default. The third level may take
-        twice as many.
-
-    Returns
-    -------
-    CellImage or None
-        None if three levels would take too many rays, or light passes several elements.
-
-    Raises
-    ------
-    Refused
-        If the lens is no body or may touch the screen; see `check_body`.
-    RunFailed
-        If no light reaches the screen.
+    `scene`: lens, source and screen; filter and run settings play no part; `heights` (n_u, n_v);
+    `accuracy`: cells are refined until the bound is below this, or too many rays would be followed;
+    `pose`: how the lens stands; straight and centred by default; `threads`: how many trace; as many
+    as there are cores by default; `random_rays`: random rays of the check. Up to 16 rays of cells
+    are followed at each level for each of these, or 8 million, and never more than 67 million, the
+    default. The third level may take twice as many. Returns None if three levels would take too
+    many rays, or light passes several elements. Raises `Refused` if the lens is no body or may
+    touch the screen; see `check_body`; `RunFailed` if no light reaches the screen.
     """
     if len(scene.elements) > 1:
         return None
@@ -150,17 +118,7 @@ def imaging(
 class Levels:
     """Images of a lens by finer and finer cells.
 
-    Parameters
-    ----------
-    scene, heights, pose
-        As for `imaging`, and so is what is refused.
-
-    Attributes
-    ----------
-    possible : bool
-        Whether the source has few enough points for three levels.
-    sized : bool
-        As of `CellImage`.
+    `possible`: whether the source has few enough points for three levels.
     """
 
     def __init__(

@@ -20,13 +20,8 @@ _SAMPLES, _FEWER, _MANY = 8, 4, 16
 class CellLattice(Drawing):
     """Cells that cover the entrance face, lit from each origin of the light; see `Drawing`.
 
-    Parameters
-    ----------
-    scene, train, cells
-        As for `Drawing`.
-    lifted : tuple[bool, bool], optional
-        Along which axes nodes are moved so that the error of cells has no mean; see `lift`. By
-        default where the face has no kinks in its slope, which differences would take for bends.
+    `lifted`: along which axes nodes are moved so that the error of cells has no mean; see `lift`.
+    By default where the face has no kinks in its slope, which differences would take for bends.
     """
 
     def __init__(

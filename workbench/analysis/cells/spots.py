@@ -36,12 +36,7 @@ _LOOKS = 16
 class Spots(Drawing):
     """Spots of light, one through the middle of each cell.
 
-    Parameters
-    ----------
-    scene, train, cells
-        As for `Drawing`.
-    level : int
-        How often the corners of their outlines are doubled.
+    `level`: how often the corners of their outlines are doubled.
     """
 
     work = 2.5

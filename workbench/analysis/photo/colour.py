@@ -29,15 +29,8 @@ _LUMINANCE = np.linalg.inv(_RGB_OF_XYZ)[1]
 def tristimulus(wavelength_um: Array) -> Array:
     """CIE 1931 colour matching functions of the 2° observer, by a published fit.
 
-    Parameters
-    ----------
-    wavelength_um : ndarray, shape (m,)
-        Wavelengths in µm.
-
-    Returns
-    -------
-    ndarray, shape (m, 3)
-        x̄, ȳ and z̄; off by up to 0.06, where x̄ and z̄ reach 1.06 and 1.78.
+    `wavelength_um` (m,): wavelengths in µm. Returns (m, 3): x̄, ȳ and z̄; off by up to 0.06, where
+    x̄ and z̄ reach 1.06 and 1.78.
 
     Examples
     --------
@@ -69,10 +62,7 @@ def luminance(rgb: Array) -> Array:
 def in_gamut(rgb: Array) -> Array:
     """Colours without negative parts, of the same luminance: as much grey is mixed in as it takes.
 
-    Parameters
-    ----------
-    rgb : ndarray, shape (..., 3)
-        Linear sRGB of light, so that its luminance is not negative.
+    `rgb` (..., 3): linear sRGB of light, so that its luminance is not negative.
     """
     grey, least = luminance(rgb), rgb.min(axis=-1)
     kept = np.ones_like(grey)
@@ -85,9 +75,6 @@ def in_gamut(rgb: Array) -> Array:
 def encoded(rgb: Array) -> npt.NDArray[np.uint8]:
     """Values of a picture file for linear sRGB; what is brighter than 1 is overexposed.
 
-    Parameters
-    ----------
-    rgb : ndarray, shape (..., 3)
-        Linear sRGB, 1 is white.
+    `rgb` (..., 3): linear sRGB, 1 is white.
     """
     return np.rint(255 * SRGB.stored(in_gamut(rgb).clip(0, 1))).astype(np.uint8)

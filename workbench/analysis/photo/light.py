@@ -30,24 +30,13 @@ _D65 = (
 
 @dataclass(frozen=True, eq=False)
 class Illuminant:
-    """Light of some spectrum.
+    """Light of some spectrum."""
 
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    title : Said
-        What a person reads.
-    power : ndarray, shape (m,)
-        Flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit.
-    line_um : float, optional
-        Its only wavelength, where it has but one.
-    """
-
-    name: str
-    title: Said
+    name: str  # what it is called
+    title: Said  # what a person reads
+    # (m,), flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit.
     power: Array = field(repr=False)
-    line_um: float | None = None
+    line_um: float | None = None  # its only wavelength, where it has but one
 
     def weights(self, wavelengths_um: Array) -> Array:
         """What images at some wavelengths count for in the linear sRGB of all light.
@@ -55,16 +44,8 @@ class Illuminant:
         Between two wavelengths the image is taken to go over evenly from the one to the other,
         and to stay as it is beyond them.
 
-        Parameters
-        ----------
-        wavelengths_um : ndarray, shape (k,)
-            The wavelengths, growing.
-
-        Returns
-        -------
-        ndarray, shape (k, 3)
-            Each column sums to 1 where the camera sees this light as white; otherwise their
-            luminance sums to 1.
+        `wavelengths_um` (k,): the wavelengths, growing. Returns (k, 3): each column sums to 1 where
+        the camera sees this light as white; otherwise their luminance sums to 1.
         """
         between = [np.interp(_GRID, wavelengths_um, each) for each in np.eye(len(wavelengths_um))]
         rgb = linear_rgb(np.stack(between) @ (self.power[:, None] * tristimulus(_GRID)))
@@ -91,7 +72,7 @@ LIGHTS = {
         Illuminant(
             "daylight", Said("daylight (D65)"), np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
         ),
-        # A model: the blue of the chip, and what its phosphor makes of it.
+        # a model: the blue of the chip, and what its phosphor makes of it.
         Illuminant("led", Said("white LED"), _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
         Illuminant("equal", Said("equal energy"), np.ones(_GRID.size)),
     )

@@ -45,46 +45,26 @@ _FEWEST, _MOST = 3, 32
 
 @dataclass(frozen=True, eq=False)
 class Photo:
-    """A predicted photo.
+    """A predicted photo."""
 
-    Attributes
-    ----------
-    rgb : ndarray, shape (n_y, n_x, 3)
-        Linear sRGB as the viewer of the target sees it, row 0 at +y, in flux per area of a source
-        of flux 1: that of white light if it is the same at all wavelengths.
-    white : float
-        What is white without a change of exposure: the irradiance of the target's brightest pixel,
-        if the target had the light of the image.
-    aspect : float
-        Width of a pixel over its height.
-    light : Illuminant
-        What the lens is lit by.
-    wavelengths_um : tuple of float
-        What was traced.
-    step : float
-        How far images of neighbouring wavelengths are apart, pixels; 99 of 100 rays are nearer.
-    by_cells : bool
-        Whether by cells, else by random rays.
-    side : Said
-        From where the camera looks.
-    """
-
+    # (n_y, n_x, 3), linear sRGB as the viewer of the target sees it, row 0 at +y, in flux per area
+    # of a source of flux 1: that of white light if it is the same at all wavelengths.
     rgb: Array
+    # What is white without a change of exposure: the irradiance of the target's brightest pixel, if
+    # the target had the light of the image.
     white: float
-    aspect: float
-    light: Illuminant
-    wavelengths_um: tuple[float, ...]
+    aspect: float  # width of a pixel over its height
+    light: Illuminant  # what the lens is lit by
+    wavelengths_um: tuple[float, ...]  # what was traced
+    # How far images of neighbouring wavelengths are apart, pixels; 99 of 100 rays are nearer.
     step: float
-    by_cells: bool
-    side: Said
+    by_cells: bool  # whether by cells, else by random rays
+    side: Said  # from where the camera looks
 
     def picture(self, stops: float = 0.0) -> npt.NDArray[np.uint8]:
         """Values of a picture file (sRGB), shape (n_y, n_x, 3).
 
-        Parameters
-        ----------
-        stops : float
-            Exposure: one more makes all twice as bright.
+        `stops`: exposure: one more makes all twice as bright.
         """
         return encoded(self.rgb * (2.0**stops / self.white))
 
@@ -120,25 +100,10 @@ def photograph(
 ) -> Photo:
     """Predict the photo of a lens's image.
 
-    Parameters
-    ----------
-    scene : Scene
-        Lens, source and screen, with one image.
-    target : ndarray, shape (n_y, n_x)
-        The target image in any scale, which says what is white.
-    heights : mapping of str to ndarray, shape (n_u, n_v)
-        Control heights of each freeform face by its name, scene units.
-    light : Illuminant, optional
-        What the lens is lit by; by default as `light_of` says.
-    watch : callable
-        Called with the part that is done.
-
-    Raises
-    ------
-    Refused
-        If there are several images, or the lens is no body.
-    RunFailed
-        If no light reaches the screen.
+    `scene`: lens, source and screen, with one image; `target` (n_y, n_x): the target image in any
+    scale, which says what is white; `heights` (n_u, n_v); `light`: what the lens is lit by; by
+    default as `light_of` says. Raises `Refused` if there are several images, or the lens is no
+    body; `RunFailed` if no light reaches the screen.
     """
     return finished(photographing(scene, target, heights, light), watch)
 
@@ -152,12 +117,7 @@ def photographing(
 ) -> Steps[Photo]:
     """`photograph` step by step, so that one can see how far it is and leave it.
 
-    Parameters
-    ----------
-    scene, target, heights, light
-        As for `photograph`, and so is what is raised.
-    threads : int, optional
-        How many trace; as many as there are cores by default.
+    `threads`: how many trace; as many as there are cores by default.
     """
     scene.check_one_image("the predicted photo")
     scene.check_one_element("the predicted photo")

@@ -13,14 +13,7 @@ def write_png(photo: Photo, stops: float, file: BinaryIO) -> None:
     Pixels of a file are square: where those of the receiver are not, the photo is made as wide or
     as high as it takes, with values between those of the pixels.
 
-    Parameters
-    ----------
-    photo : Photo
-        The photo.
-    stops : float
-        Exposure; see `Photo.picture`.
-    file : BinaryIO
-        Gets the PNG.
+    `stops`: exposure; see `Photo.picture`.
     """
     image = Image.fromarray(photo.picture(stops))
     width, height = image.size

@@ -31,37 +31,19 @@ _STEPS, _IN_SPAN = 256, 2
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A designed lens, seen at one of its freeform faces.
-
-    Attributes
-    ----------
-    scene : Scene
-        The design task.
-    result : Result
-        The lens.
-    chord_error : float, optional
-        Largest distance of a mesh from the freeform faces, scene units; 1e-4 of the larger
-        half-width by default.
-    face : str, optional
-        Face of ``net`` and ``heights``: "entrance" or, by default, the designed face.
-    cutting : Cutting
-        Options of G-code.
-    mesh_unit : str
-        Unit of lengths in meshes; glTF has metres.
-    plan : CutPlan, optional
-        A finished plan of the cuts.
-    watch : callable
-        Called with the finished fraction of a slow file.
-    """
+    """A designed lens, seen at one of its freeform faces."""
 
     scene: Scene
     result: Result
+    # Largest distance of a mesh from the freeform faces, scene units; 1e-4 of the larger half-width
+    # by default.
     chord_error: float | None = None
+    # Face of ``net`` and ``heights``: "entrance" or, by default, the designed face.
     face: str | None = None
-    cutting: Cutting = PLAIN
-    mesh_unit: str = MILLIMETRES
-    plan: "CutPlan | None" = None
-    watch: Watch = unwatched
+    cutting: Cutting = PLAIN  # options of G-code
+    mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
+    plan: "CutPlan | None" = None  # a finished plan of the cuts
+    watch: Watch = unwatched  # called with the finished fraction of a slow file
 
     @property
     def unit(self) -> str:

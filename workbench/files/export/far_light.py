@@ -52,30 +52,16 @@ class FarLight:
 
     Directions are those of a lamp file: the nadir is the direction of the light, and a direction is
     (cos V sin H, sin V, cos V cos H) with C0 at H > 0 and C90 at V < 0.
-
-    Attributes
-    ----------
-    h, v : ndarray, shape (n_h,), (n_v,)
-        Middles of the pixels in degrees, ascending, in equal steps.
-    intensity : ndarray, shape (n_v, n_h)
-        Mean in each pixel, flux per solid angle, for a source of flux 1.
-    finer : int
-        Pixels along each axis of a cell: errors are measured on means over cells.
-    uncertainty : float
-        Relative L2 difference of the intensity in cells to that of coarser beams.
-    flux : float
-        All light that leaves the lens.
-    origins : int
-        Number of points that stand for an extended source.
     """
 
+    # (n_h,), (n_v,), middles of the pixels in degrees, ascending, in equal steps.
     h: Array
     v: Array
-    intensity: Array
-    finer: int
-    uncertainty: float
-    flux: float
-    origins: int
+    intensity: Array  # (n_v, n_h), mean in each pixel, flux per solid angle, for a source of flux 1
+    finer: int  # pixels along each axis of a cell: errors are measured on means over cells
+    uncertainty: float  # relative L2 difference of the intensity in cells to that of coarser beams
+    flux: float  # all light that leaves the lens
+    origins: int  # number of points that stand for an extended source
 
     @property
     def cell(self) -> float:
@@ -195,7 +181,7 @@ def _window(scene: Scene, heights: Mapping[str, Tensor]) -> FarField:
                 window.center, window.half_angle, ends, strict=True
             )
         ]
-        # A line of light needs pixels that are not much narrower than long.
+        # a line of light needs pixels that are not much narrower than long.
         least = max(width for _, width in found) / _LONGEST
         half = tuple(min(max(width, least), 90.0 - abs(middle)) for middle, width in found)
         narrower = window.altered(half_angle=half, center=tuple(middle for middle, _ in found))

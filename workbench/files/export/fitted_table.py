@@ -48,25 +48,15 @@ _MORE_DIAGONAL = 1e-6
 
 
 class TableAxis(NamedTuple):
-    """Samples of the light along C or γ.
+    """Samples of the light along C or γ."""
 
-    Attributes
-    ----------
-    lit : tuple[float, float]
-        Range of angles with light, degrees; samples exceed it.
-    samples, weight : ndarray, shape (m,)
-        Degrees, ascending, and their weights.
-    ends : tuple[float, float], optional
-        First and last angle of a table; None along an arc of C in a dark circle.
-    around : bool
-        Whether the last angle equals the first.
-    """
-
-    lit: tuple[float, float]
+    lit: tuple[float, float]  # range of angles with light, degrees; samples exceed it
+    # (m,), degrees, ascending, and their weights.
     samples: Array
     weight: Array
+    # First and last angle of a table; None along an arc of C in a dark circle.
     ends: tuple[float, float] | None
-    around: bool = False
+    around: bool = False  # whether the last angle equals the first
 
     def nodes(self, step: float) -> Array:
         """Angles of a table: multiples of a step around the light, or everywhere if few more."""
@@ -105,22 +95,13 @@ class TableAxis(NamedTuple):
 
 
 class FittedTable(NamedTuple):
-    """Intensity of a lens as stored in a file.
+    """Intensity of a lens as stored in a file."""
 
-    Attributes
-    ----------
-    c : ndarray, shape (n_c,)
-        Degrees: 0 alone if all planes are equal; 0 to 90 or 0 to 180 if others are mirror images;
-        else 0 to 360, both included.
-    intensity : ndarray, shape (n_c, n_g)
-        Flux per solid angle.
-    gamma : ndarray, shape (n_g,)
-        Degrees, from 0 to 90.
-    """
-
+    # (n_c,), degrees: 0 alone if all planes are equal; 0 to 90 or 0 to 180 if others are mirror
+    # images; else 0 to 360, both included.
     c: Array
-    intensity: Array
-    gamma: Array
+    intensity: Array  # (n_c, n_g), flux per solid angle
+    gamma: Array  # (n_g,), degrees, from 0 to 90
 
     @property
     def table(self) -> IntensityTable:

@@ -17,31 +17,16 @@ if TYPE_CHECKING:
 
 
 class Format(NamedTuple):
-    """A format.
+    """A format."""
 
-    Attributes
-    ----------
-    endings : tuple of str
-        Endings of file names, in lower case.
-    name : str
-        Name for users.
-    module, writer : str
-        Module of this package and its function that writes the format.
-    content : str, optional
-        Function of that module that computes the written data.
-    face : str, optional
-        Face of the file, if it is not the designed one.
-    takes_unit : bool
-        Whether lengths are in the requested unit of meshes.
-    """
-
-    endings: tuple[str, ...]
-    name: str
+    endings: tuple[str, ...]  # endings of file names, in lower case
+    name: str  # name for users
+    # Module of this package and its function that writes the format.
     module: str
     writer: str
-    content: str | None = None
-    face: str | None = None
-    takes_unit: bool = False
+    content: str | None = None  # function of that module that computes the written data
+    face: str | None = None  # face of the file, if it is not the designed one
+    takes_unit: bool = False  # whether lengths are in the requested unit of meshes
 
     @property
     def of_entrance(self) -> "Format":

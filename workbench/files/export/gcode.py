@@ -31,30 +31,15 @@ _PLANNED = 0.8  # part of the time for planning
 
 
 class CutPlan(NamedTuple):
-    """Cuts of a face as written, and the errors that they leave.
+    """Cuts of a face as written, and the errors that they leave."""
 
-    Attributes
-    ----------
-    cutting : Cutting
-        Requested options.
-    raster : Raster
-        The cuts, scene units.
-    scallop : float
-        Planned scallop height.
-    errors : CutErrors
-        Errors of the simulated cut, at a place in the scene's x and y.
-    top : float
-        Highest control height of the face as it lies below the cutter.
-    default_radius : float
-        Radius of a ball that fits everywhere, scene units; infinite if unknown, as for a face
-        with edges.
-    """
-
-    cutting: Cutting
-    raster: Raster
-    scallop: float
-    errors: CutErrors
-    top: float
+    cutting: Cutting  # requested options
+    raster: Raster  # the cuts, scene units
+    scallop: float  # planned scallop height
+    errors: CutErrors  # errors of the simulated cut, at a place in the scene's x and y
+    top: float  # highest control height of the face as it lies below the cutter
+    # Radius of a ball that fits everywhere, scene units; infinite if unknown, as for a face with
+    # edges.
     default_radius: float
 
     def refusal(self, unit: str) -> Refused | None:

@@ -35,19 +35,13 @@ class Tessellation(NamedTuple):
     Cells are rectangles; those of an ellipse are mapped from equal rectangles by
     `workbench.geometry.outlines`, with vertices on the rim. Vertices of both faces have the same x
     and y, which makes the walls.
-
-    Attributes
-    ----------
-    x, y : ndarray, shape (m_x, 1) and (1, m_y), or (m_x, m_y)
-    z : ndarray, shape (m_x, m_y)
-        Exit face of a lens, or the face of a mirror; scene units.
-    other : ndarray, shape (m_x, m_y) or ()
-        z of the other side: of a freeform entrance face, or a number for a flat side.
     """
 
+    # (m_x, 1) and (1, m_y).
     x: Array
     y: Array
-    z: Array
+    z: Array  # (m_x, m_y), exit face of a lens, or the face of a mirror; scene units
+    # (m_x, m_y), z of the other side: of a freeform entrance face, or a number for a flat side.
     other: Array
 
     @classmethod

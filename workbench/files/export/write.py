@@ -46,37 +46,15 @@ def export(
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
-    Parameters
-    ----------
-    session : Session
-        A session with a lens.
-    paths : sequence of Path
-        Files to write; their endings select the formats.
-    chord_error : float, optional
-        Largest distance of a mesh from the exit face, scene units; 1e-4 of the larger half-width
-        by default.
-    cutting : Cutting
-        Options of G-code.
-    mesh_unit : str
-        Unit of lengths in STL, OBJ, PLY and 3MF files, or "scene" for that of the scene.
-    plan : CutPlan, optional
-        A finished plan of this lens, with its own ``cutting``.
-    watch : callable
-        Called with the finished fraction of a slow file.
-
-    Yields
-    ------
-    Written
-        After each file.
-
-    Raises
-    ------
-    Refused
-        Before anything is written: if the session has no solid lens, the unit is unknown, an
-        ending selects no format or a file cannot be written. At the end: if a format cannot hold
-        the data; it names each such file.
-    RunFailed
-        At the end, if nothing was refused and an external library fails.
+    `session`: a session with a lens; `paths`: files to write; their endings select the formats;
+    `chord_error`: largest distance of a mesh from the exit face, scene units; 1e-4 of the larger
+    half-width by default; `cutting`: options of G-code; `mesh_unit`: unit of lengths in STL, OBJ,
+    PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
+    its own ``cutting``; `watch`: called with the finished fraction of a slow file.  Raises
+    `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
+    ending selects no format or a file cannot be written. At the end: if a format cannot hold the
+    data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
+    library fails.
     """
     result = result_of(session)
     check_body(session.scene, result.state.heights)

@@ -37,23 +37,13 @@ class IntensityTable:
 
     γ counts from the nadir of the luminaire. Looking along the nadir, as from above down on a
     luminaire, C counts counterclockwise.
-
-    Attributes
-    ----------
-    c : ndarray, shape (n_c,)
-        Degrees, ascending; the first is 0 and the last 360.
-    gamma : ndarray, shape (n_g,)
-        Degrees, ascending, within 0 to 180.
-    candela : ndarray, shape (n_c, n_g)
-        Finite, not negative, not all zero; the first and the last row are the same plane.
-    remarks : tuple of Said
-        Anomalies of the file that do not prevent reading it.
     """
 
-    c: Array
-    gamma: Array
+    c: Array  # (n_c,), degrees, ascending; the first is 0 and the last 360
+    gamma: Array  # (n_g,), degrees, ascending, within 0 to 180
+    # (n_c, n_g), finite, not negative, not all zero; the first and the last row are the same plane.
     candela: Array
-    remarks: tuple[Said, ...] = ()
+    remarks: tuple[Said, ...] = ()  # anomalies of the file that do not prevent reading it
 
     @property
     def note(self) -> str:
@@ -232,19 +222,9 @@ def between(angles: Array, values: Array) -> tuple[Index, Array]:
 def type_c_of(kind: str, h: Array, v: Array, candela: Array) -> IntensityTable:
     """Convert a table of type A or B to type C.
 
-    Parameters
-    ----------
-    kind : str
-        "A" or "B".
-    h, v : ndarray, shape (n_h,), (n_v,)
-        Degrees, ascending. Angles that begin at 0 are mirrored.
-    candela : ndarray, shape (n_h, n_v)
-        Intensity, cd: linear between the angles, 0 beyond them.
-
-    Raises
-    ------
-    ValueError
-        If the angles are not possible.
+    `kind`: "A" or "B"; `h`, `v` (n_h,), (n_v,): degrees, ascending. Angles that begin at 0 are
+    mirrored; `candela` (n_h, n_v): intensity, cd: linear between the angles, 0 beyond them. Raises
+    `ValueError` if the angles are not possible.
     """
     if h[0] == 0:
         h, candela = np.append(-h[:0:-1], h), np.vstack([candela[:0:-1], candela])

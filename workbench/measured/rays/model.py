@@ -80,33 +80,18 @@ class Size(NamedTuple):
 
 
 class RayModel(NamedTuple):
-    """Point sources that stand for the rays of a file.
+    """Point sources that stand for the rays of a file."""
 
-    Attributes
-    ----------
-    places : ndarray, shape (k, 3)
-        The points, scene units; all have the same z.
-    radiance : ndarray, shape (k, n, n)
-        Intensity over its cosine to +z of each point, towards middles of equal cells of the
-        lens's plane along x and y: constant for a Lambertian emitter.
-    extent : tuple[float, float]
-        The cells fill −extent to extent along x and y.
-    z : float
-        z of the plane.
-    size : Size
-        Distribution of ray starts at the z of the points.
-    spread : float
-        RMS distance of ray starts from their points, relative to that from a single point.
-    off : float
-        Part of the flux on the lens in other cells than that of the rays, of 8 × 8 cells.
-    """
-
-    places: Array
+    places: Array  # (k, 3), the points, scene units; all have the same z
+    # (k, n, n), intensity over its cosine to +z of each point, towards middles of equal cells of
+    # the lens's plane along x and y: constant for a Lambertian emitter.
     radiance: Array
-    extent: tuple[float, float]
-    z: float
-    size: Size
+    extent: tuple[float, float]  # the cells fill −extent to extent along x and y
+    z: float  # z of the plane
+    size: Size  # distribution of ray starts at the z of the points
+    # RMS distance of ray starts from their points, relative to that from a single point.
     spread: float = 0.0
+    # Part of the flux on the lens in other cells than that of the rays, of 8 × 8 cells.
     off: float = 0.0
 
     @property

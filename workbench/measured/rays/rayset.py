@@ -35,35 +35,17 @@ class Columns(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RaySet:
-    """Rays of a file.
+    """Rays of a file."""
 
-    Attributes
-    ----------
-    position : ndarray, shape (m, 3), float32
-        Starts, in the unit of the file.
-    direction : ndarray, shape (m, 3), float32
-        Unit vectors.
-    flux : ndarray, shape (m,), float32
-        Not negative, with a sum above 0.
-    in_file : int
-        Number of rays in the file; a kept ray has the flux of all rays that it replaces.
-    unit : str, optional
-        Unit of length: "mm", "cm", "m", "inch" or "feet"; None if the file names none.
-    wavelength_nm : ndarray, shape (m,), float32, optional
-        Wavelength.
-    spectrum : ndarray, shape (m,), int32, optional
-        Index into ``spectra``, from 0.
-    spectra : sequence of ndarray, shape (k, 2)
-        Wavelengths in nm and weights; one for all rays if they have no index.
-    """
-
-    position: Floats
-    direction: Floats
-    flux: Floats
-    in_file: int
+    position: Floats  # (m, 3), starts, in the unit of the file
+    direction: Floats  # (m, 3), unit vectors
+    flux: Floats  # (m,), not negative, with a sum above 0
+    in_file: int  # number of rays in the file; a kept ray has the flux of all rays that it replaces
+    # Unit of length: "mm", "cm", "m", "inch" or "feet"; None if the file names none.
     unit: str | None
-    wavelength_nm: Floats | None = None
-    spectrum: npt.NDArray[np.int32] | None = None
+    wavelength_nm: Floats | None = None  # (m,), wavelength
+    spectrum: npt.NDArray[np.int32] | None = None  # (m,), index into ``spectra``, from 0
+    # (k, 2), wavelengths in nm and weights; one for all rays if they have no index.
     spectra: tuple[Floats, ...] = field(default=())
 
     @property
