@@ -8,6 +8,7 @@ import pytest
 
 from tests.lamps import crooked_lamp, led
 from workbench.analysis import mitsuba as other
+from workbench.analysis import mitsuba_elements
 from workbench.analysis.cross_check import bare_and_clear, cross_check
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
@@ -63,7 +64,7 @@ class TestWithMitsuba:
     @pytest.fixture(autouse=True)
     def coarse_mesh(self, monkeypatch):
         pytest.importorskip("mitsuba")
-        monkeypatch.setattr(other, "_CELLS", 96)
+        monkeypatch.setattr(mitsuba_elements, "_CELLS", 96)
 
     @staticmethod
     def lopsided(scene):

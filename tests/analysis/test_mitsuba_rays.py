@@ -50,7 +50,7 @@ class TestWithMitsuba:
     @pytest.fixture(autouse=True)
     def coarse_mesh(self, monkeypatch):
         pytest.importorskip("mitsuba")
-        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
+        monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)
 
     def test_the_disc_lights_a_plate(self, make_scene):
         """Its light is nearly straight, so that faces reflect 4 % each."""

@@ -1,4 +1,4 @@
-"""Mitsuba finds the same light of mirrors and of two faces."""
+"""Mitsuba finds the same light of mirrors, of two faces, and of trains of several elements."""
 
 import numpy as np
 import pytest
@@ -40,9 +40,6 @@ def test_mitsuba_finds_the_same_light_of_a_mirror(source):
     assert found.difference < 1.3 * found.noise
 
 
-pytest.importorskip("mitsuba")
-
-
 TILTED = {"kind": "collimated", "direction": [12, -5]}
 
 
@@ -51,7 +48,7 @@ POINT = {"kind": "point", "position": [0.2, 0, -4], "rays": 1000}
 
 @pytest.mark.parametrize(("source", "outline"), [(TILTED, "rectangle"), (POINT, "ellipse")])
 def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, source, outline):
-    monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 128)  # made sooner
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 128)  # made sooner
     scene = make_scene(
         {
             "version": 2,
@@ -77,4 +74,45 @@ def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, sour
     found = cross_check(scene, np.ones((16, 16)), heights, rays=100_000)
     assert found.ours.efficiency > 0.3
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.015)
+    assert found.difference < 1.3 * found.noise
+
+
+def test_mitsuba_finds_the_same_light_of_a_train(monkeypatch):
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 128)  # made sooner
+    lens = {"kind": "lens", "thickness": 0.5, "material": {"index": 1.5}}
+    plane, ball = {"shape": "plane"}, {"shape": "conic", "radius": -1.0, "conic": -0.4}
+    dome = {"name": "dome", "position": [0, 0, -3], "half_width": [0.9, 0.7], "outline": "ellipse"}
+    freeform = {"name": "lens", "half_width": [1.2, 1.0]}
+    cover = {"name": "cover", "half_width": [1.5, 1.5], "material": "N-BK7"}
+    bowl = {"shape": "conic", "radius": 4.0, "coefficients": [0.01]}
+    scene = Scene.from_data(
+        {
+            "version": 3,
+            "source": {"kind": "area", "position": [0.1, 0, -3.5], "half_width": [0.1, 0.2]},
+            "elements": [
+                lens | dome | {"faces": [plane, ball]},
+                lens | freeform | {"faces": [plane, {"shape": "bspline"}]},
+                lens
+                | cover
+                | {"position": [0.3, 0.1, 1.6], "tilt": [10, -15, 30], "faces": [bowl, plane]},
+            ],
+            "images": [
+                {
+                    "receiver": {
+                        "kind": "plane",
+                        "position": [0.3, 0, 5],
+                        "tilt": [0, 12, 0],
+                        "half_width": [1.6, 1.6],
+                        "pixels": [16, 16],
+                    },
+                    "target": {"builtin": "ball"},
+                }
+            ],
+        }
+    ).with_net((8, 8))
+    x, y = ControlNet.of(scene.optic).positions
+    heights = 0.5 - 0.12 * np.square(x[:, None]) - 0.08 * np.square(y) + 0.03 * x[:, None]
+    found = cross_check(scene, np.ones((16, 16)), {"exit": heights}, rays=200_000)
+    assert found.ours.efficiency > 0.1
+    assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
     assert found.difference < 1.3 * found.noise

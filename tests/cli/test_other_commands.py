@@ -114,7 +114,7 @@ class TestValidate:
     @pytest.mark.full
     def test_with_mitsuba(self, freeform, lens, monkeypatch):
         pytest.importorskip("mitsuba")
-        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
+        monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)
         given = "validate", lens, "--rays", 50_000, "--with", "mitsuba"
         status, stdout, stderr = freeform(*given, "--json")
         assert (status, stderr) == (0, "")

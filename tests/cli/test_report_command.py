@@ -133,7 +133,7 @@ class TestHtml:
     @pytest.mark.full
     def test_mitsuba_stands_beside_the_check(self, freeform, lens, tmp_path, monkeypatch):
         pytest.importorskip("mitsuba")
-        monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)
+        monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)
         file = tmp_path / "beside.html"
         assert freeform("report", lens, file, *RAYS, "--with", "mitsuba") == (0, "", "")
         found = Page(file.read_text())

@@ -94,7 +94,6 @@ def cross_check(
     are not square, or the lens is no body; `RunFailed` if no light reaches the screen.
     """
     scene.check_one_image("the comparison with Mitsuba")
-    scene.check_one_element("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
     theirs = MitsubaScene(scene, heights)
@@ -137,18 +136,25 @@ def cross_check(
 def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
     """The scene without what Mitsuba's glass cannot have, and what that was.
 
-    Its faces are bare and reflect by Fresnel's equations, and its light tracer knows no media.
+    Faces are bare and reflect by Fresnel's equations, and its light tracer knows no media.
     """
-    lens = scene.optic
-    if not isinstance(lens, Lens):
-        return scene, ()
+    elements, left_out = [], []
+    for element in scene.elements:
+        if isinstance(element, Lens):
+            element, without = _bare_and_clear(element)
+            left_out += [name for name in without if name not in left_out]
+        elements.append(element)
+    return scene.model_copy(update={"elements": tuple(elements)}), tuple(left_out)
+
+
+def _bare_and_clear(lens: Lens) -> tuple[Lens, list[str]]:
     lossy = [field.name for field in lens.fields() if field.mark(TakesLight)]
     without = {name: Lens.model_fields[name].default for name in lossy}
     left_out = [name for name in lossy if getattr(lens, name) != without[name]]
     if lens.coating is not None or lens.reflection == "none":
         without |= {"coating": None, "reflection": "fresnel"}
         left_out.insert(0, "coating" if lens.coating is not None else "faces that reflect nothing")
-    return scene.with_optic(lens.model_copy(update=without)), tuple(left_out)
+    return lens.model_copy(update=without), left_out
 
 
 def _seen(halves: list[Array], target: Array, measure: float | Array) -> TracerResult:

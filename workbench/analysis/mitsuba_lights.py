@@ -11,7 +11,6 @@ from workbench.analysis.tracing.sources.cones import covering_cones
 from workbench.analysis.tracing.sources.turning import file_axes
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.geometry.surface import freeform_nets
 from workbench.measured.lamps import intensity_of
 from workbench.scene import (
     AreaSource,
@@ -49,13 +48,14 @@ def mitsuba_lights(
     source : Source
         The source, of a kind that `check_known` lets pass.
     optic : Element
-        Gives the entrance face.
+        The element that light meets first.
     unit : float
         What counts as 1 in Mitsuba, scene units.
     rays, seed : int
         How many rays to draw, and how, of light that is given by its rays.
     """
-    in_aperture = optic.onwards > 0 and "entrance" not in freeform_nets(optic)
+    low, high = optic.entrance_range
+    in_aperture = optic.onwards > 0 and low == high
     light = row_of(_LIGHTS, source) if in_aperture or source.along_axis else rays_as_light
     return light(mi, source, optic, unit, rays, seed)
 

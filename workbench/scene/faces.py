@@ -171,6 +171,10 @@ class PlaneFace(Part):
         """Height above the vertex, scene units; x and y broadcast."""
         return np.zeros(np.broadcast(x, y).shape)
 
+    def normal(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Unit normals to +z at (x, y), with a last axis of 3; x and y broadcast."""
+        return np.broadcast_to([0.0, 0.0, 1.0], (*np.broadcast(x, y).shape, 3))
+
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
         """Lowest and highest sag over the aperture."""
         return 0.0, 0.0
@@ -245,6 +249,18 @@ class ConicFace(Part):
         root = np.sqrt(np.maximum(1 - (1 + self.conic) * curvature**2 * r2, 0.0))
         powers = sum(a * r2 ** (k + 2) for k, a in enumerate(self.coefficients))
         return np.asarray(curvature * r2 / (1 + root) + powers)
+
+    def normal(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
+        """Unit normals to +z at (x, y), with a last axis of 3; x and y broadcast.
+
+        Across the axis at the rim of a hemisphere, whose slope is infinite.
+        """
+        r2, curvature = np.square(x) + np.square(y), 1 / self.radius
+        root = np.sqrt(np.maximum(1 - (1 + self.conic) * curvature**2 * r2, 0.0))
+        powers = sum((2 * k + 4) * a * r2 ** (k + 1) for k, a in enumerate(self.coefficients))
+        lean = curvature + root * powers
+        normal = np.stack(np.broadcast_arrays(-lean * x, -lean * y, root), axis=-1)
+        return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
 
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:
         """Lowest and highest sag over the aperture."""

@@ -42,7 +42,7 @@ def test_the_optic_of_each_case_is_a_body(case):
 
 def test_both_see_the_same_light(monkeypatch):
     pytest.importorskip("mitsuba")
-    monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)  # made sooner
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)  # made sooner
     few = [
         ("one face", "photometric file", "far field", "ellipse"),
         ("two faces", "parallel", "upright", "rectangle"),

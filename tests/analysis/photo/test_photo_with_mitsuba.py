@@ -16,7 +16,7 @@ RAYS = 40_000
 
 def test_mitsuba_finds_the_same_colours(make_scene, monkeypatch):
     mitsuba = pytest.importorskip("mitsuba")
-    monkeypatch.setattr("workbench.analysis.mitsuba._CELLS", 96)  # made sooner
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 96)  # made sooner
     changes = {
         "version": 2,
         "lens.reflection": "fresnel",

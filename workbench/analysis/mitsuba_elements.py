@@ -1,0 +1,286 @@
+"""The elements of a train as shapes of Mitsuba: a function for each kind, and a row in ``_KINDS``.
+
+Faces are meshes with their exact normals. Black walls close the sides of a lens, and black baffles
+surround an element as far as no other part of the train's light passes there.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from workbench.arrays import Array
+from workbench.errors import Refused
+from workbench.geometry.face_grids import face_normals, face_points
+from workbench.geometry.frames import Frame
+from workbench.geometry.outlines import Rectangle, outline_of
+from workbench.geometry.surface import freeform_nets
+from workbench.said import Said
+from workbench.scene import ConicFace, Element, Lens, Mirror, Scene, Screen
+from workbench.scene.kinds import row_of
+
+Indices = npt.NDArray[np.uint32]
+Shapes = dict[str, Any]
+
+# Least number of cells of the mesh of a freeform face along each axis; they divide the knot spans
+# evenly.
+_CELLS = 1024
+# The same of a conic face, and of a plane face within an ellipse.
+_SMOOTH, _ROUND = 512, 256
+# In half-widths of the designed element: how far a baffle goes.
+_BAFFLE = 1000.0
+# Which part of the distance to other light of the train a baffle takes.
+_CLEAR = 0.95
+# Points of each element and of the source along each axis, between which light goes.
+_ACROSS = 5
+_BLACK = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.0}}
+
+
+class _Placed(NamedTuple):
+    """An element with what its shapes need.
+
+    ``reach`` is how far its baffle may go from its axis; ``unit`` counts as 1 in Mitsuba. Both are
+    in scene units. ``apertured`` says whether light has to pass its outline in its front plane.
+    """
+
+    mi: Any
+    element: Element
+    heights: Mapping[str, Array]
+    reach: float
+    unit: float
+    apertured: bool
+
+    @property
+    def frame(self) -> Frame:
+        return Frame.at(self.element.position, self.element.tilt)
+
+    def grid(self) -> tuple[Array, Array]:
+        """Places in [-1, 1] along each axis; knots of a freeform face are among them."""
+        net = freeform_nets(self.element).get(self.element.designed_face)
+        if net is not None:
+            spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
+            counts = [count * -(-_CELLS // count) for count in spans]
+        elif any(isinstance(placed.face, ConicFace) for placed in self.element.placed_faces):
+            counts = [_SMOOTH, _SMOOTH]
+        else:
+            counts = [1, 1] if outline_of(self.element).whole else [_ROUND, _ROUND]
+        u, v = (np.linspace(-1, 1, count + 1) for count in counts)
+        return u, v
+
+    def own(self, points: Array) -> Array:
+        """Points of the scene in the coordinates of the element."""
+        return np.asarray((points - self.frame.position) @ self.frame.rotation)
+
+    def in_scene(self, points: Array) -> Array:
+        """Points of the element in the coordinates of the scene."""
+        return np.asarray(points @ self.frame.rotation.T + self.frame.position)
+
+
+def mitsuba_elements(
+    mi: Any, scene: Scene, heights: Mapping[str, Array], screen: Screen, unit: float
+) -> Shapes:
+    """Shapes of all elements by name.
+
+    Parameters
+    ----------
+    mi : module
+        Mitsuba.
+    scene : Scene
+        Gives the elements and the source.
+    heights : mapping of str to ndarray, shape (n_u, n_v)
+        Control heights of each freeform face by its name, scene units.
+    screen : Screen
+        Where light goes behind the elements.
+    unit : float
+        What counts as 1 in Mitsuba, scene units.
+
+    Raises
+    ------
+    Refused
+        If Mitsuba is given no shapes of a kind of element.
+    """
+    shapes: Shapes = {}
+    stations = _stations(scene, screen)
+    for number, each in enumerate(scene.elements):
+        if not isinstance(each, tuple(_KINDS)):
+            unknown = Said("Mitsuba is given no {kind}; leave it out to compare", kind=each.kind)
+            raise Refused(f"elements[{number}].kind", unknown)
+        element = each.lit(scene.source.wavelength)
+        reach = _free_reach(stations, number, Frame.at(each.position, each.tilt))
+        apertured = number == 0 or element.designed
+        reach = min(reach, _BAFFLE * unit)
+        placed = _Placed(mi, element, heights, reach, unit, apertured)
+        own = row_of(_KINDS, element)(placed)
+        if number or element.onwards > 0:  # light of the source comes to a mirror alone
+            own |= _baffles(placed)
+        shapes |= {f"{name}{number}": shape for name, shape in own.items()}
+    return shapes
+
+
+def _lens(placed: _Placed) -> Shapes:
+    """Both faces, and walls that absorb light which leaves by the sides."""
+    mi, element = placed.mi, placed.element
+    u, v = placed.grid()
+    front, back = (
+        face_points(element, face, u, v, placed.heights) for face in element.placed_faces
+    )
+    inwards, outwards = (
+        face_normals(element, face, u, v, placed.heights) for face in element.placed_faces
+    )
+    glass = mi.load_dict({"type": "dielectric", "int_ior": element.index, "ext_ior": 1.0})
+    walls = np.stack([_rim(front), _rim(back)], axis=1)
+    return {
+        "back": _mesh(placed, back, glass, outwards),
+        "front": _mesh(placed, front[:, ::-1], glass, -inwards[:, ::-1]),
+        "walls": _mesh(placed, walls, mi.load_dict(_BLACK)),
+    }
+
+
+def _mirror(placed: _Placed) -> Shapes:
+    """The face, which reflects on both sides."""
+    element = placed.element
+    u, v = placed.grid()
+    (face,) = element.placed_faces
+    reflectance = element.reflectance if isinstance(element, Mirror) else 1.0
+    metal = placed.mi.load_dict(
+        {
+            "type": "twosided",
+            "bsdf": {
+                "type": "conductor",
+                "material": "none",
+                "specular_reflectance": {"type": "rgb", "value": reflectance},
+            },
+        }
+    )
+    points = face_points(element, face, u, v, placed.heights)
+    return {"face": _mesh(placed, points, metal, face_normals(element, face, u, v, placed.heights))}
+
+
+def _baffles(placed: _Placed) -> Shapes:
+    """Black surfaces around the outline: at the rim, and in the plane of the aperture."""
+    element, (u, v) = placed.element, placed.grid()
+    rims = [
+        placed.own(_rim(face_points(element, face, u, v, placed.heights)))
+        for face in element.placed_faces
+    ]
+    levels = {float(min(rims[0][:, 2].max(), rims[-1][:, 2].min()))}
+    if placed.apertured:
+        levels.add(element.front_z - element.position[2])
+    outline = outline_of(element)
+    black = placed.mi.load_dict(_BLACK)
+    shapes: Shapes = {}
+    for number, level in enumerate(levels):
+        shapes |= _beside(placed, level, f"baffle{number}_")
+        if outline.whole:
+            continue
+        # Black from the outline to its bounding rectangle, where the rectangles begin.
+        x, y = Rectangle(element.half_width).from_square(u[:, None], v)
+        around = _rim(np.stack([x, y, np.full_like(x, level)], axis=-1))
+        foot = rims[0] * [1, 1, 0] + [0, 0, level]
+        ring = placed.in_scene(np.stack([around, foot], axis=1))
+        shapes[f"frame{number}_"] = _mesh(placed, ring, black)
+    return shapes
+
+
+def _beside(placed: _Placed, level: float, name: str) -> Shapes:
+    """Black rectangles around the bounding rectangle, at a z of the element."""
+    r_x, r_y = placed.element.half_width
+    wide, to = placed.reach, placed.mi.ScalarTransform4f
+    if wide <= max(r_x, r_y):
+        return {}
+    place = np.eye(4)
+    place[:3, :3], place[:3, 3] = placed.frame.rotation, placed.frame.position / placed.unit
+    beside_x, beside_y = (r_x + wide) / 2, (r_y + wide) / 2
+    rectangles = [
+        (-beside_x, 0.0, (wide - r_x) / 2, wide),
+        (beside_x, 0.0, (wide - r_x) / 2, wide),
+        (0.0, -beside_y, r_x, (wide - r_y) / 2),
+        (0.0, beside_y, r_x, (wide - r_y) / 2),
+    ]
+    unit = placed.unit
+    return {
+        f"{name}{number}_": {
+            "type": "rectangle",
+            "to_world": to(place)
+            @ to().translate([x / unit, y / unit, level / unit])
+            @ to().scale([half_x / unit, half_y / unit, 1]),
+            "bsdf": _BLACK,
+        }
+        for number, (x, y, half_x, half_y) in enumerate(rectangles)
+    }
+
+
+def _stations(scene: Scene, screen: Screen) -> list[Array]:
+    """Points (n, 3) of the source, of each element and of the screen, in the order of the light."""
+    elements = [
+        _across(Frame.at(each.position, each.tilt), each.half_width) for each in scene.elements
+    ]
+    if scene.source.place is None:
+        first = elements[0] - [0.0, 0.0, 2 * max(scene.elements[0].half_width)]
+    else:
+        first = scene.source.seen((_ACROSS, _ACROSS))
+    return [first, *elements, _across(Frame.at(screen.position, screen.tilt), screen.half_width)]
+
+
+def _across(frame: Frame, half_width: tuple[float, float]) -> Array:
+    side = np.linspace(-1, 1, _ACROSS)
+    x, y = np.meshgrid(side * half_width[0], side * half_width[1])
+    points = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+    return np.asarray(points @ frame.rotation.T + frame.position)
+
+
+def _free_reach(stations: Sequence[Array], number: int, frame: Frame) -> float:
+    """How far from the axis of an element its plane meets no other light of the train."""
+    nearest = math.inf
+    for before in range(len(stations) - 1):
+        if number + 1 in (before, before + 1):
+            continue
+        start, end = (
+            (points - frame.position) @ frame.rotation for points in stations[before : before + 2]
+        )
+        start, end = np.broadcast_arrays(start[:, None], end[None, :])
+        crosses = start[..., 2] * end[..., 2] < 0
+        start, end = start[crosses], end[crosses]
+        part = start[:, 2:] / (start[:, 2:] - end[:, 2:])
+        places = np.abs(start + part * (end - start))[:, :2].max(axis=1)
+        nearest = min(nearest, float(places.min(initial=math.inf)))
+    return _CLEAR * nearest
+
+
+def _mesh(placed: _Placed, points: Array, material: Any, normals: Array | None = None) -> Any:
+    """Points (m, n, 3) of the scene as triangles; counterclockwise if they run along x and y."""
+    mi, triangles = placed.mi, _triangles(points.shape[0], points.shape[1])
+    properties = mi.Properties()
+    properties["bsdf"] = material
+    mesh = mi.Mesh(
+        "",
+        points.size // 3,
+        len(triangles),
+        props=properties,
+        has_vertex_normals=normals is not None,
+    )
+    content = mi.traverse(mesh)
+    content["vertex_positions"] = (points / placed.unit).astype(np.float32).ravel()
+    content["faces"] = triangles.ravel()
+    if normals is not None:
+        content["vertex_normals"] = normals.astype(np.float32).ravel()
+    content.update()
+    return mesh
+
+
+def _rim(points: Array) -> Array:
+    """Border (m, 3) of a grid of points (m_x, m_y, 3), closed."""
+    return np.concatenate([points[:-1, 0], points[-1, :-1], points[:0:-1, -1], points[0, ::-1]])
+
+
+def _triangles(rows: int, columns: int) -> Indices:
+    """Two for each cell of a grid of vertices."""
+    index = np.arange(rows * columns, dtype=np.uint32).reshape(rows, columns)
+    a, b = index[:-1, :-1].ravel(), index[1:, :-1].ravel()
+    c, d = index[1:, 1:].ravel(), index[:-1, 1:].ravel()
+    return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+_KINDS: Mapping[type, Callable[[_Placed], Shapes]] = {Lens: _lens, Mirror: _mirror}
