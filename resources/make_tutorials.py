@@ -19,11 +19,7 @@ from ui.jobs.page import StartPage
 from ui.main_window import MainWindow
 from ui.manufacture.cutter import CutterDialog
 from workbench.jobs import Job
-from workbench.jobs.beam_shaper import BeamShaper
-from workbench.jobs.experiment import Experiment
-from workbench.jobs.far_field import StreetLight
-from workbench.jobs.led import LedRectangle
-from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.lenses import BeamShaper, Experiment, LedRectangle, StreetLight, SunPlate
 
 _SIZE = QSize(1280, 800)
 _PATIENCE = 300.0  # seconds

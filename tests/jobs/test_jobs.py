@@ -9,13 +9,15 @@ import pytest
 from workbench.errors import Refused
 from workbench.files.scene import read_scene, write_scene
 from workbench.jobs import JOBS
-from workbench.jobs.beam_shaper import BeamShaper
-from workbench.jobs.far_field import StreetLight
-from workbench.jobs.led import LedRectangle
-from workbench.jobs.mirror import MirrorJob
-from workbench.jobs.sun_plate import SunPlate
-from workbench.jobs.torch import Torch
-from workbench.jobs.wall_washer import WallWasher
+from workbench.jobs.lenses import (
+    BeamShaper,
+    LedRectangle,
+    MirrorJob,
+    StreetLight,
+    SunPlate,
+    Torch,
+    WallWasher,
+)
 from workbench.targets import load_target
 
 every_job = pytest.mark.parametrize("kind", JOBS, ids=lambda kind: kind.__name__)

@@ -9,12 +9,9 @@ import pytest
 from workbench.design.task import begin
 from workbench.jobs import JOBS
 from workbench.jobs.estimate import estimating
-from workbench.jobs.led import LedRectangle
-from workbench.jobs.mirror import MirrorJob
-from workbench.jobs.proposals import blur_widths
+from workbench.jobs.job import blur_widths
+from workbench.jobs.lenses import LedRectangle, MirrorJob, SunPlate, Torch
 from workbench.jobs.prospect import _light_of, prospecting
-from workbench.jobs.sun_plate import SunPlate
-from workbench.jobs.torch import Torch
 from workbench.scene.paths import with_values
 from workbench.watch import finished
 

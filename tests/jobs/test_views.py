@@ -6,11 +6,8 @@ import numpy as np
 import pytest
 
 from workbench.jobs import side_view
-from workbench.jobs.mirror import MirrorJob
+from workbench.jobs.lenses import MirrorJob, SunPlate, Torch, WallWasher
 from workbench.jobs.slopes import needed_slopes
-from workbench.jobs.sun_plate import SunPlate
-from workbench.jobs.torch import Torch
-from workbench.jobs.wall_washer import WallWasher
 from workbench.scene.paths import with_values
 
 

@@ -17,7 +17,7 @@ from ui.widgets.plot_words import translate, translate_axes
 from ui.words import error_text, speak, spoken_by_system, tr
 from workbench.errors import Refused
 from workbench.jobs import JOBS
-from workbench.jobs.sun_plate import SunPlate
+from workbench.jobs.lenses import SunPlate
 
 
 @pytest.fixture

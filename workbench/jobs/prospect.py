@@ -13,7 +13,7 @@ from workbench.design.session import Session
 from workbench.extended.blur import diffraction
 from workbench.extended.bound import Bound, percent
 from workbench.jobs.estimate import Estimate, estimating
-from workbench.jobs.proposals import blur_widths
+from workbench.jobs.job import blur_widths
 from workbench.jobs.slopes import Slopes, needed_slopes
 from workbench.powers import written
 from workbench.said import Said

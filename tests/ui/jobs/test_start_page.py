@@ -12,8 +12,7 @@ from ui.files.actions import Answer
 from ui.jobs.page import StartPage
 from ui.panels.edits import Edit
 from workbench.jobs import JOBS
-from workbench.jobs.sun_plate import SunPlate
-from workbench.jobs.torch import Torch
+from workbench.jobs.lenses import SunPlate, Torch
 from workbench.scene.kinds import title_of
 
 

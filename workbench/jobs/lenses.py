@@ -1,0 +1,371 @@
+"""Jobs, each with its questions and its scene."""
+
+import math
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import ConfigDict, Field
+
+import resources
+from workbench.files.scene import read_scene
+from workbench.jobs.fields import (
+    GREEN_UM,
+    SUN,
+    WAVELENGTH_NM,
+    Distance,
+    ImageSize,
+    LampDistance,
+    LampFlux,
+    Material,
+    Pair,
+    Picture,
+    Size,
+    Thickness,
+    emitter,
+    halves,
+    lens,
+    mirror,
+    screen,
+    shipped,
+    written,
+)
+from workbench.jobs.job import Job, LensJob, proposed
+from workbench.scene import (
+    AutoNet,
+    AutoRun,
+    PaperRun,
+    Positive,
+    RectangleTarget,
+    RunSettings,
+    Scene,
+    TopHatTarget,
+)
+from workbench.scene.fields import ANGLE, FILE, LENGTH, Choices, about
+
+
+class SunPlate(LensJob):
+    """A clear plate in the sun throws a picture onto a wall or table nearby."""
+
+    model_config = ConfigDict(title="Sunlit plate")
+
+    target: Picture = shipped("photo")
+    size: Size = (100.0, 100.0)
+    material: Material = "PMMA"
+    thickness: Thickness = None
+    distance: Distance = 500.0
+    image_size: ImageSize = (200.0, 200.0)
+
+    def scene(self) -> Scene:
+        """Light of the sun's disc, straight onto the plate."""
+        light = {"kind": "collimated", "angular_diameter": SUN}
+        return self.through_lens(light, screen(self.distance, self.image_size))
+
+
+class Torch(LensJob):
+    """The light of a telephone or a torch throws a picture onto a wall."""
+
+    model_config = ConfigDict(title="Torch or phone")
+
+    target: Picture = shipped("letter")
+    lamp_size: Annotated[
+        Pair,
+        LENGTH,
+        about("Lamp size", "Full width and height of what shines: 1 to 2 mm in a telephone."),
+    ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
+    lamp_distance: LampDistance = 80.0
+    size: Size = (60.0, 60.0)
+    material: Material = "PMMA"
+    thickness: Thickness = None
+    distance: Distance = 200.0
+    image_size: ImageSize = (160.0, 160.0)
+
+    def scene(self) -> Scene:
+        """A small bright face on the axis."""
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
+        return self.through_lens(light, screen(self.distance, self.image_size))
+
+
+class LedRectangle(LensJob):
+    """An LED close to its lens lights a rectangle or another shape evenly."""
+
+    model_config = ConfigDict(title="LED close by")
+
+    target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
+    lamp_size: Annotated[
+        Pair,
+        LENGTH,
+        about("LED size", "Full width and height of the LED's bright face."),
+    ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
+    lamp_distance: LampDistance = 15.0
+    size: Size = (40.0, 30.0)
+    material: Material = "PC"
+    thickness: Thickness = None
+    distance: Distance = 150.0
+    image_size: ImageSize = (240.0, 150.0)
+
+    def scene(self) -> Scene:
+        """The LED's face on the axis, which shines into the whole half-space."""
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
+        return self.through_lens(light, screen(self.distance, self.image_size))
+
+
+class BeamShaper(LensJob):
+    """A Gaussian laser beam becomes an even disc, a rectangle or any other shape."""
+
+    model_config = ConfigDict(title="Laser beam shaper")
+    asked_by: ClassVar[dict[str, str]] = {
+        "source.wavelength_um": "wavelength",
+        "source": "beam_diameter",
+    }
+
+    target: Picture = TopHatTarget()
+    beam_diameter: Annotated[
+        Positive,
+        LENGTH,
+        about(
+            "Beam diameter",
+            "Where the irradiance has fallen to 1/e² (13.5 %) of that in the middle, across the "
+            "beam.",
+        ),
+    ] = 6.0
+    wavelength: Annotated[
+        Positive,
+        WAVELENGTH_NM,
+        about("Wavelength", "Of the laser. It decides the index, and how far light spreads."),
+    ] = 633.0
+    size: Size = (16.0, 16.0)
+    material: Material = "fused silica"
+    thickness: Thickness = None
+    distance: Distance = 200.0
+    image_size: ImageSize = (20.0, 20.0)
+
+    def scene(self) -> Scene:
+        """A straight beam about the axis."""
+        profile = {"kind": "gaussian", "radius": self.beam_diameter / 2}
+        return self.through_lens(
+            {"kind": "collimated", "profile": profile},
+            screen(self.distance, self.image_size),
+            wavelength_um=self.wavelength / 1000,
+        )
+
+
+class WallWasher(LensJob):
+    """A lamp at the ceiling, or on the floor, lights a wall evenly from the side."""
+
+    model_config = ConfigDict(title="Wall washer")
+    asked_by: ClassVar[dict[str, str]] = {
+        "images[0].receiver.half_width": "wall_size",
+        "images[0].receiver": "wall_distance",
+    }
+
+    target: Picture = RectangleTarget(width=0.9, height=0.9, viewed_from="front")
+    wall_size: Annotated[
+        Pair,
+        LENGTH,
+        about("Lit wall", "Full width and height of what shall be lit of the wall."),
+    ] = (1500.0, 1500.0)
+    wall_distance: Annotated[
+        Positive,
+        LENGTH,
+        about("Lamp to wall", "From the lamp straight to the wall."),
+    ] = 1500.0
+    above: Annotated[
+        float,
+        LENGTH,
+        about(
+            "Lamp above the middle",
+            "How much higher than the middle of the lit wall the lamp is; below it, less than 0.",
+            ge=-1e6,
+            le=1e6,
+        ),
+    ] = 900.0
+    lamp_size: Annotated[
+        Pair,
+        LENGTH,
+        about("LED size", "Full width and height of the LED's bright face."),
+    ] = (1.0, 1.0)
+    lamp_flux: LampFlux = None
+    lamp_distance: LampDistance = 25.0
+    size: Size = (40.0, 40.0)
+    material: Material = "PMMA"
+    thickness: Thickness = None
+
+    def scene(self) -> Scene:
+        """The wall as a screen that is turned about x, since the lamp looks at it aslant."""
+        light = emitter(self.lamp_distance, self.lamp_size, self.lamp_flux)
+        return self.through_lens(light, self._wall())
+
+    def _wall(self) -> dict[str, Any]:
+        """The wall as the lamp sees it, which looks half-way between its lower and upper edge."""
+        half = self.wall_size[1] / 2
+        down, up = (math.atan2(edge - self.above, self.wall_distance) for edge in (-half, half))
+        aim = (down + up) / 2
+        middle = math.hypot(self.wall_distance, self.above)
+        off = math.atan2(-self.above, self.wall_distance) - aim
+        return {
+            "kind": "plane",
+            "position": [0.0, middle * math.sin(off), middle * math.cos(off)],
+            "tilt": [math.degrees(aim), 0.0, 0.0],
+            "half_width": halves(self.wall_size),
+        }
+
+
+_Angle = Annotated[float, Field(gt=0, le=170)]
+
+
+class StreetLight(LensJob):
+    """A lamp of a photometric file sends its light into wanted directions, far away."""
+
+    model_config = ConfigDict(title="Far field of a lamp")
+    asked_by: ClassVar[dict[str, str]] = {"source.file": "file"}
+
+    target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
+    file: Annotated[
+        str,
+        FILE,
+        about(
+            "Lamp file",
+            "Intensity by direction, in a file of IES LM-63 (.ies) or EULUMDAT (.ldt).",
+            min_length=1,
+        ),
+    ] = str(resources.path("lights", "led.ies"))
+    lamp_distance: LampDistance = 20.0
+    size: Size = (30.0, 30.0)
+    material: Material = "PMMA"
+    thickness: Thickness = None
+    image_angles: Annotated[
+        tuple[_Angle, _Angle],
+        ANGLE,
+        about("Image angles", "Full angles of the image across and upwards."),
+    ] = (70.0, 50.0)
+
+    def scene(self) -> Scene:
+        """The lamp on the axis, whose nadir looks along it."""
+        lamp = {"file": self.file, "position": [0.0, 0.0, -self.lamp_distance]}
+        field = {"kind": "far_field", "half_angle": halves(self.image_angles)}
+        return self.through_lens({"kind": "photometric", **lamp}, field)
+
+
+class MirrorJob(Job):
+    """A mirror in collimated light, or in the sun, throws a picture to the side."""
+
+    model_config = ConfigDict(title="Mirror")
+    asked_by: ClassVar[dict[str, str]] = {"source": "angular_diameter"}
+
+    target: Picture = shipped("letter")
+    size: Annotated[
+        Pair,
+        LENGTH,
+        about("Mirror size", "Full width and height of the mirror; all of it is lit."),
+    ] = (30.0, 30.0)
+    angular_diameter: Annotated[
+        float,
+        ANGLE,
+        about(
+            "Angular diameter",
+            f"Full angle of the light: {SUN} for the sun, 0 for a laser.",
+            ge=0,
+            lt=90,
+        ),
+    ] = 0.0
+    distance: Annotated[
+        Positive,
+        LENGTH,
+        about("Distance to the image", "From the mirror to the middle of the image."),
+    ] = 100.0
+    aside: Annotated[
+        float,
+        ANGLE,
+        about(
+            "To the side",
+            "Angle between the light that comes and the light that goes, which has to pass the "
+            "image on its way.",
+            ge=0,
+            le=80,
+        ),
+    ] = 45.0
+    image_size: ImageSize = (40.0, 40.0)
+
+    def scene(self) -> Scene:
+        """An image that faces the mirror, at the side of +x."""
+        angle = math.radians(self.aside)
+        receiver = {
+            "kind": "plane",
+            "position": [self.distance * math.sin(angle), 0.0, -self.distance * math.cos(angle)],
+            "tilt": [0.0, -self.aside, 0.0],
+            "half_width": halves(self.image_size),
+        }
+        return proposed(
+            {
+                "source": {"kind": "collimated", "angular_diameter": self.angular_diameter},
+                "elements": [mirror(self.size)],
+                "images": [{"receiver": receiver, "target": written(self.target)}],
+            }
+        )
+
+
+_Name = Literal[
+    "tophat-none-zeros",
+    "tophat-sparse-uniform",
+    "tophat-sparse-random",
+    "tophat-dense-uniform",
+    "flame-x1",
+    "flame-x3",
+    "flame-x5",
+    "ball-x1",
+    "ball-x3",
+    "ball-x5",
+    "flame-point",
+    "flame-stages",
+]
+_TITLES = tuple((example.name, example.title) for example in resources.EXAMPLES)
+
+
+class Experiment(Job):
+    """Designs of de Koning, Heemels, Adam and Möller (2023), to repeat or to improve on."""
+
+    model_config = ConfigDict(title="Experiments of the paper")
+
+    name: Annotated[_Name, Choices(_TITLES), about("Experiment", "A design of the paper.")] = (
+        "flame-x3"
+    )
+    method: Annotated[
+        Literal["auto", "paper"],
+        Choices((("auto", "Automatic"), ("paper", "As in the paper"))),
+        about(
+            "Method",
+            "How the lens is found: by the best that this program knows, on as many control points "
+            "as the target needs, or as then. The 64 × 64 control points of the paper are too few "
+            "for fine detail: a flame stays 19 % off.",
+        ),
+    ] = "auto"
+
+    def scene(self) -> Scene:
+        """The example of that name, with the method that was chosen and a net that suits it."""
+        scene = read_scene(resources.path("examples", f"{self.name}.json"))
+        if self.method == "auto":
+            scene = scene.with_optic(scene.optic.shaped(control_points=AutoNet()))
+        if self.method == scene.run.method:
+            return scene
+        kind = PaperRun if self.method == "paper" else AutoRun
+        same = {name: getattr(scene.run, name) for name in RunSettings.model_fields}
+        return scene.altered(run=kind.model_validate(same | kind.defaults_for(scene)))
+
+
+class Empty(Job):
+    """A square lens in collimated light and a screen behind it; all fields are yours to change."""
+
+    model_config = ConfigDict(title="Empty")
+
+    def scene(self) -> Scene:
+        """A lens of 20 mm, and a disc as wide on a screen."""
+        return proposed(
+            {
+                "source": {"kind": "collimated", "wavelength_um": GREEN_UM},
+                "elements": [lens((20.0, 20.0), "PMMA")],
+                "images": [
+                    {"receiver": screen(100.0, (20.0, 20.0)), "target": {"builtin": "tophat"}}
+                ],
+            }
+        )
