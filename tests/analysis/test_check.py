@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.analysis.lenses import net_of
-from workbench.analysis.agreement import Agreement, RandomShare, run_apart
+from workbench.analysis.by_cells import Agreement, RandomShare, run_apart
 from workbench.analysis.metrics import paper_loss, relative_l2
 from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.validation import validate

@@ -5,7 +5,7 @@ import pytest
 
 from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
-from workbench.analysis import independent
+from workbench.analysis import scatter
 from workbench.analysis.cells import image
 from workbench.analysis.cells.lattice import CellLattice
 from workbench.analysis.metrics import relative_l2
@@ -57,7 +57,7 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
     fine = CellLattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
     error = relative_l2(finished(fine.tracing()), target)
     monkeypatch.setattr(image, "_BEGIN", 1 << 19)
-    monkeypatch.setattr(independent, "_BEGIN", 1 << 19)
+    monkeypatch.setattr(scatter, "_BEGIN", 1 << 19)
     found = validate(lens[0], target, lens[1], 1_200_000, accuracy=2e-3)
     cells = found.by_cells
     assert cells.bound > 4 * 2e-3

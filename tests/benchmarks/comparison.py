@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tests.benchmarks.timing import in_turns
-from workbench.analysis.benchmark.table import Table, TableColumn
+from workbench.analysis.benchmark.examples import Table, TableColumn
 from workbench.arrays import Array
 
 _NOTE = (

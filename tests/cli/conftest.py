@@ -34,7 +34,7 @@ def freeform(capsys, monkeypatch):
 
     Slow machines get no lines of progress that quick ones do not, nor ones of compiling.
     """
-    monkeypatch.setattr("workbench.cli.progress._LINES", math.inf)
+    monkeypatch.setattr("workbench.cli.output._LINES", math.inf)
     monkeypatch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
 
     def run(*arguments):

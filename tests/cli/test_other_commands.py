@@ -93,7 +93,7 @@ class TestValidate:
         def press(progress, part):
             os.kill(os.getpid(), signal.SIGINT)
 
-        monkeypatch.setattr("workbench.cli.progress.PartProgress.show", press)
+        monkeypatch.setattr("workbench.cli.output.PartProgress.show", press)
         status, stdout, stderr = freeform("validate", lens, "--rays", MOST_RAYS)
         assert (status, stdout, stderr) == (130, "", "freeform: interrupted\n")
 

@@ -81,7 +81,7 @@ def reports(wavy, white):
         contextlib.redirect_stderr(said),
     ):
         patch.setattr("workbench.pictures.report.lens_image", lambda *_, **__: white)
-        patch.setattr("workbench.cli.progress._LINES", math.inf)
+        patch.setattr("workbench.cli.output._LINES", math.inf)
         patch.setattr(logging.getLogger("workbench.compiled"), "disabled", True)
         status = main(arguments)
     assert (status, said.getvalue()) == (0, "")

@@ -7,8 +7,8 @@ import sys
 import pytest
 
 from workbench.errors import Refused
+from workbench.files.atomic import locked
 from workbench.files.fingerprint import fingerprint
-from workbench.files.lock import locked
 from workbench.files.session import Session, write_session
 from workbench.targets import load_target
 
@@ -29,7 +29,7 @@ def test_writing_a_session_gives_its_fingerprint(make_scene, tmp_path):
 
 
 HOLD = (
-    "import sys, time; from pathlib import Path; from workbench.files.lock import locked\n"
+    "import sys, time; from pathlib import Path; from workbench.files.atomic import locked\n"
     "with locked(Path(sys.argv[1]), 'busy'): print(flush=True); time.sleep(60)"
 )
 

@@ -24,8 +24,8 @@ from tests.soak.hand import Hand, SeenWidgets, middle
 from tests.soak.screen import Screen, virtual_screen
 from ui import app
 from ui.main_window import MainWindow
+from workbench.analysis.benchmark.examples import Table, TableColumn
 from workbench.analysis.benchmark.machine import Machine
-from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.design.loss import relative_error
 
 _TICK_MS = 5

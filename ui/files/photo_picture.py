@@ -69,7 +69,7 @@ class PhotoPicture(QObject):
     def save(self, path: "Path") -> None:
         """Save the photo as PNG."""
         # Late: what it stands on is slow to import.
-        from workbench.analysis.photo.png import write_png
+        from workbench.analysis.photo.photo import write_png
 
         photo = self._view.photo
         if photo is None:  # the lens has changed while the dialog stood

@@ -6,8 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbench.analysis.agreement import RandomShare, run_apart
-from workbench.analysis.by_cells import ByCells
+from workbench.analysis.by_cells import ByCells, RandomShare, run_apart
 from workbench.analysis.metrics import Quality, relative_l2, root
 from workbench.analysis.regions import RegionLight
 from workbench.analysis.shading import Shading

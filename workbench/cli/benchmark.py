@@ -53,7 +53,7 @@ def draw_result(name: str, result: Path, folder: Path, against: Path | None) -> 
     if name not in WITH_CURVES:
         raise Refused(name, f"has no curves; --result is for {', '.join(WITH_CURVES)}")
     _check([name], folder, against)
-    from workbench.analysis.benchmark.earlier import kept_courses  # slow import
+    from workbench.analysis.benchmark.frontier import kept_courses  # slow import
 
     _draw(name, kept_courses(result), _earlier(against), folder)
     print(folder / f"{name}.png")
@@ -76,7 +76,7 @@ def _check(names: Sequence[str], folder: Path, against: Path | None) -> None:
 def _earlier(against: Path | None) -> Sequence[Any]:
     if against is None:
         return ()
-    from workbench.analysis.benchmark.earlier import earlier_courses
+    from workbench.analysis.benchmark.frontier import earlier_courses
 
     return earlier_courses(against)
 

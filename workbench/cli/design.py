@@ -10,7 +10,7 @@ from pathlib import Path
 
 from workbench.cli.checkpoints import CheckpointWriter
 from workbench.cli.interruption import EndedBySignal, Interruption
-from workbench.cli.progress import Progress
+from workbench.cli.output import Progress
 from workbench.design.design_run import DesignRun
 from workbench.design.light_files import why_light_is_not_kept
 from workbench.design.picture import why_not_kept

@@ -1,6 +1,7 @@
-"""``freeform validate``."""
+"""``freeform validate`` and ``freeform bound``."""
 
 import json
+import sys
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
@@ -15,13 +16,14 @@ from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array
-from workbench.cli.progress import PartProgress
+from workbench.cli.output import PartProgress
 from workbench.design.session import result_of, verified_error
 from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.session import read_session
+from workbench.files.session import open_design, read_session
 from workbench.scene import AnyReceiver, Scene
+from workbench.system_memory import keep_freed_memory
 
 
 def validate(
@@ -202,3 +204,21 @@ def _interval(ends: tuple[float, float]) -> str:
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:
     return "-" if value is None else f"{value:{form}}{tail}"
+
+
+def bound(path: Path, as_json: bool) -> None:
+    """Print the lower bound of the error for a scene; raise Refused if it cannot be read."""
+    keep_freed_memory()  # a search makes the same arrays over and over
+    session = open_design(path)
+    for remark in session.picture_remarks:
+        print(remark, file=sys.stderr)
+    session.scene.check_one_image("the bound")
+    found = Bound(session.scene, session.target)
+    if as_json:
+        print(json.dumps(found.to_data()))
+        return
+    for sentence in found.sentences:
+        print(sentence)
+    print("\nAssumptions")
+    for assumption in found.assumptions:
+        print(f"  {assumption}")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
-from workbench.files.json_text import check_fields_once
+from workbench.files.header import check_fields_once
 from workbench.reading import opened
 from workbench.said import Said
 from workbench.scene import Scene

@@ -1,12 +1,14 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
+import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
+from pathlib import Path, PurePath
 
 from workbench import __version__
 from workbench.arrays import Array, Mask
 from workbench.design.net import definite
+from workbench.design.picture import LARGEST_PICTURE
 from workbench.design.session import KeptRun as KeptRun  # to be had from here, too
 from workbench.design.session import Session as Session
 from workbench.design.task import begin
@@ -27,7 +29,7 @@ from workbench.files.designs import (
     read_target,
     with_read_targets,
 )
-from workbench.files.entries import Entries
+from workbench.files.entries import Entries, write_array
 from workbench.files.figures import Figures, VerifiedFigures
 from workbench.files.fingerprint import digest
 from workbench.files.header import (
@@ -40,8 +42,6 @@ from workbench.files.header import (
     read_header,
     read_part,
 )
-from workbench.files.light_files import light_entries, names_of_light, with_kept_light
-from workbench.files.npy import write_array
 from workbench.files.scene import (
     LARGEST_TEXT,
     read_scene,
@@ -261,3 +261,49 @@ def _read_runs(
 def _folder(number: int) -> str:
     """What the names of a kept run's entries begin with."""
     return f"runs/{number}/"
+
+
+_ENDING = re.compile(r"\.[a-z0-9]{1,8}")
+
+
+def light_entries(folder: str, scene: Scene, kept: Mapping[str, bytes | None]) -> dict[str, bytes]:
+    """What to write for a design, by names of entries; what is ``kept`` already is left out."""
+    files = scene.light_files
+    names = _entry_names(folder, scene)
+    return {
+        names[file]: data
+        for file, data in files.items()
+        if data is not None and kept.get(file) != data
+    }
+
+
+def names_of_light(entries: Entries, folder: str, scene: Scene) -> set[str]:
+    """Those of a design's entries of light that are there."""
+    return {name for name in _entry_names(folder, scene).values() if name in entries}
+
+
+def with_kept_light(
+    entries: Entries, folder: str, scene: Scene, kept: Mapping[str, bytes | None]
+) -> Scene:
+    """The scene of a design with what its sources' files held when it was written.
+
+    `folder`: what the names of the design's entries begin with; `scene`: its scene; `kept`: what is
+    kept in other entries, by names of files.
+    """
+    found = dict(kept)
+    for file, name in _entry_names(folder, scene).items():
+        if name in entries:
+            found[file] = entries.content(name, LARGEST_PICTURE)
+    return scene.carrying(found)
+
+
+def _entry_names(folder: str, scene: Scene) -> dict[str, str]:
+    return {
+        file: f"{folder}light_{number}{_ending(file)}"
+        for number, file in enumerate(scene.light_files)
+    }
+
+
+def _ending(file: str) -> str:
+    ending = PurePath(file).suffix.lower()
+    return ending if _ENDING.fullmatch(ending) else ""

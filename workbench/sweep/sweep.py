@@ -15,8 +15,7 @@ from typing import Any, Protocol, TypeVar
 
 from workbench.design.session import VerifiedError
 from workbench.errors import Refused
-from workbench.files.atomic import check_writable, replacing
-from workbench.files.lock import locked
+from workbench.files.atomic import check_writable, locked, replacing
 from workbench.files.session import Session, read_session, write_session
 from workbench.sweep.points import Point, key_of, shown
 from workbench.sweep.processes import DesignTask, Done, Failed

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from workbench.analysis.benchmark import frontier
-from workbench.analysis.benchmark.fresh import FreshRun
 from workbench.analysis.benchmark.frontier import (
     Effort,
     courses,
     verified,
 )
+from workbench.analysis.benchmark.machine import FreshRun
 from workbench.analysis.benchmark.methods import METHODS, MethodLens
 from workbench.errors import RunFailed
 

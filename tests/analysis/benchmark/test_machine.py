@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import torch
 
-from workbench.analysis.benchmark.fresh import fresh_design
-from workbench.analysis.benchmark.machine import Machine, PeakMemory
+from workbench.analysis.benchmark.machine import Machine, PeakMemory, fresh_design
 
 
 def test_a_fresh_process_takes_time_and_memory(make_example):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from workbench.analysis.cells.grading import Grading
+from workbench.analysis.cells.drawing import Grading
 
 
 @pytest.mark.parametrize(("away", "foot"), [(0.1, 0.0), (0.5, -0.3), (8.0, 2.0)])

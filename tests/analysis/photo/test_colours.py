@@ -3,14 +3,15 @@
 import numpy as np
 import pytest
 
-from workbench.analysis.photo.colour import (
+from workbench.analysis.photo.light import (
+    LIGHTS,
     encoded,
     in_gamut,
+    light_of,
     linear_rgb,
     luminance,
     tristimulus,
 )
-from workbench.analysis.photo.light import LIGHTS, light_of
 
 WAVELENGTHS = np.linspace(0.38, 0.78, 401)
 

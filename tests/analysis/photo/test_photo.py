@@ -7,8 +7,7 @@ import pytest
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells.image import imaging
-from workbench.analysis.photo.colour import linear_rgb, tristimulus
-from workbench.analysis.photo.light import LIGHTS
+from workbench.analysis.photo.light import LIGHTS, linear_rgb, tristimulus
 from workbench.analysis.photo.photo import photograph
 from workbench.materials import CATALOGUE
 from workbench.watch import finished

@@ -5,8 +5,7 @@ import pytest
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.mitsuba import MitsubaScene
-from workbench.analysis.photo.colour import linear_rgb
-from workbench.analysis.photo.light import LIGHTS
+from workbench.analysis.photo.light import LIGHTS, linear_rgb
 from workbench.analysis.photo.photo import at_wavelength, photograph
 
 pytestmark = pytest.mark.full

@@ -10,7 +10,7 @@ import pytest
 from workbench.design.levels import COARSE
 from workbench.files.export.far_light import directions_of
 from workbench.files.export.photometric import write_ies, write_ldt
-from workbench.files.export.rays import leaving
+from workbench.files.export.tables import leaving
 from workbench.measured.photometry import read_photometry
 
 

@@ -6,7 +6,7 @@ import pytest
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.surfaces import SplineFace
-from workbench.files.export.rays import write_rays
+from workbench.files.export.tables import write_rays
 
 
 def load(path):

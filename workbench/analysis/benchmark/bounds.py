@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.signal import fftconvolve
 
-from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
-from workbench.analysis.benchmark.table import Table, TableColumn
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
 from workbench.arrays import Array

@@ -1,6 +1,6 @@
-"""The example scenes, ready to be measured."""
+"""The example scenes of benchmarks, and the tables of their results."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -116,10 +116,54 @@ def wavy(scene: Scene) -> Array:
     r_x, r_y = scene.optic.half_width
     rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
     receiver = scene.receiver
-    # a slope s bends light by (n − 1) s.
+    # A slope s bends light by (n − 1) s.
     wide = zip(receiver.half_extent, receiver.per_radian(scene.optic.base.height), strict=True)
     slope = min(0.1 * r / far for r, far in wide) / scene.optic.deflection
     height = slope * min(r_x, r_y) / (1.5 * np.pi)
     limits = HeightLimits.of(scene.optic, ControlNet.of(scene.optic))
     height = min(height, 0.4 * float((limits.upper - limits.lower).min()))
     return np.asarray(limits.undesigned + height * rise)
+
+
+@dataclass(frozen=True)
+class TableColumn:
+    """A column."""
+
+    name: str  # its key in JSON, and the attribute of a row that it shows
+    heading: str  # what people read; empty for a column that only JSON has
+    form: str = ""  # format specification of its values, such as ".1%"
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under a title."""
+
+    title: str  # what the rows are
+    columns: tuple[TableColumn, ...]  # what is known of each
+    # Anything with the columns' names as attributes; None for what does not apply.
+    rows: Sequence[Any]
+    note: str = ""  # what has to be known to read it
+
+    def to_markdown(self) -> str:
+        """Title, table and note, without the columns that have no heading."""
+        seen = [column for column in self.columns if column.heading]
+        lines = [
+            [column.heading for column in seen],
+            ["---"] * len(seen),
+            *([_shown(getattr(row, c.name), c.form) for c in seen] for row in self.rows),
+        ]
+        body = "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
+        note = f"\n{self.note}\n" if self.note else ""
+        return f"### {self.title}\n\n{body}\n{note}"
+
+    def to_data(self) -> list[dict[str, Any]]:
+        """The rows as plain dictionaries."""
+        return [
+            {column.name: getattr(row, column.name) for column in self.columns} for row in self.rows
+        ]
+
+
+def _shown(value: Any, form: str) -> str:
+    if value is None:
+        return "–"
+    return (format(value, form) if form else str(value)).replace("|", "\\|")

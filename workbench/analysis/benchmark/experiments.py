@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
 from workbench.analysis.benchmark.machine import PeakMemory
-from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.derivatives import irradiance_derivative
 from workbench.analysis.validation import validate
 from workbench.arrays import Array

@@ -1,15 +1,17 @@
-"""Verified error against time: what a person gets who waits so long."""
+"""Verified error against time, and curves of earlier benchmarks."""
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
+from pathlib import Path
 from typing import Any, NamedTuple
 
-from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
-from workbench.analysis.benchmark.fresh import fresh_design
+from pydantic import BaseModel, Field, FiniteFloat, ValidationError
+
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
+from workbench.analysis.benchmark.machine import fresh_design
 from workbench.analysis.benchmark.methods import METHODS, Method, MethodLens
-from workbench.analysis.benchmark.table import Table, TableColumn
 from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.validation import validate
 from workbench.arrays import Array
@@ -226,7 +228,7 @@ def _timed(method: Method, example: BenchmarkTask, iterations: int | None) -> It
 
 def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) -> TracedError:
     """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
-    # a method may design on a net of its own.
+    # A method may design on a net of its own.
     scene = example.scene.with_optic(example.scene.optic.shaped(control_points=lens.shape))
     image = finished(imaging(scene, {example.scene.optic.designed_face: lens}, accuracy))
     if image is None:
@@ -248,3 +250,51 @@ def _sooner(course: Course, yardstick: Course) -> float | None:
     goal = min(yardstick.errors)
     mine, theirs = course.time_to(goal), yardstick.time_to(goal)
     return None if mine is None or theirs is None else theirs / mine
+
+
+METHOD = "auto"
+"""The method whose curves are compared."""
+
+
+class _Row(BaseModel):
+    scene: str
+    method: str
+    curve: list[tuple[FiniteFloat, FiniteFloat]]
+    own_curve: list[tuple[FiniteFloat, FiniteFloat]] = []
+
+
+class _File(BaseModel):
+    rows: list[_Row] = Field(alias=TITLE)
+
+
+def kept_courses(path: Path) -> list[Course]:
+    """Read the curves of a result of ``freeform benchmark``.
+
+    `path`: the JSON file that a benchmark with curves has written. Raises `Refused` if it cannot be
+    read or is no such file.
+    """
+    try:
+        file = _File.model_validate_json(path.read_bytes())
+    except OSError as error:
+        raise Refused(str(path), f"cannot be read: {error.strerror or error}") from error
+    except ValidationError as error:
+        raise Refused(str(path), "has no curves; frontier.json of a benchmark is needed") from error
+    return [
+        Course(
+            row.scene,
+            row.method,
+            times=tuple(seconds for seconds, _ in row.curve),
+            errors=tuple(found for _, found in row.curve),
+            own_curve=tuple(row.own_curve),
+        )
+        for row in file.rows
+    ]
+
+
+def earlier_courses(path: Path) -> list[Course]:
+    """What ``auto`` was in a result, to be drawn beside a newer one; see `kept_courses`."""
+    return [
+        replace(course, method=f"{METHOD}, before", own_curve=())
+        for course in kept_courses(path)
+        if course.method == METHOD
+    ]

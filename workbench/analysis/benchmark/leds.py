@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbench.analysis.benchmark.examples import BenchmarkTask, Notify
-from workbench.analysis.benchmark.table import Table, TableColumn
+from workbench.analysis.benchmark.examples import BenchmarkTask, Notify, Table, TableColumn
 from workbench.analysis.validation import validate
 from workbench.arrays import Array, Mask
 from workbench.geometry.faces import NO_LOCKS

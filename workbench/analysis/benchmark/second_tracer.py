@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from resources import path
-from workbench.analysis.benchmark.examples import Notify
-from workbench.analysis.benchmark.table import Table, TableColumn
+from workbench.analysis.benchmark.examples import Notify, Table, TableColumn
 from workbench.analysis.cross_check import CrossCheck, cross_check
 from workbench.arrays import Array
 from workbench.geometry.surface import freeform_nets

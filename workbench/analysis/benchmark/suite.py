@@ -4,8 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from workbench.analysis.benchmark import bounds, experiments, frontier, leds, second_tracer
-from workbench.analysis.benchmark.examples import Notify
-from workbench.analysis.benchmark.table import Table
+from workbench.analysis.benchmark.examples import Notify, Table
 
 
 class Benchmark(NamedTuple):

@@ -11,13 +11,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
+from typing import BinaryIO
 
 import numpy as np
 import numpy.typing as npt
+from PIL import Image
 
 from workbench.analysis.cells.image import Levels
-from workbench.analysis.photo.colour import encoded, luminance
-from workbench.analysis.photo.light import LONGEST, SHORTEST, Illuminant, light_of
+from workbench.analysis.photo.light import (
+    LONGEST,
+    SHORTEST,
+    Illuminant,
+    encoded,
+    light_of,
+    luminance,
+)
 from workbench.analysis.tracing.elements import joined
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
@@ -245,3 +253,19 @@ class _Tracer:
 def _of_level(level: int, fraction: float) -> float:
     """The part of the first image that is done with a part of a level."""
     return 1 - math.pow(0.5, level + fraction)
+
+
+def write_png(photo: Photo, stops: float, file: BinaryIO) -> None:
+    """Write a photo in sRGB, one pixel for each of the receiver.
+
+    Pixels of a file are square: where those of the receiver are not, the photo is made as wide or
+    as high as it takes, with values between those of the pixels.
+
+    `stops`: exposure; see `Photo.picture`.
+    """
+    image = Image.fromarray(photo.picture(stops))
+    width, height = image.size
+    wanted = round(width * max(photo.aspect, 1.0)), round(height * max(1 / photo.aspect, 1.0))
+    if wanted != image.size:
+        image = image.resize(wanted, Image.Resampling.BILINEAR)
+    image.save(file, "PNG")

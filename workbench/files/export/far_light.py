@@ -181,7 +181,7 @@ def _window(scene: Scene, heights: Mapping[str, Tensor]) -> FarField:
                 window.center, window.half_angle, ends, strict=True
             )
         ]
-        # a line of light needs pixels that are not much narrower than long.
+        # A line of light needs pixels that are not much narrower than long.
         least = max(width for _, width in found) / _LONGEST
         half = tuple(min(max(width, least), 90.0 - abs(middle)) for middle, width in found)
         narrower = window.altered(half_angle=half, center=tuple(middle for middle, _ in found))

@@ -13,9 +13,9 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from workbench.arrays import Array
+from workbench.files.entries import write_array
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.tables import rounding, write_table
-from workbench.files.npy import write_array
 from workbench.scene.fields import ANGLE
 
 _DEEPEST = 65535
