@@ -53,6 +53,7 @@ _SIZES = "Flame and ball: magnifications"
 _SOURCES = "Flame: point and extended source"
 _RECEIVERS = "Walls and streets"
 _TWO_FACES = "Two freeform faces"
+_TRAINS = "Several elements"
 _DERIVATIVES = "Derivative maps of a flat lens"
 _LIGHTS = "Real lights"
 
@@ -223,6 +224,18 @@ EXAMPLES = (
         _TWO_FACES,
         "Photograph at two distances",
         "Thick glass moves the light, its exit face makes it parallel; compare both images.",
+    ),
+    Example(
+        "dome-cover",
+        _TRAINS,
+        "LED with dome, freeform lens and cover plate",
+        "The lens is designed with the dome before it and the plate behind it; see the rays.",
+    ),
+    Example(
+        "led-collimator",
+        _TRAINS,
+        "Collimated LED and freeform plate",
+        "A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.",
     ),
     *(
         Example(

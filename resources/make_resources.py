@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 import resources
-from resources import drawings, lights, receivers, two_faces
+from resources import drawings, lights, receivers, trains, two_faces
 from resources.fields_page import fields_page
 from resources.parts import bspline, lens, screen, shown
 from workbench.arrays import Array
@@ -84,7 +84,7 @@ def _grey_image(light: Array) -> Image.Image:
 
 def example(name: str) -> Scene:
     """Build the example scene of a name in `resources.EXAMPLES`."""
-    if job := (lights.SCENES | receivers.SCENES | two_faces.SCENES).get(name):
+    if job := (lights.SCENES | receivers.SCENES | two_faces.SCENES | trains.SCENES).get(name):
         return Scene.from_data(job)
     shape, _, variant = name.partition("-")
     if variant in ("", "512"):

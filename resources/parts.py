@@ -50,13 +50,15 @@ def shown(image: str, receiver: dict[str, Any], **fields: Any) -> dict[str, Any]
 
 
 def in_mm(
-    source: dict[str, Any], element: dict[str, Any], *images: dict[str, Any]
+    source: dict[str, Any],
+    elements: dict[str, Any] | Sequence[dict[str, Any]],
+    *images: dict[str, Any],
 ) -> dict[str, Any]:
-    """A scene in millimetres with one element."""
+    """A scene in millimetres with one element or several."""
     return {
         "version": 3,
         "unit": "mm",
         "source": source,
-        "elements": [element],
+        "elements": [elements] if isinstance(elements, dict) else elements,
         "images": images,
     }

@@ -1,0 +1,50 @@
+"""Example scenes of several elements."""
+
+from resources.parts import bspline, in_mm, lens, screen, shown
+
+SCENES = {
+    # A silicone dome on an LED of 1 mm, a freeform lens, and a plate that covers them.
+    "dome-cover": in_mm(
+        {"kind": "area", "position": [0, 0, -10], "half_width": [0.5, 0.5]},
+        [
+            lens(
+                [2.4, 2.4],
+                2.5,
+                1.41,
+                {"shape": "conic", "radius": -2.5},
+                name="dome",
+                position=[0, 0, -9.9],
+                outline="ellipse",
+            ),
+            lens([12, 12], 5, "PMMA", bspline(), outline="ellipse", min_thickness=1),
+            lens([25, 25], 2, "PMMA", {"shape": "plane"}, name="cover", position=[0, 0, 30]),
+        ],
+        shown("rectangle-125x50", screen(160, [116, 56], [145, 70])),
+    ),
+    # Radius, conic constant and distance make light of the LED's middle parallel within 0.05°.
+    "led-collimator": in_mm(
+        {"kind": "area", "position": [0, 0, -14.8], "half_width": [0.5, 0.5]},
+        [
+            lens(
+                [10, 10],
+                8,
+                "N-BK7",
+                {"shape": "conic", "radius": -10.3, "conic": -0.6},
+                name="collimator",
+                outline="ellipse",
+            ),
+            lens(
+                [10.5, 10.5],
+                4,
+                "PMMA",
+                bspline(),
+                name="plate",
+                position=[0, 0, 14],
+                outline="ellipse",
+                min_thickness=1,
+            ),
+        ],
+        shown("letter-256", screen(214, [60, 60], [128, 128])),
+    ),
+}
+"""Scenes by the names of their examples."""
