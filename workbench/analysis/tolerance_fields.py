@@ -79,17 +79,11 @@ class Tolerances:
     # Largest angle between lens and optical axis, turned about the middle of the entrance face;
     # anywhere in the disc of all such tilts, evenly.
     tilt: float = _tolerance(
-        "Tilt",
-        "Largest angle between {optic} and optical axis",
-        "tilt up to",
-        "degrees",
+        "Tilt", "Largest angle between {optic} and optical axis", "tilt up to", "degrees"
     )
     # Largest distance of the lens from the axis; evenly in the disc.
     decentre: float = _tolerance(
-        "Decentre",
-        "Largest distance of the {optic} from the axis",
-        "decentre up to",
-        "length",
+        "Decentre", "Largest distance of the {optic} from the axis", "decentre up to", "length"
     )
     # The same of the exit face alone, against the entrance face: turned about its own middle.
     exit_tilt: float = _tolerance(

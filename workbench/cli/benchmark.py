@@ -14,11 +14,7 @@ from workbench.files.atomic import check_writable, replacing
 
 
 def benchmark(
-    names: Sequence[str],
-    folder: Path,
-    iterations: int | None,
-    against: Path | None,
-    as_json: bool,
+    names: Sequence[str], folder: Path, iterations: int | None, against: Path | None, as_json: bool
 ) -> None:
     """Run benchmarks; each writes a table (Markdown and JSON) and a picture into a folder.
 

@@ -104,12 +104,7 @@ def _sentence(verdict: Verdict, unit: str) -> str:
 
 
 def tolerances(
-    path: Path,
-    within: Tolerances,
-    samples: int,
-    rays: int,
-    plot: Path | None,
-    as_json: bool,
+    path: Path, within: Tolerances, samples: int, rays: int, plot: Path | None, as_json: bool
 ) -> None:
     """Perturb the lens of a session at random and print the distribution of its error.
 
@@ -119,10 +114,7 @@ def tolerances(
     """
     if not within.any:
         names = [f"--{name.replace('_', '-')}" for name in ABOUT]
-        raise Refused(
-            "usage",
-            f"nothing is off; give {', '.join(names[:-1])} or {names[-1]}",
-        )
+        raise Refused("usage", f"nothing is off; give {', '.join(names[:-1])} or {names[-1]}")
     session = read_session(path)
     result = result_of(session, str(path))
     if plot is not None:

@@ -56,9 +56,7 @@ if TYPE_CHECKING:
     AccountFigures = _AccountFigures
 else:
     AccountFigures = create_model(
-        "AccountFigures",
-        __base__=_AccountFigures,
-        **{name: _loss_field(name) for name in LOSSES},
+        "AccountFigures", __base__=_AccountFigures, **{name: _loss_field(name) for name in LOSSES}
     )
 
 

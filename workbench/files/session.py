@@ -42,12 +42,7 @@ from workbench.files.header import (
     read_header,
     read_part,
 )
-from workbench.files.scene import (
-    LARGEST_TEXT,
-    read_scene,
-    with_absolute_files,
-    with_portable_files,
-)
+from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_files, with_portable_files
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
 from workbench.reading import opened

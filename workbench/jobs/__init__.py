@@ -31,10 +31,4 @@ JOBS: tuple[type[Job], ...] = (
 )
 """All jobs, in the order in which people are asked to choose."""
 
-__all__ = [
-    "JOBS",
-    "Dimension",
-    "Job",
-    "SideView",
-    "side_view",
-]
+__all__ = ["JOBS", "Dimension", "Job", "SideView", "side_view"]

@@ -7,14 +7,11 @@ from workbench.scene import ImageTarget, Measure, Part, Positive, Target
 from workbench.scene.fields import LENGTH, Choices, about
 
 Picture = Annotated[
-    Target,
-    about("Picture", "What the light shall draw: a picture file, a shape or a word."),
+    Target, about("Picture", "What the light shall draw: a picture file, a shape or a word.")
 ]
 Pair = tuple[Positive, Positive]
 Size = Annotated[
-    Pair,
-    LENGTH,
-    about("Lens size", "Full width and height of the lens; all of it is lit."),
+    Pair, LENGTH, about("Lens size", "Full width and height of the lens; all of it is lit.")
 ]
 ImageSize = Annotated[
     Pair,
@@ -27,9 +24,7 @@ Distance = Annotated[
     about("Distance to the image", "From the entrance face of the lens to the image."),
 ]
 LampDistance = Annotated[
-    Positive,
-    LENGTH,
-    about("Lamp to lens", "From the lamp to the entrance face of the lens."),
+    Positive, LENGTH, about("Lamp to lens", "From the lamp to the entrance face of the lens.")
 ]
 LampFlux = Annotated[
     Positive | None,

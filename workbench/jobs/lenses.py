@@ -92,9 +92,7 @@ class LedRectangle(LensJob):
 
     target: Picture = RectangleTarget(width=0.85, height=0.85, viewed_from="front")
     lamp_size: Annotated[
-        Pair,
-        LENGTH,
-        about("LED size", "Full width and height of the LED's bright face."),
+        Pair, LENGTH, about("LED size", "Full width and height of the LED's bright face.")
     ] = (1.0, 1.0)
     lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 15.0
@@ -161,14 +159,10 @@ class WallWasher(LensJob):
 
     target: Picture = RectangleTarget(width=0.9, height=0.9, viewed_from="front")
     wall_size: Annotated[
-        Pair,
-        LENGTH,
-        about("Lit wall", "Full width and height of what shall be lit of the wall."),
+        Pair, LENGTH, about("Lit wall", "Full width and height of what shall be lit of the wall.")
     ] = (1500.0, 1500.0)
     wall_distance: Annotated[
-        Positive,
-        LENGTH,
-        about("Lamp to wall", "From the lamp straight to the wall."),
+        Positive, LENGTH, about("Lamp to wall", "From the lamp straight to the wall.")
     ] = 1500.0
     above: Annotated[
         float,
@@ -181,9 +175,7 @@ class WallWasher(LensJob):
         ),
     ] = 900.0
     lamp_size: Annotated[
-        Pair,
-        LENGTH,
-        about("LED size", "Full width and height of the LED's bright face."),
+        Pair, LENGTH, about("LED size", "Full width and height of the LED's bright face.")
     ] = (1.0, 1.0)
     lamp_flux: LampFlux = None
     lamp_distance: LampDistance = 25.0
@@ -255,9 +247,7 @@ class MirrorJob(Job):
 
     target: Picture = shipped("letter")
     size: Annotated[
-        Pair,
-        LENGTH,
-        about("Mirror size", "Full width and height of the mirror; all of it is lit."),
+        Pair, LENGTH, about("Mirror size", "Full width and height of the mirror; all of it is lit.")
     ] = (30.0, 30.0)
     angular_diameter: Annotated[
         float,

@@ -282,8 +282,4 @@ def _proposal(session: Session) -> Figure:
         net = Said(
             "{height:.3g} {unit} thick, {net}", height=height, unit=session.scene.unit, net=net
         )
-    return Figure(
-        Said("Proposed"),
-        net,
-        Said("All of it can be changed in the window."),
-    )
+    return Figure(Said("Proposed"), net, Said("All of it can be changed in the window."))

@@ -107,10 +107,7 @@ def _dimensions(scene: Scene, axis: int, image: Array, source: Array) -> tuple[D
     sign = receiver.measure.sign_in(unit)
     found = [
         Dimension(np.array([[front, -half], [front, half]]), written(2 * half, unit)),
-        Dimension(
-            image[[0, -1]],
-            written(2 * receiver.half_extent[axis], sign),
-        ),
+        Dimension(image[[0, -1]], written(2 * receiver.half_extent[axis], sign)),
     ]
     here = np.array([front, 0.0])
     if receiver.at_distance:

@@ -48,10 +48,7 @@ def _drawn_screen(scene: Scene) -> Screen | None:
     (r_x, r_y), (x, y) = screen.half_width, screen.center
     z = min(screen.z, scene.optic.highest + _TO_SCREEN * _lens_width(scene))
     return screen.model_copy(
-        update={
-            "half_width": (scale * r_x, scale * r_y),
-            "position": (scale * x, scale * y, z),
-        }
+        update={"half_width": (scale * r_x, scale * r_y), "position": (scale * x, scale * y, z)}
     )
 
 

@@ -26,10 +26,7 @@ _BLUE, _ORANGE, _GREY = "#2f86d1", "#d9822b", "#8a8f98"
 
 
 def draw_focus(
-    figure: "FigureBase",
-    scene: Scene,
-    target: Array,
-    series: Sequence["Focus"],
+    figure: "FigureBase", scene: Scene, target: Array, series: Sequence["Focus"]
 ) -> None:
     """Draw up to twelve images on one scale, and the error curve below."""
     chosen = np.unique(np.linspace(0, len(series) - 1, min(len(series), _MOST)).round().astype(int))

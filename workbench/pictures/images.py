@@ -92,11 +92,7 @@ class IrradianceImage(UpdatedPicture):
     values: Array
 
     def __init__(
-        self,
-        axes: "Axes",
-        scene: Scene,
-        target: npt.NDArray[Any],
-        name: str = "",
+        self, axes: "Axes", scene: Scene, target: npt.NDArray[Any], name: str = ""
     ) -> None:
         self._scene, self._target, self._unit = scene, target, light_unit(scene)
         self._image = receiver_map(axes, name or scene.receiver.density, scene, LIGHT)

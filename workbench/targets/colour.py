@@ -213,11 +213,7 @@ def _of_profile(image: Image.Image, content: bytes) -> tuple[Colour, str]:
     statement = Said("the colour profile “{name}”", name=name)
     space = profile.profile.xcolor_space.strip()
     is_grey = image.mode in ("1", "L", "LA", "La") or image.mode.startswith("I;16")
-    fits = {
-        "GRAY": is_grey,
-        "RGB": image.mode != "CMYK",
-        "CMYK": image.mode == "CMYK",
-    }
+    fits = {"GRAY": is_grey, "RGB": image.mode != "CMYK", "CMYK": image.mode == "CMYK"}
     if not fits.get(space, False):
         raise ValueError(f"it is for {space}, and the picture has {image.mode}")
     if space == "GRAY":

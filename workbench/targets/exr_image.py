@@ -14,13 +14,7 @@ from workbench.arrays import Array
 from workbench.said import Said
 from workbench.targets import exr_reader
 from workbench.targets.colour import REC_709, luminance_weights
-from workbench.targets.picture import (
-    MOST_PIXELS,
-    Picture,
-    UnusablePicture,
-    check_size,
-    gathered,
-)
+from workbench.targets.picture import MOST_PIXELS, Picture, UnusablePicture, check_size, gathered
 
 _MAGIC = b"\x76\x2f\x31\x01"
 _SQUARE = 1e-3  # tolerance of the aspect of square pixels
@@ -85,10 +79,7 @@ def _unpacked(folder: Path) -> Mapping[str, Any]:
 
 
 def _displayed(
-    pixels: Sequence[Array],
-    weights: Array,
-    corner: tuple[int, int],
-    size: tuple[int, int],
+    pixels: Sequence[Array], weights: Array, corner: tuple[int, int], size: tuple[int, int]
 ) -> Picture:
     (first_row, first_column), (rows, columns) = corner, size
     height, width = pixels[0].shape

@@ -12,27 +12,10 @@ from PIL import Image, UnidentifiedImageError
 from workbench.arrays import Array
 from workbench.said import Said
 from workbench.targets.colour import LINEAR, NUMBERS, Colour, Tone, grey_of_lab
-from workbench.targets.picture import (
-    MOST_PIXELS,
-    Picture,
-    UnusablePicture,
-    check_size,
-    gathered,
-)
+from workbench.targets.picture import MOST_PIXELS, Picture, UnusablePicture, check_size, gathered
 
 # Named one by one because pillow knows formats that start other programs (EPS: Ghostscript).
-_OF_PILLOW = (
-    "PNG",
-    "JPEG",
-    "TIFF",
-    "BMP",
-    "GIF",
-    "WEBP",
-    "PPM",
-    "JPEG2000",
-    "TGA",
-    "AVIF",
-)
+_OF_PILLOW = ("PNG", "JPEG", "TIFF", "BMP", "GIF", "WEBP", "PPM", "JPEG2000", "TGA", "AVIF")
 FORMATS = (*_OF_PILLOW, "HEIF")
 """Image formats by pillow's names."""
 
@@ -100,9 +83,7 @@ def _light(image: Image.Image, tone: Tone, is_negative: bool) -> Picture:
     image.load()  # applies the orientation of a TIFF and may change its size
     light_of, meant, remarks = _reader(image, tone, is_negative)
     found = gathered(
-        image.height,
-        image.width,
-        lambda top, end: light_of(image.crop((0, top, image.width, end))),
+        image.height, image.width, lambda top, end: light_of(image.crop((0, top, image.width, end)))
     )
     if image.format != "MPO" and (frames := getattr(image, "n_frames", 1)) > 1:
         remarks.append(Said("has {frames} frames or pages; the first one counts", frames=frames))

@@ -56,9 +56,7 @@ class BenchmarkTask:
     def photo(cls, size: int) -> "BenchmarkTask":
         """The photograph at ``size`` pixels a side, with rays in proportion."""
         example = cls.of(
-            "photo",
-            photograph(size),
-            {"source.rays": 2 * size, "images[0].receiver.pixels": size},
+            "photo", photograph(size), {"source.rays": 2 * size, "images[0].receiver.pixels": size}
         )
         return replace(example, name=f"photo-{size}")
 

@@ -140,11 +140,7 @@ def quick(iterations: int | None) -> Effort:
 def frontier(iterations: int | None) -> Effort:
     """Every kind of scene at full size."""
     names = ("tophat", "ball", "flame", "letter", "photo", "flame-point")
-    examples = (
-        *map(BenchmarkTask.of, names),
-        BenchmarkTask.cloud(),
-        BenchmarkTask.photo(512),
-    )
+    examples = (*map(BenchmarkTask.of, names), BenchmarkTask.cloud(), BenchmarkTask.photo(512))
     methods = ("paper", "transport", "auto")
     return Effort(examples, methods, iterations, step=math.sqrt(2), processes=3)
 

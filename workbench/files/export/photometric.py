@@ -15,12 +15,7 @@ from workbench import __version__
 from workbench.arrays import Array
 from workbench.files.export.design import Design, Deviation
 from workbench.files.export.far_light import FarLight, far_light
-from workbench.files.export.fitted_table import (
-    MOST_VALUES,
-    FittedTable,
-    error_of,
-    fitted_table,
-)
+from workbench.files.export.fitted_table import MOST_VALUES, FittedTable, error_of, fitted_table
 from workbench.measured.lamps import light_unit, ray_model
 from workbench.measured.photometry import IntensityTable
 from workbench.measured.photometry.ies import read_ies

@@ -238,10 +238,7 @@ def _rounding(face: Design, precision: float) -> float:
     sideways = sum(
         r * np.abs(np.diff(heights, axis=0) / np.diff(places)[:, None]).max()
         for r, heights, places in zip(
-            face.net.half_width,
-            (face.heights, face.heights.T),
-            face.net.positions,
-            strict=True,
+            face.net.half_width, (face.heights, face.heights.T), face.net.positions, strict=True
         )
     )
     return precision * float(np.abs(face.heights).max() + sideways)

@@ -12,14 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from workbench.measured.photometry.table import IntensityTable, possible, table_of
-from workbench.measured.text import (
-    count,
-    lines_of,
-    number,
-    trailing,
-    with_points,
-    wrong_length,
-)
+from workbench.measured.text import count, lines_of, number, trailing, with_points, wrong_length
 from workbench.said import Said
 
 _MOST_ANGLES = 1 << 14
