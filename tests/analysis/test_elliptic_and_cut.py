@@ -19,7 +19,7 @@ from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
-from workbench.watch import finished
+from workbench.progress import finished
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from workbench.analysis.scatter import CorrectedDistance
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.analysis.validation import validate
-from workbench.watch import finished
+from workbench.progress import finished
 
 LED = {"kind": "area", "center": [0.1, 0, -0.5], "half_width": [0.1, 0.1]}
 

@@ -6,7 +6,7 @@ import pytest
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.watch import finished
+from workbench.progress import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))  # in cm: 1e-4 is a micrometre
 FACES = {

@@ -12,8 +12,8 @@ from workbench.jobs.estimate import estimating
 from workbench.jobs.job import blur_widths
 from workbench.jobs.lenses import LedRectangle, MirrorJob, SunPlate, Torch
 from workbench.jobs.prospect import _light_of, prospecting
+from workbench.progress import finished
 from workbench.scene.paths import with_values
-from workbench.watch import finished
 
 EVEN = {"target": {"builtin": "rectangle"}}
 

@@ -16,7 +16,7 @@ from ui.widgets.message_bar import MessageBar
 from ui.words import tr
 from workbench.files.export.formats import GCODE, Format, formats_for
 from workbench.files.export.options import MILLIMETRES, SCENE_UNIT, mesh_unit_of
-from workbench.interruption import Interrupted
+from workbench.progress import Interrupted
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -150,7 +150,7 @@ def _write(
             told = round(100 * done)
             task.report(told)
 
-    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, watch=watch)
+    (written,) = export(session, [path], mesh_unit=mesh_unit, plan=plan, progress=watch)
     return written
 
 

@@ -19,7 +19,7 @@ from ui.threads.background import Task
 from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
-from workbench.interruption import given_up_when, interrupted_when
+from workbench.progress import given_up_when, interrupted_when
 
 if TYPE_CHECKING:
     from workbench.files.session import Session

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ui.threads.background import Task
-from workbench.interruption import Interrupted, interrupted_when
+from workbench.progress import Interrupted, interrupted_when
 
 if TYPE_CHECKING:
     from workbench.sweep.points import Point

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal, Slot
 
-from workbench.interruption import Interrupted, given_up_when
+from workbench.progress import Interrupted, given_up_when
 
 Step = TypeVar("Step")
 End = TypeVar("End")

@@ -14,9 +14,9 @@ from workbench.analysis.scatter import CorrectedDistance, IndependentError, trac
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.arrays import Array
+from workbench.progress import Steps, within
 from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
-from workbench.watch import Steps, within
 
 # Of two tests, each gives a false alarm in one of 80,000 checks at most: Student's t of the batches
 # of rays on each side. Batches that exclude each other scatter less together than these allow.

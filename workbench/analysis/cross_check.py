@@ -14,10 +14,10 @@ from workbench.analysis.through_focus import through_focus
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
+from workbench.progress import Progress, fraction_of, no_progress
 from workbench.said import Said
 from workbench.scene import Lens, Scene
 from workbench.scene.losses import TakesLight
-from workbench.watch import Watch, fraction_of, unwatched
 
 # Standard deviations that hold 95 %.
 _95 = 1.96
@@ -82,7 +82,7 @@ def cross_check(
     heights: Mapping[str, Array],
     rays: int = 4_000_000,
     seed: int = 1,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> CrossCheck:
     """Trace a lens by our independent tracer and by Mitsuba, and compare.
 
@@ -99,7 +99,7 @@ def cross_check(
     theirs = MitsubaScene(scene, heights)
     half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {
-        "mitsuba": [theirs.flux(half, seed + k, fraction_of(watch, k, 1, 4)) for k in (0, 1)],
+        "mitsuba": [theirs.flux(half, seed + k, fraction_of(progress, k, 1, 4)) for k in (0, 1)],
         "ours": [
             through_focus(
                 scene,
@@ -107,7 +107,7 @@ def cross_check(
                 None,
                 half,
                 seed + k,
-                watch=fraction_of(watch, 2 + k, 1, 4),
+                progress=fraction_of(progress, 2 + k, 1, 4),
             )[0]
             * measure
             for k in (0, 1)

@@ -18,9 +18,9 @@ from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.ball_cutter import Raster
+from workbench.progress import Steps, of_equal, within
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.watch import Steps, of_equal, within
 
 
 class CutLens(NamedTuple):

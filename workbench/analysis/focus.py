@@ -9,8 +9,8 @@ import numpy as np
 from workbench.analysis.metrics import relative_l2
 from workbench.analysis.through_focus import through_focus
 from workbench.arrays import Array
+from workbench.progress import Progress, fraction_of, no_progress
 from workbench.scene import Scene
-from workbench.watch import Watch, fraction_of, unwatched
 
 # Bytes of images that one trace fills.
 _LARGEST_IMAGES = 1 << 27
@@ -52,7 +52,7 @@ def focus_series(
     heights: Mapping[str, Array],
     distances: Sequence[float],
     rays: int = 1_000_000,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> Iterator[Focus]:
     """Images at several distances, by the same rays.
 
@@ -73,8 +73,8 @@ def focus_series(
     at_once = max(_LARGEST_IMAGES // (8 * math.prod(scene.receiver.pixels)), 1)
     for first in range(0, len(distances), at_once):
         some = distances[first : first + at_once]
-        part = fraction_of(watch, first, len(some), len(distances))
-        images = through_focus(scene, heights, some, rays, watch=part)
+        part = fraction_of(progress, first, len(some), len(distances))
+        images = through_focus(scene, heights, some, rays, progress=part)
         for z, image in zip(some, images, strict=True):
             flux = scene.receiver.total(image)
             yield Focus(z, relative_l2(image, target), flux, _small(image))

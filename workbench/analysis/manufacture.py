@@ -18,7 +18,7 @@ from workbench.geometry.basis import basis_matrix
 from workbench.geometry.curvature import equal_parts, local_shape
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.interruption import check_given_up
+from workbench.progress import check_given_up
 from workbench.scene import Element
 
 # Least numbers of parts along each axis that hulls are made of. Twice as many places are looked at.

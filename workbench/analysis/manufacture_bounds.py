@@ -15,7 +15,7 @@ from scipy.sparse import csr_array
 from workbench.arrays import Array, Mask
 from workbench.geometry.curvature import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
-from workbench.interruption import check_given_up
+from workbench.progress import check_given_up
 
 # Coefficients that are looked at together.
 _AT_ONCE = 1 << 20

@@ -19,8 +19,8 @@ from workbench.analysis.mitsuba_lights import check_known, mitsuba_lights
 from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.arrays import Array
 from workbench.errors import Refused
+from workbench.progress import Progress, no_progress
 from workbench.scene import Scene
-from workbench.watch import Watch, unwatched
 
 # Variant without a compiler at run time: that of the others needs an LLVM of the right version.
 _VARIANT = "scalar_rgb"
@@ -66,7 +66,7 @@ class MitsubaScene:
             **mitsuba_elements(self._mi, scene, heights, screen, self._unit),
         }
 
-    def flux(self, rays: int, seed: int, watch: Watch = unwatched) -> Array:
+    def flux(self, rays: int, seed: int, progress: Progress = no_progress) -> Array:
         """Part of the emitted light in each pixel.
 
         Parameters
@@ -75,7 +75,7 @@ class MitsubaScene:
             Paths to trace at least; rounded up to as many for each pixel in each pass.
         seed : int
             The same seed gives the same paths.
-        watch : callable
+        progress : callable
             Called with the part that is done.
 
         Returns
@@ -96,7 +96,7 @@ class MitsubaScene:
         for done, state in enumerate(states, 1):
             picture = self._mi.render(lit, spp=samples, seed=int(state))
             radiance += np.array(picture)[:, :, 0]
-            watch(done / passes)
+            progress(done / passes)
         if self._sense < 0:  # seen from the other side, x goes to the left
             radiance = radiance[:, ::-1]
         # Scattered evenly into the half-sphere.

@@ -13,8 +13,8 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace
 from workbench.arrays import Array
+from workbench.progress import Steps, within
 from workbench.scene import Scene
-from workbench.watch import Steps, within
 
 FEWER = 4
 """The second image has so many times fewer rays."""

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from workbench.analysis.tracing.trace import Trace, added
 from workbench.analysis.tracing.train import Tally
 from workbench.arrays import Array
+from workbench.progress import Progress, no_progress
 from workbench.scene import Scene
-from workbench.watch import Watch, unwatched
 
 
 def through_focus(
@@ -15,7 +15,7 @@ def through_focus(
     distances: Sequence[float] | None,
     rays: int = 1_000_000,
     seed: int = 1,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> Array:
     """Irradiance on screens at several distances, from one trace.
 
@@ -30,7 +30,7 @@ def through_focus(
     for batch in trace.batches():
         total = added(total, batch)
         del batch
-        watch(trace.part)
+        progress(trace.part)
     assert total is not None
     n_x, n_y = scene.receiver.pixels
     images: Array = total.flux.reshape(-1, n_y, n_x)

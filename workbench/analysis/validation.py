@@ -31,9 +31,9 @@ from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.measured.lamps import light_unit
 from workbench.optics.account import Account
+from workbench.progress import Progress, Steps, finished, no_progress, of_equal, within
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
 Images = list[npt.NDArray[np.float32]]
 
@@ -53,7 +53,7 @@ def validate(
     pose: Pose | None = None,
     threads: int | None = None,
     accuracy: float | None = None,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> Validation:
     """Trace a lens anew.
 
@@ -84,7 +84,7 @@ def validate(
     0.04
     """
     steps = validating(scene, target, heights, rays, seed, screen_z, pose, threads, accuracy)
-    return finished(steps, watch)
+    return finished(steps, progress)
 
 
 def validating(

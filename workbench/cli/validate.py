@@ -54,9 +54,9 @@ def validate(
     compared = None
     if with_mitsuba:
         with closing(PartProgress("with Mitsuba")) as progress:
-            compared = cross_check(*task, watch=progress.show)
+            compared = cross_check(*task, progress=progress.show)
     with closing(PartProgress("check")) as progress:
-        found = compute_check(*task, accuracy=ACCURACY, watch=progress.show)
+        found = compute_check(*task, accuracy=ACCURACY, progress=progress.show)
     # The optimiser's image is on the receiver of the scene.
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance

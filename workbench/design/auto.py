@@ -33,8 +33,8 @@ from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
-from workbench.interruption import check_given_up
 from workbench.optics.plan import device_of, tensors_of
+from workbench.progress import check_given_up
 from workbench.scene import Scene
 
 

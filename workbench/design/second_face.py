@@ -7,7 +7,7 @@ from workbench.design.endings import GAINED, NO_IMAGE
 from workbench.design.room import Room
 from workbench.design.step import Step
 from workbench.errors import RunFailed
-from workbench.interruption import check_interruption
+from workbench.progress import check_interruption
 from workbench.said import Said
 
 Steps = Generator[Step, None, str]

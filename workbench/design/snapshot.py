@@ -10,7 +10,7 @@ from workbench.arrays import Array
 from workbench.design.endings import FAILED, IN_VAIN, STOPPED
 from workbench.design.lens_state import LensState
 from workbench.errors import RunFailed
-from workbench.interruption import Interrupted
+from workbench.progress import Interrupted
 from workbench.said import Said
 
 

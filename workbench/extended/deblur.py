@@ -24,8 +24,7 @@ from workbench.arrays import AnyArray, Array
 from workbench.extended.blur import Blur
 from workbench.extended.blurring import Blurring
 from workbench.extended.certificate import Certifier
-from workbench.interruption import check_given_up
-from workbench.watch import finished
+from workbench.progress import check_given_up, finished
 
 # Weights of the copies of image and light, and over-relaxation. In long searches the weight of
 # light decreases: 60 steps reach an error of 7.95 % for a letter in the sun, 9.3 % with 0.003

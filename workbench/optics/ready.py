@@ -20,9 +20,9 @@ from enum import Enum
 
 import torch
 
-from workbench.interruption import given_up_when
 from workbench.optics.kernels import beam_image, box_image
 from workbench.optics.train import compiled
+from workbench.progress import given_up_when
 
 # What compiles a kernel for a float type, by tiny calls.
 _COMPILERS: dict[str, Callable[[torch.dtype], None]] = {

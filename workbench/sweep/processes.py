@@ -20,7 +20,7 @@ from workbench.design.design_run import DesignRun
 from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result
 from workbench.errors import Refused, RunFailed
-from workbench.interruption import check_interruption
+from workbench.progress import check_interruption
 from workbench.scene import Scene
 
 Key = TypeVar("Key")
@@ -106,7 +106,7 @@ class Processes:
         """Run tasks, drawn from the iterator as processes become free.
 
         Yield each task's key and result, in the order of completion. Raise Interrupted if the
-        program is interrupted; see `workbench.interruption`.
+        program is interrupted; see `workbench.progress`.
         """
         busy: dict[Connection, Key] = {}
         while True:

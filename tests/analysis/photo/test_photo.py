@@ -10,7 +10,7 @@ from workbench.analysis.cells.image import imaging
 from workbench.analysis.photo.light import LIGHTS, linear_rgb, tristimulus
 from workbench.analysis.photo.photo import photograph
 from workbench.materials import CATALOGUE
-from workbench.watch import finished
+from workbench.progress import finished
 
 DISPERSIVE = {"lens.refractive_index": "PMMA", "lens.wavelength_um": 0.55}
 # All light of the plate on the screen, which stands far away, in few pixels.

@@ -28,8 +28,8 @@ from workbench.files.session import write_session
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.optics.account import Account
+from workbench.progress import finished
 from workbench.scene import ConicFace, Scene
-from workbench.watch import finished
 
 N = 1.5
 R_0 = ((N - 1) / (N + 1)) ** 2  # at normal incidence

@@ -12,7 +12,7 @@ from workbench.files.export.options import Cutting
 from workbench.geometry.ball_cutter import CutFace
 from workbench.geometry.outlines import Rectangle
 from workbench.geometry.surface import ControlNet
-from workbench.watch import finished
+from workbench.progress import finished
 
 NET = ControlNet((24, 20), (3, 3), (1.0, 0.8))
 RADIUS, SCALLOP = 0.2, 0.002

@@ -8,11 +8,11 @@ import pytest
 import torch
 
 from workbench import compiled
-from workbench.interruption import given_up_when
 from workbench.optics import ready, tracers
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
 from workbench.optics.surfaces import BSplineSurface
+from workbench.progress import given_up_when
 
 
 def lens(scene, seed=3):

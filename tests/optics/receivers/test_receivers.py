@@ -13,8 +13,8 @@ from workbench.analysis.cells.image import imaging
 from workbench.geometry.surface import ControlNet
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.path import Path
+from workbench.progress import finished, no_progress
 from workbench.scene import Screen
-from workbench.watch import finished, unwatched
 
 RECEIVERS = {
     "aside": {"screen.center": [0.8, -0.3]},
@@ -121,7 +121,7 @@ def test_all_light_is_accounted_for_and_both_tracers_agree(make_scene, receiver,
     light = BeamPlan(scene, (200, 200), dtype=torch.float64, fused=fused).trace({"exit": heights})
     account = light.account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
-    image = finished(imaging(scene, {"exit": heights.numpy()}, 2e-3), unwatched)
+    image = finished(imaging(scene, {"exit": heights.numpy()}, 2e-3), no_progress)
     flux = image.irradiance * scene.receiver.pixel_measure
     assert flux.sum() > 0.1
     assert flux.sum() == pytest.approx(account.on_screen, abs=2e-3)

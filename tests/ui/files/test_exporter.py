@@ -11,7 +11,7 @@ from PySide6.QtCore import QTimer
 from workbench.files.export.design import Design
 from workbench.files.export.gcode import planning
 from workbench.files.export.options import Cutting
-from workbench.watch import finished
+from workbench.progress import finished
 
 
 @pytest.fixture

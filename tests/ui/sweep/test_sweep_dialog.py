@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from workbench.interruption import check_interruption
+from workbench.progress import check_interruption
 from workbench.sweep.processes import Failed, attempt
 
 pytestmark = pytest.mark.usefixtures("kernels")

@@ -16,7 +16,7 @@ from workbench.analysis.cells.image import ACCURACY, imaging
 from workbench.analysis.validation import validate
 from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
-from workbench.watch import finished
+from workbench.progress import finished
 
 TITLE = "Verified error against time"
 

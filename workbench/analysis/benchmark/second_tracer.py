@@ -151,8 +151,8 @@ def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
     for case in cases():
         scene = scene_of(*case)
         target = np.ones(scene.receiver.pixels[::-1])
-        watch = _watch(notify, ", ".join(case))
-        yield SeenTwice(*case, cross_check(scene, target, bent(scene), rays, watch=watch))
+        progress = _progress_of(notify, ", ".join(case))
+        yield SeenTwice(*case, cross_check(scene, target, bent(scene), rays, progress=progress))
 
 
 def cases() -> Iterator[tuple[str, str, str, str]]:
@@ -164,7 +164,7 @@ def cases() -> Iterator[tuple[str, str, str, str]]:
     return ((*each, outline) for each in lit for outline in OUTLINES)
 
 
-def _watch(notify: Notify, case: str) -> Callable[[float], None]:
+def _progress_of(notify: Notify, case: str) -> Callable[[float], None]:
     return lambda done: notify(case, f"{done:.0%}")
 
 

@@ -15,8 +15,8 @@ from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.train import OpticalTrain, Tally
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
+from workbench.progress import Steps
 from workbench.scene import Scene
-from workbench.watch import Steps
 
 # Parts into which the work is divided whatever the number of threads: rounding depends on them.
 _PARTS = 16

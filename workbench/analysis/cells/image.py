@@ -17,9 +17,9 @@ from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
+from workbench.progress import Steps, within
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.watch import Steps, within
 
 ACCURACY = 1e-3
 """Relative error of an image that is good enough for a check of a lens."""

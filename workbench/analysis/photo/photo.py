@@ -36,10 +36,10 @@ from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.materials import CATALOGUE, Material
 from workbench.powers import written
+from workbench.progress import Progress, Steps, finished, no_progress, of_equal, within
 from workbench.said import Said
 from workbench.scene import CustomIndex, Lens, Scene
 from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
-from workbench.watch import Steps, Watch, finished, of_equal, unwatched, within
 
 # Cells are fine enough when half as many along each axis change the image by this part of it: eyes
 # do not see that in a picture of 256 steps.
@@ -104,7 +104,7 @@ def photograph(
     target: Array,
     heights: Mapping[str, Array],
     light: Illuminant | None = None,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> Photo:
     """Predict the photo of a lens's image.
 
@@ -113,7 +113,7 @@ def photograph(
     default as `light_of` says. Raises `Refused` if there are several images, or the lens is no
     body; `RunFailed` if no light reaches the screen.
     """
-    return finished(photographing(scene, target, heights, light), watch)
+    return finished(photographing(scene, target, heights, light), progress)
 
 
 def photographing(

@@ -14,8 +14,8 @@ from workbench.arrays import Array
 from workbench.design.transport.envelope import c_transform
 from workbench.design.transport.halves import doubled, halved
 from workbench.design.transport.push import mapped, push
-from workbench.interruption import check_given_up
 from workbench.optics.kernels import threads
+from workbench.progress import check_given_up
 
 # Light and target are first carried on grids of half as many cells along each axis, down to this.
 _COARSEST = 64

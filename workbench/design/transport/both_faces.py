@@ -20,7 +20,7 @@ from workbench.design.transport.start import FEW_ROUNDS, wanted_cells
 from workbench.design.transport.two_face_light import LightInLens, TwoFaceLight
 from workbench.geometry.faces import NO_FACES
 from workbench.geometry.surface import ControlNet, freeform_nets
-from workbench.interruption import check_interruption
+from workbench.progress import check_interruption
 from workbench.scene import Scene, WantedImage
 
 Vector = tuple[Array, Array, Array]

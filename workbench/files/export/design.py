@@ -13,8 +13,8 @@ from workbench.design.snapshot import Result
 from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
+from workbench.progress import Progress, no_progress
 from workbench.scene import Scene
-from workbench.watch import Watch, unwatched
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -43,7 +43,7 @@ class Design:
     cutting: Cutting = PLAIN  # options of G-code
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
     plan: "CutPlan | None" = None  # a finished plan of the cuts
-    watch: Watch = unwatched  # called with the finished fraction of a slow file
+    progress: Progress = no_progress  # called with the finished fraction of a slow file
 
     @property
     def unit(self) -> str:

@@ -17,8 +17,8 @@ from workbench.files.export.design import Design, Deviation
 from workbench.files.export.options import Cutting
 from workbench.geometry.ball_cutter import CutErrors, CutFace, Raster
 from workbench.powers import written
+from workbench.progress import Steps, finished, within
 from workbench.said import Said
-from workbench.watch import Steps, finished, within
 
 # Allowed excess and gouge over the scallop height: a cutter that fits has less.
 _EXCESS, _GOUGE = 2.0, 0.25
@@ -69,7 +69,7 @@ class CutPlan(NamedTuple):
 
 def write_gcode(design: Design, file: BinaryIO) -> Deviation:
     """Write the cuts; raise Refused if the cutter does not fit or there are too many cuts."""
-    return finished(writing(design, file), design.watch)
+    return finished(writing(design, file), design.progress)
 
 
 def writing(design: Design, file: BinaryIO) -> Steps[Deviation]:

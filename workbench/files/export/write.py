@@ -13,8 +13,8 @@ from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting, mesh_uni
 from workbench.files.session import Session
 from workbench.geometry.body import check_body
 from workbench.powers import written
+from workbench.progress import Progress, no_progress
 from workbench.said import Said
-from workbench.watch import Watch, unwatched
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -42,7 +42,7 @@ def export(
     cutting: Cutting = PLAIN,
     mesh_unit: str = MILLIMETRES,
     plan: "CutPlan | None" = None,
-    watch: Watch = unwatched,
+    progress: Progress = no_progress,
 ) -> Iterator[Written]:
     """Write a lens and its light, one file after the other; a refused file stops no other.
 
@@ -50,7 +50,7 @@ def export(
     `chord_error`: largest distance of a mesh from the exit face, scene units; 1e-4 of the larger
     half-width by default; `cutting`: options of G-code; `mesh_unit`: unit of lengths in STL, OBJ,
     PLY and 3MF files, or "scene" for that of the scene; `plan`: a finished plan of this lens, with
-    its own ``cutting``; `watch`: called with the finished fraction of a slow file.  Raises
+    its own ``cutting``; `progress`: called with the finished fraction of a slow file. Raises
     `Refused` before anything is written: if the session has no solid lens, the unit is unknown, an
     ending selects no format or a file cannot be written. At the end: if a format cannot hold the
     data; it names each such file; `RunFailed` at the end, if nothing was refused and an external
@@ -59,7 +59,7 @@ def export(
     result = result_of(session)
     check_body(session.scene, result.state.heights)
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
-    design = Design(session.scene, result, chord_error, None, cutting, unit, plan, watch)
+    design = Design(session.scene, result, chord_error, None, cutting, unit, plan, progress)
     formats = [format_of(path) for path in paths]
     faces = result.state.heights.keys()
     for path, found in zip(paths, formats, strict=True):

@@ -13,7 +13,7 @@ from functools import cache
 
 import torch
 
-from workbench.interruption import check_given_up
+from workbench.progress import check_given_up
 
 # Handing a part to another thread takes some 50 µs: fewer rays than this are not worth it.
 _WORTH_A_THREAD = 8192

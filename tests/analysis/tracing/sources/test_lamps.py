@@ -14,7 +14,7 @@ from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
-from workbench.watch import finished
+from workbench.progress import finished
 
 LED = {"kind": "area", "center": [0.1, -0.2, -2.0], "half_width": [0.3, 0.2]}
 

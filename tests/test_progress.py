@@ -8,14 +8,14 @@ from workbench.design.limits import undesigned
 from workbench.design.transport import transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.deblur import spread_light
-from workbench.interruption import (
+from workbench.optics.kernels.threads import run as run_parts
+from workbench.progress import (
     Interrupted,
     check_given_up,
     check_interruption,
     given_up_when,
     interrupted_when,
 )
-from workbench.optics.kernels.threads import run as run_parts
 
 WORK = {
     "manufacture": lambda scene: manufacture(scene.optic, undesigned(scene.optic)),
