@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
+from resources import path
 from workbench.geometry.surface import sample_faces
 from workbench.optics.paths import ray_paths
 from workbench.pictures.compressed import compress_distances
 from workbench.pictures.images import target_irradiance
 from workbench.pictures.lens import LensPicture
-from workbench.scene import DrawnTarget
+from workbench.pictures.projection import Projection
+from workbench.scene import DrawnTarget, Scene
 
 
 @pytest.fixture
@@ -140,3 +142,18 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
     (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
     assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])
+
+
+def test_all_elements_of_a_train_are_drawn_in_their_places(plotter):
+    scene = Scene.from_json(path("examples", "dome-cover.json").read_text()).with_net((8, 8))
+    dome, lens, cover = scene.elements
+    turned = cover.model_copy(update={"position": (3.0, 0.0, 30.0), "tilt": (0.0, 90.0, 0.0)})
+    scene = scene.model_copy(update={"elements": (dome, lens, turned)})
+    picture = LensPicture(plotter, scene, np.ones((70, 145)))
+    picture.fit("side")  # from -x
+    plotter.render()
+    sight = Projection(plotter)
+    # The wall of the dome, its spherical face, and the front face of the plate on its edge.
+    for place in ((-2.4, 0, -9.6), (-np.sqrt(2.5**2 - 1.5**2), 0, -8.4), (3.0, 20, 12)):
+        ((x, y),) = sight.pixels(np.array([place]))
+        assert sight.point(x, y) == pytest.approx(np.array(place), abs=0.3)

@@ -45,3 +45,22 @@ def face_normals(
     else:
         own = face.normal(*outline.from_square(u[:, None], v))
     return np.asarray(own @ Frame.at(element.position, element.tilt).rotation.T)
+
+
+def element_sides(
+    element: Element, u: Array, v: Array, heights: Mapping[str, Array]
+) -> tuple[Array, Array]:
+    """Return points (m_x, m_y, 3) of the front and of the back of an element's solid part.
+
+    They are its faces; a single face has a flat back, as in exports. See `face_points`.
+    """
+    front, *others = (
+        face_points(element, placed, u, v, heights) for placed in element.placed_faces
+    )
+    if others:
+        return front, others[-1]
+    frame = Frame.at(element.position, element.tilt)
+    back = (front - frame.position) @ frame.rotation
+    z = element.position[2]
+    back[..., 2] = element.flat_z(back[..., 2] + z) - z
+    return front, np.asarray(back @ frame.rotation.T + frame.position)

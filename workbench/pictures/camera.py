@@ -4,11 +4,13 @@ The default projection is parallel: a screen fifty lens widths away is as easy t
 """
 
 import math
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.geometry.face_grids import element_sides
 from workbench.scene import Element, Scene
 
 VIEWS = {
@@ -28,6 +30,7 @@ _STEEPEST = 85.0  # degrees above or below, when the camera is turned
 # Degrees from the axis and above it, for views of lens and screen and of the lens alone.
 _AZIMUTH, _LENS_AZIMUTH, _ELEVATION = 58.0, 40.0, 22.0
 _CLEAR = 2.0  # degrees between the outlines of lens and screen
+_SIDE = np.linspace(-1, 1, 9)  # places across a face, for its extent
 _FLATTEST = 80.0  # degrees from the axis; beyond, a lens near its screen shows no face
 
 
@@ -219,28 +222,28 @@ def _half_height(camera: Any) -> float:
 
 def source_in_view(scene: Scene) -> bool:
     """Whether a picture can show the source together with the element."""
-    source, optic = scene.source, scene.optic
+    source, first = scene.source, scene.first
     places = _on_receiver(scene)
-    width = 2 * max(*optic.half_width, float(np.abs(places[:, :2]).max()))
-    farthest = _FARTHEST * max(float(places[:, 2].max()) - optic.front_z, width)
-    return optic.front_z - source.nearest_z <= farthest
+    width = 2 * max(*first.half_width, float(np.abs(places[:, :2]).max()))
+    farthest = _FARTHEST * max(float(places[:, 2].max()) - first.front_z, width)
+    return first.front_z - source.nearest_z <= farthest
 
 
 def drawn_start_z(scene: Scene) -> float:
     """Return z where drawn rays start."""
-    source, optic = scene.source, scene.optic
+    source, first = scene.source, scene.first
     if source.place is None:
-        return optic.front_z - 0.5 * max(optic.half_width)
+        return first.front_z - 0.5 * max(first.half_width)
     if source_in_view(scene):
         return source.nearest_z
-    return optic.front_z - 2.0 * max(optic.half_width)
+    return first.front_z - 2.0 * max(first.half_width)
 
 
 def scene_corners(scene: Scene) -> Array:
-    """Return the corners (n, 3) of source, element and receivers."""
-    optic, source = scene.optic, scene.source
-    before = optic.front_z - 0.5 * max(optic.half_width)
-    corners = [_corners(optic.half_width, before), _on_optic(optic, base_top(optic))]
+    """Return the corners (n, 3) of source, elements and receivers."""
+    source, first = scene.source, scene.first
+    before = first.front_z - 0.5 * max(first.half_width)
+    corners = [_corners(first.half_width, before), *map(_on_element, scene.elements)]
     corners.append(_on_receiver(scene))
     if source_in_view(scene):
         corners.append(source.seen((2, 2)))
@@ -256,8 +259,14 @@ def _on_optic(optic: Element, top: float) -> Array:
     return _corners(optic.half_width, optic.front_z, top, optic.flat_z(np.array(top)))
 
 
+def _on_element(element: Element) -> Array:
+    """Corners of a box around an element."""
+    points = np.concatenate(element_sides(element, _SIDE, _SIDE, {})).reshape(-1, 3)
+    return np.array(list(product(*zip(points.min(axis=0), points.max(axis=0), strict=True))))
+
+
 def _on_receiver(scene: Scene) -> Array:
-    outlines = [receiver.outline(scene.optic) for receiver in scene.receivers]
+    outlines = [receiver.outline(scene.elements[-1]) for receiver in scene.receivers]
     return np.concatenate([outline.reshape(-1, 3) for outline in outlines])
 
 

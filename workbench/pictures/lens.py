@@ -23,6 +23,7 @@ from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.arrays import Array
+from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import meshes
@@ -36,8 +37,9 @@ from workbench.pictures.face_colours import (
     lit_normals,
     scale_top,
 )
+from workbench.pictures.fixed_elements import add_fixed_elements
 from workbench.pictures.images import LIGHT
-from workbench.scene import Scene, Source
+from workbench.scene import Element, Scene, Source
 
 if TYPE_CHECKING:
     from workbench.optics.paths import RayPaths
@@ -45,7 +47,7 @@ if TYPE_CHECKING:
 _NET_FIELDS = 8
 _SOURCE_POINTS = (25, 25)  # most points of a grid that are drawn
 _BASE_SAMPLES = 33  # per axis, of the base shown until the first update
-# By `Element.called`.
+# By `Element.called`; other kinds look like glass.
 _BODIES = {
     "lens": {"color": "#8fc1e8", "opacity": 0.25, "ambient": 0.3},
     "mirror": {"color": "#8b929c", "opacity": 0.6, "ambient": 0.3},
@@ -99,6 +101,7 @@ class LensPicture:
         self._scale = ColourScale(plotter)
         self._camera = FittedCamera(plotter, self._scene, perspective=perspective)
         self._add_lens()
+        self._lines += add_fixed_elements(self._add, self._scene, _style_of)
         self._add_receivers(target)
         self._add_source()
         self._add_axes()
@@ -206,14 +209,17 @@ class LensPicture:
         self._place_lens(
             {face: np.stack([x, y, optic.place_of(face, x, y)], axis=-1) for face in nets}
         )
-        self._add(self._walls, body=True, **_BODIES[optic.called])
+        actors = [self._add(self._walls, body=True, **_BODIES[optic.called])]
         for face, net in self._faces.values():
             style: dict[str, Any] = {"diffuse": 0.9, "specular_power": 30, **_FACES[optic.called]}
             actor = self._add(face, body=True, scalars="colour", rgb=True, **style)
             actor.prop.color = _MATERIALS[optic.called]
             actor.prop.interpolation = "Phong"  # by normals of points; flat shading has none
             self._lines.append(self._add(net, line_width=1.0, opacity=0.4, lighting=False))
+            actors += [actor, self._lines[-1]]
         self._lines.append(self._add(self._edges, line_width=1.5, lighting=False))
+        for actor in [*actors, self._lines[-1]]:
+            actor.user_matrix = _place_of(optic)
 
     def _place_lens(self, surfaces: Mapping[str, Array]) -> None:
         optic = self._scene.optic
@@ -245,7 +251,7 @@ class LensPicture:
     def _add_receivers(self, target: npt.NDArray[Any]) -> None:
         images = self._traced.wanted(target)
         self._receivers = [
-            LitReceiver(self._add, receiver, self._scene.optic, image)
+            LitReceiver(self._add, receiver, self._scene.elements[-1], image)
             for receiver, image in zip(self._scene.receivers, images, strict=True)
         ]
         self._lines += [receiver.frame for receiver in self._receivers]
@@ -262,7 +268,7 @@ class LensPicture:
         self._place_source(self._scene)
 
     def _place_face(self, lit: Scene) -> None:
-        face = lit.source.face(lit.optic, drawn_start_z(lit))
+        face = lit.source.face(lit.first, drawn_start_z(lit))
         self._glow.SetVisibility(face.size > 0)
         if not face.size:  # VTK takes no empty arrays
             return
@@ -333,7 +339,31 @@ class LensPicture:
             text.SetJustificationToCentered()
             text.SetVerticalJustificationToCentered()
             self._plotter.add_actor(label, reset_camera=False, render=False)
-        end = float(self._scene.receiver.outline(optic)[..., 2].max())
-        optical = pv.Line((0, 0, drawn_start_z(self._scene)), (0, 0, end))
-        optical.clear_data()  # pyvista adds distances along the line, which would colour it
+        optical = pv.lines_from_points(_axis(self._scene))
         self._lines.append(self._add(optical, line_width=1.0, opacity=0.6, lighting=False))
+
+
+def _axis(scene: Scene) -> Array:
+    """Points (n, 3) of the optical axis: straight, or from element to element where one is tilted.
+
+    A receiver beside a straight axis is not on it.
+    """
+    outline = scene.receiver.outline(scene.elements[-1])
+    start, end = drawn_start_z(scene), float(outline[..., 2].max())
+    if not any(any(element.tilt) for element in scene.elements):
+        return np.array([[0.0, 0.0, start], [0.0, 0.0, end]])
+    first = [scene.elements[0].position[0], scene.elements[0].position[1], start]
+    last = outline.reshape(-1, 3).mean(axis=0)
+    return np.array([first, *(element.position for element in scene.elements), last])
+
+
+def _place_of(optic: Element) -> Array:
+    """Matrix (4, 4) that takes points of the designed element, with the scene's z, to the scene."""
+    frame, place = Frame.at(optic.position, optic.tilt), np.eye(4)
+    place[:3, :3] = frame.rotation
+    place[:3, 3] = frame.position - frame.rotation[:, 2] * optic.position[2]
+    return place
+
+
+def _style_of(element: Element) -> Mapping[str, Any]:
+    return _BODIES.get(element.called, _BODIES["lens"])
