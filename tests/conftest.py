@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from workbench.library_threads import calm_library_threads
+from workbench.process import calm_library_threads
 
 # As the program does, before numpy is loaded: threads of OpenBLAS that wait for each other took
 # three quarters of the processor's time of a first lens where others worked on the same cores.

@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING
 
 import workbench
 from ui.startup.display import why_no_window
-from workbench.library_threads import calm_library_threads
+from workbench.process import calm_library_threads, restart_in_utf8_mode
 from workbench.system_libraries import keep_shaders_in_memory
-from workbench.utf8_mode import restart_in_utf8_mode
 
 if TYPE_CHECKING:
     from PySide6.QtCore import QSettings

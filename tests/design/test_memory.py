@@ -8,8 +8,8 @@ from workbench.design.levels import FINE, cells_of
 from workbench.design.memory import auto_memory, check_auto
 from workbench.design.run import run
 from workbench.errors import Refused
+from workbench.process import as_bytes
 from workbench.scene import Scene
-from workbench.system_memory import as_bytes
 from workbench.targets import load_target
 
 SCENES = {

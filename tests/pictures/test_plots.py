@@ -5,9 +5,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from workbench.design.session import VerifiedError
-from workbench.pictures.axes import Extent, colour_bar, map_image
+from workbench.pictures.axes import Extent, colour_bar, map_image, shown_data
 from workbench.pictures.error_curves import Curve, draw_sweep
-from workbench.pictures.figure_data import shown_data
 from workbench.pictures.images import IrradianceImage
 from workbench.pictures.loss import LossPicture
 from workbench.pictures.section import SectionCurves, cut_through

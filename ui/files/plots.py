@@ -24,7 +24,7 @@ from workbench.files.export.tables import write_table
 
 if TYPE_CHECKING:
     from ui.views.plot_view import PlotView
-    from workbench.pictures.figure_data import Column
+    from workbench.pictures.axes import Column
 
 _PICTURES = {".png": "png", ".svg": "svg"}
 _TABLE = ".csv"

@@ -10,7 +10,7 @@ from ui.panels.panel import PartPanel
 from ui.panels.rows import Make, value_row
 from ui.words import tr
 from workbench.design.parametrisation import memory_bytes, parameter_count
-from workbench.system_memory import as_bytes
+from workbench.process import as_bytes
 
 
 class RunPanel(PartPanel):

@@ -9,8 +9,8 @@ from ui.views.plot_view import PlotView
 from ui.words import later, tr
 from workbench.analysis.tolerance_fields import ABOUT, PAIRS
 from workbench.analysis.tolerances import Distribution
+from workbench.pictures.axes import Column
 from workbench.pictures.error_curves import draw_errors
-from workbench.pictures.figure_data import Column
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

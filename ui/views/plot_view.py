@@ -13,7 +13,7 @@ from ui.views.view import View
 from ui.widgets.plot_words import translate, translate_axes
 from ui.widgets.wrapped_label import WrappedLabel
 from ui.words import later, tr
-from workbench.pictures.figure_data import Column, shown_data
+from workbench.pictures.axes import Column, shown_data
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

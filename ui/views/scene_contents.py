@@ -21,10 +21,10 @@ if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
     from workbench.pictures.actors import PointMarkers
-    from workbench.pictures.face_colours import FaceColours
     from workbench.pictures.lens import LensPicture
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
+    from workbench.pictures.surface import FaceColours
 
 _SPOT = 5.0  # pixels
 # What stands above the colours of faces.

@@ -40,9 +40,9 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-    from workbench.pictures.face_colours import FaceColours
     from workbench.pictures.projection import Projection
     from workbench.pictures.source_handles import SourceHandles
+    from workbench.pictures.surface import FaceColours
     from workbench.scene import Element, Scene, Source
 
 _NOTCH = 1.2  # times as large, by a notch of the wheel
@@ -196,7 +196,7 @@ class SceneView(View):
             self._plotter.update()
 
     def colour_faces(self, by: "FaceColours") -> None:
-        """Colour freeform faces by what `workbench.pictures.face_colours` knows."""
+        """Colour freeform faces by what `workbench.pictures.surface` knows."""
         self._look = replace(self._look, faces=by)
         self._ask()
 

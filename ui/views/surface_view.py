@@ -9,8 +9,7 @@ from ui.views.face_choice import FaceChoice
 from ui.views.image_view import ImageView
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.pictures.axes import Extent
-from workbench.pictures.figure_data import Column
+from workbench.pictures.axes import Column, Extent
 from workbench.pictures.surface import ASPECTS, SurfaceImage
 
 if TYPE_CHECKING:

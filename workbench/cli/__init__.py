@@ -16,8 +16,7 @@ from workbench.cli.interruption import Interruptible, number_of
 from workbench.cli.streams import Streams
 from workbench.defects import unexpected
 from workbench.errors import Refused, RunFailed, visible
-from workbench.library_threads import calm_library_threads
-from workbench.utf8_mode import restart_in_utf8_mode
+from workbench.process import calm_library_threads, restart_in_utf8_mode
 
 # Imports create 300,000 objects that live as long as the process. At the default thresholds Python
 # searches them repeatedly during the imports: a quarter of the time of a short command.

@@ -19,8 +19,8 @@ from workbench.design.snapshot import Result
 from workbench.files.atomic import check_writable
 from workbench.files.figures import Figures
 from workbench.files.session import is_session, open_design
+from workbench.process import keep_freed_memory
 from workbench.progress import given_up_when, interrupted_when
-from workbench.system_memory import keep_freed_memory
 
 # From this many pixels on freed memory is returned: a run of 4096 × 4096 takes 3.1 GB, not 5.2.
 _MANY = 1 << 22

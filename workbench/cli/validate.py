@@ -22,8 +22,8 @@ from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
 from workbench.files.session import open_design, read_session
+from workbench.process import keep_freed_memory
 from workbench.scene import AnyReceiver, Scene
-from workbench.system_memory import keep_freed_memory
 
 
 def validate(

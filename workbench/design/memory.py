@@ -32,9 +32,9 @@ from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Corners
 from workbench.optics.train.compiled import CompiledTrain
+from workbench.process import as_bytes, available_memory
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.system_memory import as_bytes, available_memory
 
 # Compiled kernels, and libraries that a run is the first to need.
 _PROGRAM = 120e6

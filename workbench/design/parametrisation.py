@@ -7,9 +7,9 @@ import math
 
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.process import as_bytes, available_memory
 from workbench.said import Said
 from workbench.scene import Scene
-from workbench.system_memory import as_bytes, available_memory
 
 # A parameter, its gradient and Adam's two moments.
 _COPIES = 4

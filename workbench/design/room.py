@@ -14,9 +14,9 @@ from workbench.design.shortfall import Cause, Shortfall
 from workbench.design.transport import First, behind_flat_entrance
 from workbench.geometry.faces import NO_LOCKS
 from workbench.geometry.surface import ControlNet
+from workbench.process import release_freed_memory
 from workbench.said import Said
 from workbench.scene import Element, Scene
-from workbench.system_memory import release_freed_memory
 
 # An automatic range is that many times what the lenses that it has to hold take of it, and at
 # least this part of what bends the light at the rim by half of the screen's width.

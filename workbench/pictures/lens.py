@@ -30,15 +30,15 @@ from workbench.pictures import meshes
 from workbench.pictures.actors import ColourScale, LitReceiver
 from workbench.pictures.camera import FittedCamera, axes_of, drawn_start_z, source_in_view
 from workbench.pictures.compressed import compress_distances, compress_paths
-from workbench.pictures.face_colours import (
+from workbench.pictures.fixed_elements import add_fixed_elements
+from workbench.pictures.images import LIGHT
+from workbench.pictures.surface import (
     FaceColours,
     colour_scale_of,
     face_colours,
     lit_normals,
     scale_top,
 )
-from workbench.pictures.fixed_elements import add_fixed_elements
-from workbench.pictures.images import LIGHT
 from workbench.scene import Element, Scene, Source
 
 if TYPE_CHECKING:

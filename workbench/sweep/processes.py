@@ -20,6 +20,7 @@ from workbench.design.design_run import DesignRun
 from workbench.design.session import Session, result_of
 from workbench.design.snapshot import Result
 from workbench.errors import Refused, RunFailed
+from workbench.process import cores
 from workbench.progress import check_interruption
 from workbench.scene import Scene
 
@@ -88,9 +89,9 @@ class Processes:
     @classmethod
     def of(cls, points: int, jobs: int | None = None) -> Self:
         """Return processes that share all cores: at most one for each core, point and job."""
-        cores = os.cpu_count() or 1
-        count = min(jobs or cores, points)
-        return cls(count, max(cores // count, 1))
+        available = cores()
+        count = min(jobs or available, points)
+        return cls(count, max(available // count, 1))
 
     def __enter__(self) -> Self:
         return self

@@ -5,12 +5,13 @@ import pytest
 
 from workbench.analysis.benchmark import frontier
 from workbench.analysis.benchmark.frontier import (
+    METHODS,
     Effort,
+    MethodLens,
     courses,
     verified,
 )
 from workbench.analysis.benchmark.machine import FreshRun
-from workbench.analysis.benchmark.methods import METHODS, MethodLens
 from workbench.errors import RunFailed
 
 

@@ -17,6 +17,7 @@ import torch
 
 from workbench.analysis.benchmark.examples import BenchmarkTask
 from workbench.errors import RunFailed
+from workbench.process import cores
 
 _PACKAGES = ("freeform-lens-workbench", "torch", "numba", "numpy", "scipy")
 
@@ -38,7 +39,7 @@ class Machine:
         """The machine of this process."""
         return cls(
             cpu=_cpu(),
-            cores=_cores(),
+            cores=cores(),
             threads=torch.get_num_threads(),
             memory=_memory(),
             gpu=torch.cuda.get_device_name() if torch.cuda.is_available() else None,
@@ -98,12 +99,6 @@ def _cpu() -> str:
             if line.startswith("model name"):
                 return line.partition(":")[2].strip()
     return platform.processor() or platform.machine()
-
-
-def _cores() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
 
 
 def _memory() -> int | None:

@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from threading import Event
 from typing import TypeVar
 
-from workbench.library_threads import usable_threads
+from workbench.process import usable_threads
 
 T = TypeVar("T")
 

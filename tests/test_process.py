@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from workbench.system_memory import release_freed_memory
+from workbench.process import release_freed_memory
 
 
 def resident():
