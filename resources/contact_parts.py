@@ -12,10 +12,10 @@ import resources
 from resources.make_screenshot import dialog_of, settle
 from ui.commands.panes import PANES
 from ui.commands.table import TOOLS
-from ui.files.left_behind import LeftBehind, ask
-from ui.help.tour import STOPS, Bubble
+from ui.dialogs.tour import STOPS, Bubble
+from ui.files.recovery import LeftBehind, ask
 from ui.main_window import MainWindow
-from ui.widgets.menu_button import MenuButton
+from ui.widgets.controls import MenuButton
 
 _MOMENT, _WHILE = 300, 1500  # milliseconds: to draw, and to compute what only eyes ask for
 _MAPS = ("surface", "manufacture")  # docks with a choice of maps

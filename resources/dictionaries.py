@@ -19,7 +19,7 @@ from xml.etree import ElementTree
 import PySide6
 
 import resources
-from ui.commands.menus import MENUS
+from ui.commands.actions import MENUS
 from ui.commands.panes import PANES
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
@@ -55,7 +55,7 @@ def keys() -> dict[str, str]:
 def _all() -> Iterator[tuple[str, str]]:
     """Texts and their places."""
     for title, entries in MENUS.items():
-        yield from ((text, "ui/commands/menus.py") for text in _menu(title, entries))
+        yield from ((text, "ui/commands/actions.py") for text in _menu(title, entries))
     for command in COMMANDS.values():
         yield from ((text, "ui/commands/table.py") for text in (command.text, command.tip))
     yield from ((pane.title, "ui/commands/panes.py") for pane in PANES.values())

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import workbench
-from ui.startup.display import why_no_window
+from ui.display import why_no_window
 from workbench.process import calm_library_threads, restart_in_utf8_mode
 from workbench.system_libraries import keep_shaders_in_memory
 
@@ -52,10 +52,9 @@ def main(arguments: list[str] | None = None) -> int:
 
     from PySide6.QtCore import QSettings, QStandardPaths
 
-    from ui.commands.language_choice import LANGUAGE
-    from ui.commands.theme_choice import THEME
-    from ui.startup.unexpected_errors import UnexpectedErrors
-    from ui.threads.garbage import GarbageCollector
+    from ui.background import GarbageCollector
+    from ui.commands.choices import LANGUAGE, THEME
+    from ui.unexpected_errors import UnexpectedErrors
     from ui.widgets import theme
     from ui.windows import Windows
     from ui.words import speak
@@ -98,7 +97,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _prepare_environment() -> None:
-    from ui.threads.cores import leave_core_for_window
+    from ui.background import leave_core_for_window
 
     calm_library_threads()
     leave_core_for_window()
@@ -118,7 +117,7 @@ def _application() -> "QApplication":
     from PySide6.QtCore import QCoreApplication, Qt
     from PySide6.QtWidgets import QApplication
 
-    from ui.help.help import TITLE
+    from ui.dialogs.help import TITLE
     from ui.widgets import theme
 
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)

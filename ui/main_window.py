@@ -10,30 +10,23 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QMainWindow
 
 from resources import EXAMPLES, Example
-from ui.commands.language_choice import LANGUAGE, tell_of_language
-from ui.commands.pane_focus import PaneFocus
+from ui.commands.choices import LANGUAGE, THEME, choose_theme, tell_of_language
+from ui.commands.panes import PaneFocus
 from ui.commands.table import NEW
-from ui.commands.theme_choice import THEME, choose_theme
+from ui.dialogs.gallery import Gallery
+from ui.dialogs.help import TITLE, Help
+from ui.dialogs.start_page import Start
+from ui.dialogs.sweeps import Sweeps
 from ui.document.document import Document
-from ui.files.actions import Answer, FileActions
-from ui.files.chosen_files import ChosenFiles
-from ui.files.exporter import Exporter
-from ui.files.gallery import Gallery
-from ui.files.recent import RecentFiles
-from ui.files.recent_menu import RecentMenu
-from ui.files.reporter import Reporter
-from ui.help.help import TITLE, Help
-from ui.jobs.start import Start
+from ui.files.actions import Answer, FileActions, RecentFiles, RecentMenu
+from ui.files.dialogs import ChosenFiles
+from ui.files.exporter import Exporter, Reporter
 from ui.manufacture.cutter import AskCutting
-from ui.notices.carried_lens import CarriedLens
-from ui.notices.target_image import TargetImage
-from ui.notices.unit_change import UnitChange
-from ui.run.lens_on_show import LensOnShow
-from ui.sweep.sweeps import Sweeps
-from ui.window.early_parts import EarlyParts
-from ui.window.layout import Layout
-from ui.window.view_state import ViewState
+from ui.run.control import LensOnShow
+from ui.window.edit_notices import CarriedLens, TargetImage, UnitChange
+from ui.window.layout import Layout, ViewState
 from ui.window.window_state import WindowState
+from ui.window.workspace import EarlyParts
 from ui.words import tr
 
 if TYPE_CHECKING:

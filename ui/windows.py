@@ -1,5 +1,6 @@
-"""All windows of the program: opened, found by their file, closed one by one or together."""
+"""Import of slow libraries and loading of kernels while the window is already shown."""
 
+import importlib
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -9,14 +10,55 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from resources import EXAMPLES
+from ui.background import Background, Task, sentence_of
 from ui.document.document import Document
-from ui.files import left_behind
-from ui.files.left_behind import LeftBehind
-from ui.files.recovery import Recovery
+from ui.files.recovery import LeftBehind, Recovery, find_left_behind, offer_left_behind
 from ui.main_window import MainWindow
-from ui.startup.warm_up import WarmUp
 from ui.words import tr
 from workbench.files.session import open_design
+
+# All that the views and the runner stand on, without Qt, which is for the window's thread alone.
+_SLOW = ("workbench.pictures.lens", "workbench.pictures.axes", "workbench.design.run")
+
+
+class WarmUp(QObject):
+    """Imports in another thread."""
+
+    imported = Signal()
+    failed = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._background = Background("warm-up", self)
+        self._background.progressed.connect(self.imported)
+        self._background.failed.connect(
+            lambda _, error: self.failed.emit(sentence_of(error, tr("start")))
+        )
+
+    def start(self) -> None:
+        """Begin importing."""
+        self._background.begin(_warm_up)
+
+    @property
+    def under_way(self) -> bool:
+        """Whether it has begun and not ended."""
+        return self._background.running
+
+    def wait(self) -> None:
+        """Wait for the imports; exiting during an import may crash."""
+        self._background.close()
+
+
+def _warm_up(task: Task) -> None:
+    try:
+        for module in _SLOW:
+            importlib.import_module(module)
+        from workbench.analysis.kernels import compile_all
+    finally:
+        task.report(None)
+    # From disk in a moment, or anew in half a minute; runs that begin before wait for it.
+    compile_all(lambda: not task.stopped)
+
 
 _STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen
 
@@ -100,7 +142,7 @@ class Windows(QObject):
             return opened and self._recoveries[place].keep_now()
 
         first.start()
-        return left_behind.offer(left_behind.find(self._folder), recover, window)
+        return offer_left_behind(find_left_behind(self._folder), recover, window)
 
     def open_given(self, path: Path, window: MainWindow, recovered: bool) -> MainWindow | None:
         """Open the file that the program was started with.

@@ -5,7 +5,7 @@ import pytest
 
 import resources
 from resources import dictionaries
-from ui.commands.menus import MENUS
+from ui.commands.actions import MENUS
 from ui.commands.table import COMMANDS
 from ui.words import LANGUAGES
 

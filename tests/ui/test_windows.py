@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from tests.ui.hands import move_screen
-from ui.files import left_behind
+from ui.files import recovery as unsaved
 from ui.windows import Windows
 from workbench.files.session import read_session
 
@@ -142,7 +142,7 @@ def test_a_signal_leaves_the_work_of_every_window(windows, two, folder):
         move_screen(window.document, z)
     windows.leave()
     assert not any(window.isVisible() for window in two)
-    works = left_behind.find(folder)
+    works = unsaved.find_left_behind(folder)
     assert {read_session(work.file).scene.receiver.z for work in works} == {7, 8}
     for work in works:
         work.put_back()
@@ -158,13 +158,13 @@ def test_each_work_left_behind_comes_back_in_a_window_of_its_own(
         move_screen(window.document, z)
     windows.leave()
     again = Windows(windows._settings, folder)
-    monkeypatch.setattr(left_behind, "ask", lambda work, window: left_behind.RecoveryChoice.RECOVER)
+    monkeypatch.setattr(unsaved, "ask", lambda work, window: unsaved.RecoveryChoice.RECOVER)
     window = again.open()
     assert again.recover(window)
     found = open_windows(again)
     assert {each.document.session.scene.receiver.z for each in found} == {7, 8}
     assert all(each.document.dirty for each in found)
-    assert left_behind.find(folder) == []  # kept anew by the windows that are open
+    assert unsaved.find_left_behind(folder) == []  # kept anew by the windows that are open
     for each in found:
         each.discard_and_close()
     for each in two:

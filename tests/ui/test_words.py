@@ -10,9 +10,9 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QDialogButtonBox, QLabel
 
 import ui
-from ui.commands.language_choice import LANGUAGE
+from ui.commands.choices import LANGUAGE
 from ui.commands.table import COMMANDS
-from ui.jobs.page import StartPage
+from ui.dialogs.start_page import StartPage
 from ui.widgets.plot_words import translate, translate_axes
 from ui.words import error_text, speak, spoken_by_system, tr
 from workbench.errors import Refused

@@ -1,28 +1,57 @@
-"""The open design: a session, the file it lives in, and every change that was made to it."""
+"""The open design: a session, its file, and every change that was made to it."""
 
+import weakref
 from dataclasses import replace
 from enum import Enum, auto
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
 import resources
 from ui.document.undo_steps import UndoSteps
-from ui.document.verified_errors import VerifiedErrors
 from ui.words import tr
+from workbench.design.session import KeptRun, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.design.task import with_file, with_task
 from workbench.files.fingerprint import fingerprint
 from workbench.files.scene import with_absolute_files
-from workbench.files.session import (
-    Session,
-    is_session,
-    open_design,
-    read_session,
-    write_session,
-)
+from workbench.files.session import Session, is_session, open_design, read_session, write_session
 from workbench.scene import Scene
+
+if TYPE_CHECKING:
+    from workbench.analysis.validation_figures import Validation
+
+
+class VerifiedErrors:
+    """Errors of lenses, as long as these live.
+
+    A check is no edit: it makes no step that could be undone, and no design unsaved. So what it
+    says stands beside the sessions until one is written.
+    """
+
+    def __init__(self) -> None:
+        # By id of the result, which may be gone by now.
+        self._all: dict[int, tuple[weakref.ref[Result], VerifiedError]] = {}
+
+    def note(self, lens: Result, found: "Validation") -> None:
+        """Keep what a check says of a lens."""
+        lens_error = found.verified
+        error = VerifiedError(
+            lens_error.relative_l2_corrected, lens_error.relative_l2_corrected_interval
+        )
+        self._all[id(lens)] = weakref.ref(lens), error
+
+    def of(self, run: KeptRun) -> VerifiedError | None:
+        """The error of a run's lens, by the latest check or by its file."""
+        lens, error = self._all.get(id(run.result), (None, None))
+        return error if lens is not None and lens() is run.result else run.verified
+
+    def complete(self, session: Session) -> Session:
+        """The session with the errors of its kept runs, for a file."""
+        runs = tuple(replace(run, verified=self.of(run)) for run in session.runs)
+        return replace(session, runs=runs)
+
 
 ENDING = ".freeform"
 

@@ -1,12 +1,38 @@
-"""What was done to a design, as steps that can be taken back, as many as memory holds."""
+"""Steps of a design that can be undone, as many as memory holds."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields, is_dataclass
 
+import numpy as np
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from ui.document.memory import blocks
 from workbench.files.session import Session
+
+
+def blocks(value: object) -> Iterator[tuple[int, int]]:
+    """Identity and bytes of each array and file in a value made of data classes, tuples and maps.
+
+    Some may come more than once.
+    """
+    if isinstance(value, np.ndarray):
+        yield id(value), value.nbytes
+    elif isinstance(value, bytes):
+        yield id(value), len(value)
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from blocks(each)
+    elif isinstance(value, Mapping):
+        yield from blocks((*value.values(),))
+    elif is_dataclass(value):
+        for field in fields(value):
+            yield from blocks(getattr(value, field.name))
+
+
+def distinct_bytes(*values: object) -> int:
+    """Bytes of all arrays and files in some values, each counted once."""
+    return sum(dict(blocks(values)).values())
+
 
 Show = Callable[[Session], None]
 

@@ -1,24 +1,161 @@
-"""New, open and save: dialogs, refusals and the question before changes are lost."""
+"""New, open, save, and the files that were open last."""
 
 from collections.abc import Callable
-from enum import Enum
+from enum import Enum, auto
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QLocale, QObject, Signal
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtCore import QLocale, QObject, QSettings, Qt, Signal
+from PySide6.QtWidgets import QAbstractButton, QMenu, QMessageBox, QWidget
 
 from resources import Example
 from ui.document.document import ENDING, Document, OnDisk
-from ui.files import changed
 from ui.files.dialogs import FileDialogs
-from ui.files.left_behind import LeftBehind
-from ui.files.recent import RecentFiles
-from ui.run.lens_on_show import LensOnShow
-from ui.widgets.message_bar import MessageBar
+from ui.files.recovery import LeftBehind
+from ui.run.control import LensOnShow
+from ui.widgets.messages import MessageBar
 from ui.words import error_text, later, tr
 from workbench.errors import Refused
 from workbench.files.session import Session, read_session
+
+_RECENT_KEY = "recent_files"
+_MOST_RECENT = 10
+
+
+class RecentFiles:
+    """A list of paths in the settings, the latest first.
+
+    Parameters
+    ----------
+    settings : QSettings
+        Where the list outlives the window.
+    """
+
+    def __init__(self, settings: QSettings) -> None:
+        self._settings = settings
+
+    def paths(self) -> list[Path]:
+        """At most ten files; some may be gone by now."""
+        stored = self._settings.value(_RECENT_KEY)
+        if isinstance(stored, str):  # a list of one, as an ini file tells it
+            return [Path(stored)]
+        named = stored if isinstance(stored, list) else []
+        return [Path(path) for path in named if isinstance(path, str)]
+
+    def add(self, path: Path) -> None:
+        """Put a file first."""
+        path = path.absolute()
+        self._store([path, *(other for other in self.paths() if other != path)])
+
+    def remove(self, path: Path) -> None:
+        """Forget a file."""
+        self._store([other for other in self.paths() if other != path])
+
+    def _store(self, paths: list[Path]) -> None:
+        self._settings.setValue(_RECENT_KEY, [str(path) for path in paths[:_MOST_RECENT]])
+
+
+class RecentMenu:
+    """Has an action for each file.
+
+    Parameters
+    ----------
+    menu : QMenu
+        Gets them.
+    recent : RecentFiles
+        The files.
+    open_file : callable
+        Opens one of them.
+    """
+
+    def __init__(
+        self, menu: QMenu, recent: RecentFiles, open_file: Callable[[Path], object]
+    ) -> None:
+        self._menu, self._recent, self._open_file = menu, recent, open_file
+        self._shown: list[Path] = []
+
+    def show(self, allowed: bool) -> None:
+        """Name the files of now; whether they may be opened."""
+        paths = self._recent.paths()
+        if paths != self._shown:
+            self._shown = paths
+            self._menu.clear()
+            for number, path in enumerate(paths, 1):
+                text = f"&{number % 10} " + str(path).replace("&", "&&")  # a digit opens it
+                self._menu.addAction(text, partial(self._open_file, path))
+        for action in self._menu.actions():
+            action.setEnabled(allowed)  # also in the palette, which asks no menu
+        self._menu.setEnabled(allowed and bool(paths))
+
+
+class ChangedFileChoice(Enum):
+    """What to do about a file that is no longer what the design was read from or saved to."""
+
+    OVERWRITE = auto()
+    SAVE_AS = auto()
+    RELOAD = auto()
+    CANCEL = auto()
+
+
+def ask_about_changed_file(path: Path, found: OnDisk, window: QWidget) -> ChangedFileChoice:
+    """Put the question.
+
+    Parameters
+    ----------
+    path : Path
+        The design's file.
+    found : OnDisk
+        What has become of it.
+    window : QWidget
+        Asks.
+    """
+    box = QMessageBox(window)
+    box.setIcon(QMessageBox.Icon.Warning)
+    box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
+    roles = QMessageBox.ButtonRole
+    choices: dict[QAbstractButton, ChangedFileChoice] = {}
+    if found is OnDisk.CHANGED:
+        box.setWindowTitle(tr("The file has changed"))
+        box.setText(
+            tr("Another program has changed {name} since it was last read or saved here.").format(
+                name=path.name
+            )
+        )
+        box.setInformativeText(
+            tr(
+                "Overwrite loses what the file holds now. Reload shows it in place of "
+                "your design; Undo brings your design back."
+            )
+        )
+        choices[box.addButton(tr("&Overwrite"), roles.DestructiveRole)] = (
+            ChangedFileChoice.OVERWRITE
+        )
+        choices[box.addButton(tr("&Reload"), roles.ActionRole)] = ChangedFileChoice.RELOAD
+    else:
+        box.setWindowTitle(tr("The file is gone"))
+        box.setText(
+            tr("{name} has been deleted, moved or renamed since it was last saved here.").format(
+                name=path.name
+            )
+        )
+        if path.parent.is_dir():
+            choices[box.addButton(tr("&Save there again"), roles.ApplyRole)] = (
+                ChangedFileChoice.OVERWRITE
+            )
+        else:
+            box.setInformativeText(
+                tr("Its folder, {parent}, is gone, too.").format(parent=path.parent)
+            )
+    save_as = box.addButton(tr("Save &as…"), roles.AcceptRole)
+    choices[save_as] = ChangedFileChoice.SAVE_AS
+    box.setDefaultButton(save_as)
+    box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
+    box.exec()
+    choice = choices.get(box.clickedButton(), ChangedFileChoice.CANCEL)
+    box.deleteLater()
+    return choice
+
 
 _OPENED = later("Designs and scenes ({endings});;All files (*)")
 _SAVED = later("Designs ({endings})")
@@ -198,8 +335,8 @@ class FileActions(QObject):
         try:
             found = self._document.on_disk(path)
             if found is not OnDisk.KNOWN:
-                choice = changed.ask(path, found, self._window)
-                if choice is not changed.ChangedFileChoice.OVERWRITE:
+                choice = ask_about_changed_file(path, found, self._window)
+                if choice is not ChangedFileChoice.OVERWRITE:
                     return self._save_otherwise(choice)
             self._document.save(path, self.look(), making)
         except Refused as refused:
@@ -215,11 +352,11 @@ class FileActions(QObject):
         )
         return True
 
-    def _save_otherwise(self, choice: changed.ChangedFileChoice) -> bool:
+    def _save_otherwise(self, choice: ChangedFileChoice) -> bool:
         """Save elsewhere or not at all; False if not saved."""
-        if choice is changed.ChangedFileChoice.RELOAD:
+        if choice is ChangedFileChoice.RELOAD:
             self.revert()
-        return choice is changed.ChangedFileChoice.SAVE_AS and self.save_as()
+        return choice is ChangedFileChoice.SAVE_AS and self.save_as()
 
     def _attempt(self, action: Callable[[], None]) -> bool:
         try:

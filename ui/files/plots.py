@@ -1,4 +1,4 @@
-"""Takes plots along: as a picture on the clipboard or in a file, or in numbers."""
+"""Plots, predicted photo and 3D picture: to the clipboard and to files."""
 
 import csv
 import io
@@ -8,22 +8,25 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
-from PySide6.QtCore import QObject
-from PySide6.QtGui import QAction, QGuiApplication, QImage
+from PySide6.QtCore import QBuffer, QIODevice, QObject, Qt
+from PySide6.QtGui import QAction, QCursor, QGuiApplication, QImage, QImageWriter
 
+from ui.background import Background, Task, sentence_of
 from ui.commands.panes import PANES
+from ui.commands.table import PICTURES
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
-from ui.threads.background import Background, Task
-from ui.threads.failure import sentence_of
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
+from ui.widgets.native import rgb_image
 from ui.words import error_text, inside, later, tr
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
 from workbench.files.export.tables import write_table
 
 if TYPE_CHECKING:
+    from ui.views.photo_view import PhotoView
     from ui.views.plot_view import PlotView
+    from ui.views.scene_view import SceneView
     from workbench.pictures.axes import Column
 
 _PICTURES = {".png": "png", ".svg": "svg"}
@@ -181,3 +184,154 @@ def _header(columns: "list[Column]") -> str:
 def _in_words(name: str) -> str:
     """What the pane of a plot is called within a sentence."""
     return inside(tr(PANES[name].title))
+
+
+_PNG = ".png"
+
+
+class PhotoPicture(QObject):
+    """Saves the photo that is seen, with its exposure.
+
+    Parameters
+    ----------
+    view : PhotoView
+        What shows it.
+    document : Document
+        Gives the name of the file.
+    messages : MessageBar
+        Tells what was done, or why not.
+    dialogs : FileDialogs
+        Ask for the file.
+    show : callable
+        Brings the view to the front, where photos are taken.
+    """
+
+    def __init__(
+        self,
+        view: "PhotoView",
+        document: Document,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        show: Callable[[], object],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._view, self._document = view, document
+        self._messages, self._dialogs, self._show = messages, dialogs, show
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {"save_photo": self.choose_and_save}
+
+    def choose_and_save(self) -> None:
+        """Ask for a file and save the photo there; where there is none yet, let it be predicted."""
+        if self._view.photo is None:
+            self._show()
+            self._messages.note(tr("There is no photo of this lens yet; save it once it is seen."))
+            return
+        name = tr("{design} photo").format(design=self._document.name)
+        filters = {tr("Picture ({endings})").format(endings=f"*{_PNG}"): _PNG}
+        path = self._dialogs.to_save("plot", tr("Save predicted photo"), name, filters)
+        if path is not None:
+            self.save(path)
+
+    def save(self, path: "Path") -> None:
+        """Save the photo as PNG."""
+        # Late: what it stands on is slow to import.
+        from workbench.analysis.photo.photo import write_png
+
+        photo = self._view.photo
+        if photo is None:  # the lens has changed while the dialog stood
+            self._messages.note(tr("The lens has changed since; save the photo of the new one."))
+            return
+        try:
+            with replacing(path) as file:
+                write_png(photo, self._view.stops, file)
+        except Refused as refused:
+            self._messages.warn(error_text(refused))
+        else:
+            self._messages.done(tr("{path} is written.").format(path=path))
+
+
+_FILTER = later("Picture ({endings})")
+
+
+class ScenePictures(QObject):
+    """Copies and saves what the 3D view shows."""
+
+    def __init__(
+        self,
+        view: "SceneView",
+        document: Document,
+        messages: MessageBar,
+        dialogs: FileDialogs,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._view, self._document = view, document
+        self._messages, self._dialogs = messages, dialogs
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """What commands do here."""
+        return {
+            "copy_scene": self.copy,
+            **{name: partial(self.choose_and_save, times) for name, times in PICTURES.items()},
+        }
+
+    def copy(self) -> None:
+        """Put the picture on the clipboard."""
+        image = self._image(1)
+        if image is not None:
+            QGuiApplication.clipboard().setImage(image)
+            self._messages.done(tr("A picture of the 3D scene is on the clipboard."))
+
+    def choose_and_save(self, times: int) -> None:
+        """Ask for a file and save the picture there, so many times as large as it is seen."""
+        path = self.ask_for_name() if self._seen() else None
+        if path is not None:
+            self.save(path, times)
+
+    def save(self, path: Path, times: int) -> None:
+        """Save the picture as PNG."""
+        image = self._image(times)
+        if image is None:
+            return
+        buffer = QBuffer()
+        buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+        QImageWriter(buffer, b"png").write(image)
+        try:
+            with replacing(path) as file:
+                file.write(bytes(buffer.data().data()))
+        except Refused as refused:
+            self._messages.warn(error_text(refused))
+        else:
+            self._messages.done(
+                tr("{path} is written, {width} × {height} pixels.").format(
+                    path=path, width=image.width(), height=image.height()
+                )
+            )
+
+    def ask_for_name(self) -> Path | None:
+        """Ask for a file."""
+        name = f"{self._document.name} 3D"
+        return self._dialogs.to_save(
+            "plot",
+            tr("Save picture of 3D"),
+            name,
+            {tr(_FILTER).format(endings=f"*{_PNG}"): _PNG},
+        )
+
+    def _seen(self) -> bool:
+        if not self._view.isVisible():
+            self._messages.note(tr("The 3D scene is hidden; View > 3D scene shows it."))
+        return self._view.isVisible()
+
+    def _image(self, times: int) -> QImage | None:
+        if not self._seen():
+            return None
+        QGuiApplication.setOverrideCursor(QCursor(Qt.CursorShape.WaitCursor))
+        try:
+            pixels = self._view.picture(times)
+        finally:
+            QGuiApplication.restoreOverrideCursor()
+        return None if pixels is None else rgb_image(pixels)

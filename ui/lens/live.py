@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from ui.background import Background, Task, sentence_of
 from ui.shown.frame import Frame, make_frame
-from ui.threads.background import Background, Task
-from ui.threads.failure import sentence_of
 from ui.words import tr
 from workbench.design.evaluation import Evaluator
 from workbench.design.snapshot import History

@@ -20,7 +20,7 @@ from ui.lens.lock import Lock
 from ui.lens.move_source import MoveSource
 from ui.lens.sculpt import Sculpt
 from ui.shown.frame import same_task
-from ui.views.drawing_queue import drawing_queue
+from ui.views.view import drawing_queue
 from ui.words import error_text, later, tr
 from workbench.arrays import Mask
 from workbench.design.limits import bounded, undesigned

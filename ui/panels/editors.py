@@ -5,7 +5,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QLineEdit, QSizePolicy
 
 from ui.panels.edits import Typed
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.widgets.labels import WrappedLabel
 from workbench.scene import Measure
 
 

@@ -8,20 +8,14 @@ from collections.abc import Callable, Sequence, Set
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QLabel,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from ui.panels.editors import Chooser, NumberEditor, Refusal, TextEditor
 from ui.panels.edits import Edit, Typed, holder_of, value_at
 from ui.widgets import theme
 from ui.words import inside, tr
-from workbench.scene import Element, Measure, Part
+from workbench.scene import AutoNet, Element, Measure, Part
+from workbench.scene.auto_net import AUTO
 
 Changes = dict[str, object]
 Condition = Callable[[Any], bool]
@@ -343,3 +337,108 @@ class CheckRow(Row):
         super().show_scene(scene, pending)
         if self.path not in pending:
             self.box.setChecked(value_at(scene, self.path))
+
+
+class AutoRow(NumberRow):
+    """Numbers, or a tick that leaves them to the program.
+
+    A number that is typed takes the tick away, and no number brings it back.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        measure: Measure,
+        between: str = "",
+        count: int = 2,
+        whole: bool = False,
+    ) -> None:
+        super().__init__(path, label, tip, measure, between, count, whole)
+        self.box = QCheckBox(tr("Auto"))
+        self.box.setAccessibleName(tr("{label}, automatic").format(label=label))
+        self.box.setToolTip(f"<p>{tip}</p>")
+        self._editors.addWidget(self.box)
+        self._shape: tuple[int, ...] | None = None  # what counts now
+        self._auto = False
+        self.box.clicked.connect(self._choose)
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show the scene's numbers, or what the program has chosen."""
+        Row.show_scene(self, scene, pending)
+        self._unit.hide()  # what was chosen stands in the fields
+        value = value_at(scene, self.path)
+        self._auto = auto = isinstance(value, AutoNet)
+        # An entrance face takes what the exit face has.
+        self._shape = (value.shape or scene.optic.known_shape) if auto else value
+        if self.path not in pending:
+            self.box.setChecked(auto)
+        numbers = self._shape or (tr("auto"),) * len(self.editors)
+        for (path, editor), number in zip(self.editors.items(), numbers, strict=True):
+            editor.setPlaceholderText(str(number))
+            if not pending & {path, self.path}:
+                editor.show_value("" if auto else str(number))
+
+    def _choose(self, auto: bool) -> None:
+        """Take the numbers that count now, or leave them to the program."""
+        self._tell(self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]})
+
+    def _commit(self, path: str, text: str) -> None:
+        texts = [editor.text().strip() for editor in self.editors.values()]
+        if not text.strip():
+            self._tell(self.path, {self.path: AUTO})
+        elif all(texts) and not self._auto:
+            self._tell(path, {path: self.editors[path].typed(text)})
+        else:  # a number alone counts for both
+            values = [e.typed(t or text) for e, t in zip(self.editors.values(), texts, strict=True)]
+            self._tell(self.path, {self.path: values})
+
+
+class OptionalRow(NumberRow):
+    """A number, or two of them, that may be left empty.
+
+    Parameters
+    ----------
+    stand_in : callable
+        The numbers that count instead, of a scene or plain data, or words where none does; shown
+        faintly.
+    """
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        measure: Measure,
+        stand_in: Callable[[Any], Sequence[float | str]],
+        between: str = "",
+        count: int = 2,
+        whole: bool = False,
+    ) -> None:
+        super().__init__(path, label, tip, measure, between, count, whole)
+        self._stand_in = stand_in
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show the scene's numbers, or none, before what stands in for them."""
+        Row.show_scene(self, scene, pending)
+        stand_ins = self._stand_in(scene)
+        for (path, editor), stand_in in zip(self.editors.items(), stand_ins, strict=True):
+            faint = stand_in if isinstance(stand_in, str) else format(stand_in, "g")
+            editor.setPlaceholderText(faint)
+            if path not in pending:
+                value = value_at(scene, path)
+                editor.show_value("" if value is None else format(value, ".12g"))
+
+    def _is_there(self, scene: Any) -> bool:
+        return holder_of(scene, self.path)[0] is not None
+
+    def _commit(self, path: str, text: str) -> None:
+        if not text.strip():
+            self._tell(path, {self.path: None})
+        elif path == self.path:
+            self._tell(path, {path: self.editors[path].typed(text)})
+        else:  # a number alone counts for both
+            texts = [editor.text().strip() or text for editor in self.editors.values()]
+            values = [e.typed(t) for e, t in zip(self.editors.values(), texts, strict=True)]
+            self._tell(path, {self.path: values})

@@ -11,15 +11,12 @@ from ui.document.document import Document
 from ui.panels.edits import Edit, Waiting, edited_scene, has_place, try_with_waiting
 from ui.panels.elements import ElementsPanel
 from ui.panels.fields import Row
-from ui.panels.images import ImagesPanel
+from ui.panels.images import ImagesPanel, TargetPanel
 from ui.panels.panel import Panel, PartPanel
 from ui.panels.regions import RegionsPanel
-from ui.panels.run import RunPanel
-from ui.panels.scene import ScenePanel
-from ui.panels.source import SourcePanel
-from ui.panels.stages import StagesPanel
-from ui.panels.target import TargetPanel
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.panels.run import RunPanel, StagesPanel
+from ui.panels.scene import ScenePanel, SourcePanel
+from ui.widgets.labels import WrappedLabel
 from ui.words import error_text, tr
 from workbench.errors import Refused
 from workbench.files.session import Session

@@ -1,18 +1,198 @@
-"""The images of a scene: a list of them, and the settings of the one that is chosen."""
+"""Target of the first image, and the list of all images."""
 
+from collections.abc import Set
+from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+import numpy as np
+from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Signal
+from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
 
 from ui.panels.edits import Edit
 from ui.panels.fields import Row, TextRow
-from ui.panels.image_list import ImageListRow
-from ui.panels.listed import ListedPanel
-from ui.panels.rows import KindRow, Rows
-from ui.panels.target import image_rows, of_image
-from ui.words import tr
+from ui.panels.lists import ListedPanel, PartListRow
+from ui.panels.panel import PartPanel
+from ui.panels.rows import KindRow, Make, Rows
+from ui.words import inside, tr
+from workbench.arrays import Array
+from workbench.design.picture import LARGEST_PICTURE
 from workbench.files.session import Session
-from workbench.scene import FieldDescription, Image, Scene
+from workbench.scene import FieldDescription, Finish, Image, Scene, Screen
+from workbench.scene.kinds import title_of
+from workbench.scene.viewing import as_viewed
+from workbench.targets.colour import SRGB
+
+_ENDINGS = (
+    "*.png *.jpg *.jpeg *.heic *.heif *.avif *.svg *.svgz *.bmp *.gif *.tif *.tiff *.webp "
+    "*.pgm *.ppm *.jp2 *.tga *.exr *.hdr *.npy"
+)
+_OF_LIGHT = ".npy", ".exr", ".hdr"  # whose numbers are light itself
+
+_HEIGHT = 110  # logical pixels of a thumbnail
+
+
+def image_files() -> str:
+    """Names of files of images, as dialogs take them."""
+    return tr("Images ({endings});;All files (*)").format(endings=_ENDINGS)
+
+
+def is_image_file(path: Path) -> bool:
+    """Whether a file is an image, by its name."""
+    return f"*{path.suffix.lower()}" in _ENDINGS.split()
+
+
+class TargetPanel(PartPanel):
+    """Bound to the target of the first image.
+
+    Attributes
+    ----------
+    image_asked : Signal()
+        A person wants to choose an image file.
+    image_again : Signal()
+        The image file of the target was chosen again.
+    """
+
+    image_asked = Signal()
+    image_again = Signal()
+
+    def __init__(self, field: FieldDescription) -> None:
+        dropped = tr("An image file can also be dropped onto the window.")
+        super().__init__(replace(field, tip=f"{tr(field.tip)} {dropped}"), "images[0].target")
+        for row in self.rows:
+            if isinstance(row, KindRow | TextRow):
+                row.asked.connect(lambda *_: self.image_asked.emit())
+        self._thumbnail = Thumbnail()
+        self._form.insertRow(0, self._thumbnail)
+
+    def own_rows(self) -> dict[str, Make]:
+        """A file can be looked for."""
+        return {"image": image_rows}
+
+    def show_session(self, session: Session, present: Set[Row], pending: Set[str]) -> None:
+        """Show the target's settings and the image itself."""
+        super().show_session(session, present, pending)
+        r_u, r_v = session.scene.receiver.half_extent
+        self._thumbnail.show_target(as_viewed(session.scene, session.target), r_u / r_v)
+
+    def choose_image(self, path: Path) -> None:
+        """Ask for an image file as the target; the one that it is already is read again."""
+        if self.session.scene.image == str(path.absolute()):
+            self.image_again.emit()
+            return
+        target = of_image(path, self.session.scene.target)
+        text, changes = tr("change of target image"), {self.path: target}
+        self.edited.emit(Edit(f"{self.path}.image", text, {**changes}, waits=False))
+
+
+def of_image(path: Path, before: Finish) -> dict[str, object]:
+    """A target of an image file, finished as the one before."""
+    finish = {name: getattr(before, name) for name in Finish.model_fields}
+    tone = "linear" if path.suffix.lower() in _OF_LIGHT else "srgb"
+    return {"image": str(path.absolute()), "tone": tone, **finish}
+
+
+def image_rows(field: FieldDescription, path: str) -> list[Row]:
+    """A row in which a file can be looked for."""
+    kept = tr("The design keeps images of up to {largest} MB.").format(
+        largest=LARGEST_PICTURE >> 20
+    )
+    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose an image file"))]
+
+
+class Thumbnail(QWidget):
+    """The target in greys, also while the form is closed.
+
+    Parameters
+    ----------
+    height : int
+        Logical pixels.
+    """
+
+    def __init__(self, height: int = _HEIGHT) -> None:
+        super().__init__()
+        self._picture, self._aspect = QImage(), 1.0
+        self.setFixedHeight(height)
+        self.setToolTip(tr("The light that is wanted on the screen, as its viewer sees it"))
+        self.setAccessibleName(tr("Target image"))
+
+    def show_target(self, target: Array, aspect: float) -> None:
+        """Show an image (n_y, n_x), its brightest pixel white, on a screen of this aspect."""
+        # As much light of the monitor for each pixel as there is on the screen.
+        greys = (255 * SRGB.stored(target / target.max())).round().astype(np.uint8, order="C")
+        self._aspect = aspect
+        rows, columns = greys.shape
+        view = QImage(greys.data, columns, rows, columns, QImage.Format.Format_Grayscale8)
+        self._picture = view.copy()  # the array is gone after this
+        self.update()
+
+    def clear(self) -> None:
+        """Show no image."""
+        self._picture = QImage()
+        self.update()
+
+    @property
+    def place(self) -> QRect:
+        """Where the picture is: as large as fits, centred."""
+        width, height = float(self.width()), float(self.height())
+        size = QSizeF(min(width, height * self._aspect), min(height, width / self._aspect))
+        place = QRect(QPoint(0, 0), size.toSize().expandedTo(QSize(1, 1)))
+        place.moveCenter(self.rect().center())
+        return place
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the picture."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(self.place, self._picture)
+        painter.end()
+
+
+_FARTHER = 1.2  # times as far from the lens as the receiver before
+
+
+class ImageListRow(PartListRow[Image]):
+    """The images one below the other, and what can be done with them."""
+
+    def __init__(self, label: str, tip: str) -> None:
+        super().__init__(
+            "images",
+            label,
+            tip,
+            tr("image"),
+            tr("Images"),
+            (
+                tr("Add an image farther away, with the target of the last one"),
+                tr("Add a copy of the chosen image behind it"),
+                tr("Remove the chosen image"),
+                tr("Move the chosen image up"),
+                tr("Move the chosen image down"),
+            ),
+        )
+        self._scene: Scene | None = None
+
+    def show_images(self, scene: Scene) -> None:
+        """Show the images of a scene."""
+        self._scene = scene
+        of_first = tr("The panels Target and Receiver have the settings of image 1.")
+        self.show_parts(scene.images, of_first if len(scene.images) > 1 else "")
+
+    def _new(self, which: int) -> Image:
+        """Like the last one, farther away where it is at a distance."""
+        assert self._scene is not None  # shown before anything can be clicked
+        last, near = self._scene.images[-1], self._scene.optic.leaving_z
+        receiver = last.receiver
+        if isinstance(receiver, Screen):
+            away = _FARTHER * (receiver.plane_z - near)
+            receiver = receiver.moved_to(float(f"{near + away:.6g}"))
+        return Image(receiver=receiver, target=last.target)
+
+    def _summary(self, part: Image) -> str:
+        receiver = part.receiver
+        place = f"z = {receiver.plane_z:.6g}" if receiver.at_distance else tr(receiver.called)
+        return tr("{place}, {target}, weight {weight:g}").format(
+            place=place, target=inside(tr(title_of(type(part.target)))), weight=part.weight
+        )
 
 
 class ImagesPanel(ListedPanel):

@@ -6,19 +6,19 @@ from typing import Any
 
 from PySide6.QtCore import Signal
 
-from ui.panels.auto_row import AutoRow
 from ui.panels.edits import holder_of, value_at
 from ui.panels.fields import (
+    AutoRow,
     Changes,
     CheckRow,
     ChoiceRow,
     Condition,
     NumberRow,
     NumbersRow,
+    OptionalRow,
     Row,
     TextRow,
 )
-from ui.panels.optional import OptionalRow
 from ui.words import inside, tr
 from workbench.scene import FieldDescription, Kinds, Part, Scene
 from workbench.scene.fields import Fallback, ForMethod, LeftOut

@@ -1,16 +1,20 @@
-"""How the design is found, and what it costs."""
+"""Method of a run, its cost, and its stages."""
 
 from collections.abc import Set
 from typing import Any
 
 from PySide6.QtWidgets import QLabel
 
-from ui.panels.fields import Row
+from ui.panels.fields import Changes, ChoiceRow, Row
+from ui.panels.lists import ListedPanel, PartListRow
 from ui.panels.panel import PartPanel
-from ui.panels.rows import Make, value_row
-from ui.words import tr
+from ui.panels.rows import Make, Rows, value_row
+from ui.words import inside, later, tr
 from workbench.design.parametrisation import memory_bytes, parameter_count
+from workbench.files.session import Session
 from workbench.process import as_bytes
+from workbench.scene import FieldDescription, Stage
+from workbench.scene.kinds import title_of
 
 
 class RunPanel(PartPanel):
@@ -48,3 +52,111 @@ class _SizeRow(Row):
 
     def _is_there(self, scene: Any) -> bool:
         return True
+
+
+class StageListRow(PartListRow[Stage]):
+    """The stages one below the other, and what can be done with them."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "run.stages",
+            tr("In turn"),
+            tr(
+                "A run goes through these stages before the scene itself, each going on "
+                "from the lens of the one before: from a point source to an extended "
+                "one, say, or from a coarse net to a fine one."
+            ),
+            tr("stage"),
+            tr("Stages of the run"),
+            (
+                tr("Add a stage behind the others"),
+                tr("Add a copy of the chosen stage behind it"),
+                tr("Remove the chosen stage"),
+                tr("Run the chosen stage sooner"),
+                tr("Run the chosen stage later"),
+            ),
+        )
+        self._left = 0
+
+    def show_stages(self, stages: tuple[Stage, ...], iterations: int) -> None:
+        """Show the stages, and the iterations that they leave of all."""
+        self._left = iterations - sum(stage.iterations for stage in stages)
+        then = tr("Then the scene as it stands, {iterations}.").format(
+            iterations=_iterations(self._left)
+        )
+        self.show_parts(stages, then if stages else tr("None: the scene is run as it stands."))
+
+    def _new(self, which: int) -> Stage:
+        """Half of what is left for the scene is a fair share; the scene refuses what is none."""
+        return Stage(iterations=max(1, self._left // 2))
+
+    def _summary(self, part: Stage) -> str:
+        parts = [_iterations(part.iterations)]
+        if part.method is not None:
+            (method,) = (field for field in Stage.fields() if field.name == "method")
+            parts.append(inside(tr(dict(method.choices)[part.method])))
+        if part.control_points is not None:
+            n_u, n_v = part.control_points
+            parts.append(tr("net of {n_u} × {n_v}").format(n_u=n_u, n_v=n_v))
+        if part.source is not None:
+            parts.append(inside(tr(title_of(type(part.source)))))
+        if part.filter is not None:
+            kind = inside(tr(title_of(type(part.filter))))
+            parts.append(tr("{kind} filter").format(kind=kind))
+        return ", ".join(parts)
+
+
+def _iterations(count: int) -> str:
+    return tr("1 iteration") if count == 1 else tr("{count} iterations").format(count=count)
+
+
+_AS_THE_SCENE = later("As the scene")
+
+
+class StagesPanel(ListedPanel):
+    """Bound to ``scene.run.stages``."""
+
+    def __init__(self) -> None:
+        self._list = StageListRow()
+        super().__init__(tr("Stages"), self._list)
+
+    def show_list(self, session: Session) -> None:
+        """List the stages of the run."""
+        run = session.scene.run
+        self._list.show_stages(run.stages, run.iterations)
+
+    def name_of(self, number: int) -> str:
+        """Its number, from 1."""
+        return tr("Stage {number}").format(number=number + 1)
+
+    def rows_of(self, number: int) -> list[Row]:
+        """What a stage may have of its own."""
+        path = f"run.stages[{number}]"
+        rows = Rows(
+            lambda: self.session.scene.stage_scenes()[number],
+            {"method": self._method_rows},
+            tr(_AS_THE_SCENE),
+            path,
+        )
+        return rows.of_part(Stage, path)
+
+    def _method_rows(self, field: FieldDescription, path: str) -> list[Row]:
+        """The automatic method has no learning rate."""
+        rate = f"{path.rpartition('.')[0]}.learning_rate"
+
+        def changes(choice: str) -> Changes:
+            made: Changes = {path: choice or None}
+            if (choice or self.session.scene.run.method) == "auto":
+                made[rate] = None
+            return made
+
+        return [
+            ChoiceRow(
+                path,
+                tr(field.title),
+                tr(field.tip),
+                [(value, tr(title)) for value, title in field.choices],
+                tr(_AS_THE_SCENE),
+                changes=changes,
+            )
+        ]

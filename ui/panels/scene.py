@@ -1,11 +1,24 @@
-"""The panel of what concerns the whole scene."""
+"""Panels of the whole scene and of the source."""
+
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Signal
 
 from ui.panels.edits import Edit
-from ui.panels.fields import Changes, ChoiceRow, Row
-from ui.panels.panel import Panel
-from ui.panels.rows import Rows
+from ui.panels.fields import Changes, ChoiceRow, Row, TextRow
+from ui.panels.panel import Panel, PartPanel
+from ui.panels.rows import KindRow, Make, Rows
 from ui.words import tr
-from workbench.scene import FieldDescription, Scene
+from workbench.design.picture import LARGEST_PICTURE
+from workbench.scene import (
+    FieldDescription,
+    Kinds,
+    MeasuredSource,
+    PhotometricSource,
+    RayFileSource,
+    Scene,
+)
 
 
 class ScenePanel(Panel):
@@ -31,3 +44,60 @@ class _UnitRow(ChoiceRow):
         # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
         unit = self.chooser.currentData()
         self.edited.emit(Edit(path, tr("change of unit"), {}, alone=True, unit=unit))
+
+
+_KINDS: tuple[type[MeasuredSource], ...] = (PhotometricSource, RayFileSource)
+_ENDINGS = tuple(ending for kind in _KINDS for ending in kind.endings)
+_NAMED = Kinds("kind")
+
+
+def light_files() -> str:
+    """Names of files of light, as dialogs take them."""
+    endings = " ".join(f"*{ending}" for ending in _ENDINGS)
+    return tr("Files of light ({endings});;All files (*)").format(endings=endings)
+
+
+def is_light_file(path: Path) -> bool:
+    """Whether a file is one of light, by its name."""
+    return path.suffix.lower() in _ENDINGS
+
+
+class SourcePanel(PartPanel):
+    """Bound to ``scene.source``.
+
+    Attributes
+    ----------
+    file_asked : Signal()
+        A person wants to choose a file of light.
+    """
+
+    file_asked = Signal()
+
+    def __init__(self, field: FieldDescription) -> None:
+        super().__init__(field)
+        for row in self.rows:
+            if isinstance(row, KindRow | TextRow):
+                row.asked.connect(lambda *_: self.file_asked.emit())
+
+    def own_rows(self) -> dict[str, Make]:
+        """A file can be looked for."""
+        return {"file": file_rows}
+
+    def choose_file(self, path: Path) -> None:
+        """Take the light of a file; its name tells of which kind it is."""
+        kind = next((k for k in _KINDS if path.suffix.lower() in k.endings), _KINDS[0])
+        file = {"file": str(path.absolute())}
+        scene = self.session.scene
+        source: dict[str, Any] = {"kind": _NAMED.name_of(kind), **kind.defaults_for(scene)}
+        if isinstance(scene.source, kind):
+            source = scene.source.model_dump(mode="json")
+        edit = Edit(
+            "source.file", tr("change of file of light"), {"source": source | file}, waits=False
+        )
+        self.edited.emit(edit)
+
+
+def file_rows(field: FieldDescription, path: str) -> list[Row]:
+    """A row in which a file can be looked for."""
+    kept = tr("The design keeps files of up to {largest} MB.").format(largest=LARGEST_PICTURE >> 20)
+    return [TextRow(path, tr(field.title), f"{tr(field.tip)} {kept}", tr("Choose a file of light"))]

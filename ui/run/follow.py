@@ -23,12 +23,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from ui.background import Background, sentence_of
 from ui.document.document import Document
 from ui.run.control import RunControl
-from ui.run.kept import called, with_followed
+from ui.run.kept_runs import called, with_followed
 from ui.run.worker import RunJob, frame_of, work
-from ui.threads.background import Background
-from ui.threads.failure import sentence_of
 from ui.words import later, tr
 from workbench.design.endings import STOPPED
 from workbench.design.live import LiveDesign, asks_for_another_lens

@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.check.checking import CheckedLens, verified_error
 from ui.document.document import Document
+from ui.run.check import CheckedLens, verified_error
 from ui.run.comparison import RunComparison
 from ui.run.control import RunControl
-from ui.run.kept import called, renamed, restored, without
+from ui.run.kept_runs import called, renamed, restored, without
 from ui.run.run_check import RunCheck
 from ui.run.table import RunTable
 from ui.shown.frame import lit_alike

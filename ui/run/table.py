@@ -20,9 +20,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.run.kept import called
-from ui.run.run_figures import figures_of, thumbnail_of
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.run.comparison import figures_of, thumbnail_of
+from ui.run.kept_runs import called
+from ui.widgets.labels import WrappedLabel
 from ui.words import later, tr
 from workbench.design.session import LONGEST_NAME
 from workbench.files.session import KeptRun

@@ -1,4 +1,4 @@
-"""The side of a run that lives in a thread of its own. No widget is touched from here.
+"""A mailbox that holds the latest value and no other.
 
 1. A job is complete in itself: session, gate, mailbox. Stopping or replacing one can neither hit
    the next nor mix their frames.
@@ -10,12 +10,11 @@
 
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field
-from threading import Condition
-from typing import TYPE_CHECKING
+from threading import Condition, Lock
+from typing import TYPE_CHECKING, Generic, TypeVar
 
-from ui.run.mailbox import Mailbox
+from ui.background import Task
 from ui.shown.frame import Frame, make_frame
-from ui.threads.background import Task
 from workbench.arrays import Array
 from workbench.design.snapshot import History, Result, Snapshot
 from workbench.geometry.faces import ControlHeights, Locks
@@ -24,6 +23,34 @@ from workbench.progress import given_up_when, interrupted_when
 if TYPE_CHECKING:
     from workbench.files.session import Session
     from workbench.scene import Run, Scene
+
+Value = TypeVar("Value")
+
+
+class Mailbox(Generic[Value]):
+    """Hands values from one thread to another; a value that was not taken is replaced."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._value: Value | None = None
+
+    @property
+    def empty(self) -> bool:
+        """Whether the last value was taken, which is how its reader asks for another."""
+        with self._lock:
+            return self._value is None
+
+    def put(self, value: Value) -> None:
+        """Leave a value in the place of the one before."""
+        with self._lock:
+            self._value = value
+
+    def take(self) -> Value | None:
+        """Take the latest value; None if there is none since the last time."""
+        with self._lock:
+            value, self._value = self._value, None
+            return value
+
 
 Generate = Callable[["Scene", Array, ControlHeights | None, Locks], Generator[Snapshot, None, str]]
 

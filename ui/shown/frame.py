@@ -5,14 +5,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ui.words import tr
 from workbench.arrays import Array
+from workbench.powers import written
 
 if TYPE_CHECKING:
     from workbench.design.lens_state import LensState
     from workbench.design.snapshot import History, Result, Snapshot
     from workbench.files.session import KeptRun, Session
     from workbench.optics.paths import RayPaths
-    from workbench.scene import Source
+    from workbench.scene import AnyReceiver, Scene, Source
 
 _SURFACE_SAMPLES = (65, 65)
 
@@ -132,3 +134,24 @@ def shows(frame: Frame, session: "Session") -> bool:
 def iterations_before(frame: Frame) -> int:
     """Iterations before a frame, those of a continued run included."""
     return frame.result.iterations
+
+
+def image_titles(*scenes: "Scene") -> list[str]:
+    """Return number and position of each image of the scenes.
+
+    A scene with fewer images repeats its last one. Positions that differ between scenes are joined
+    by an arrow.
+    """
+    most = max(len(scene.receivers) for scene in scenes)
+    titles = []
+    for number in range(most):
+        places = [_place(scene.receivers[: number + 1][-1], scene.unit) for scene in scenes]
+        place = " → ".join(dict.fromkeys(places))
+        titles.append(tr("Image {number}, {place}").format(number=number + 1, place=place))
+    return titles
+
+
+def _place(receiver: "AnyReceiver", unit: str) -> str:
+    if receiver.at_distance:
+        return f"z = {written(receiver.plane_z, unit)}"
+    return tr(receiver.called)

@@ -1,15 +1,144 @@
-"""Shown lens: the latest frame of a run, a preview or the history."""
+"""The shown lens, and the history of a run."""
 
+import weakref
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from ui.document.document import Document
-from ui.shown.frame import lit_alike, shows
+from ui.shown.frame import iterations_before, lit_alike, same_task, shows
+from workbench.arrays import Array
+from workbench.design.snapshot import Result
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.files.session import Session
+    from workbench.pictures.loss import Verified
+
+_BUDGET = 64 << 20  # bytes of the frames of one course
+_COURSES = 2  # as large as that are kept
+
+
+@dataclass
+class _KeptCourse:
+    losses: weakref.ref[Array]
+    frames: "tuple[Frame, ...]"
+    gap: int
+    checks: "tuple[Verified, ...]"
+
+
+class FrameHistory(QObject):
+    """Frames of a run and of its continuations, including the first and the latest.
+
+    When frames exceed the memory ``budget``, every second one is dropped and the interval is
+    doubled: the history stays evenly spaced. A history is kept as long as its result lives, and
+    `show` restores it: undo and redo of a run restore its history.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None, budget: int = _BUDGET) -> None:
+        super().__init__(parent)
+        self._budget = budget
+        self._frames: list[Frame] = []
+        self._gap = 1  # iterations between frames, at least
+        self._checks: tuple[Verified, ...] = ()
+        self._kept: list[_KeptCourse] = []
+
+    @property
+    def frames(self) -> "Sequence[Frame]":
+        """Frames in the order of iterations."""
+        return self._frames
+
+    @property
+    def checks(self) -> "tuple[Verified, ...]":
+        """Checks of lenses of this history, in the order of their ends."""
+        return self._checks
+
+    def add(self, frame: "Frame") -> None:
+        """Add the latest frame; later frames of an earlier history are dropped."""
+        frames, at = self._frames, iterations_before(frame)
+        while frames and iterations_before(frames[-1]) >= at:
+            frames.pop()
+        if not frames:
+            self._gap = 1
+        self._checks = _until(at, self._checks)
+        # The last one gives way, unless it is far enough from the one before it.
+        if (
+            len(frames) > 1
+            and iterations_before(frames[-1]) - iterations_before(frames[-2]) < self._gap
+        ):
+            frames.pop()
+        frames.append(frame)
+        while len(frames) > 2 and sum(map(_size, frames)) > self._budget:
+            self._gap *= 2
+            frames[:] = [*frames[:-1:2], frames[-1]]
+        self.changed.emit()
+
+    def add_check(self, check: "Verified") -> None:
+        """Add a check of a lens of the shown history."""
+        self._checks += (check,)
+        self.changed.emit()
+
+    def add_later_check(self, check: "Verified", result: Result, session: "Session") -> None:
+        """Add a check of the lens of a result, whatever is shown now."""
+        kept = self._of(result)
+        if kept is not None:
+            kept.checks += (check,)
+            self.show(session)
+
+    def keep(self, result: Result) -> None:
+        """Keep the shown history as that of a result."""
+        self._keep(result.losses, tuple(self._frames), self._checks)
+
+    def branch(self, frame: "Frame") -> None:
+        """Keep the shown history up to a frame that becomes a result."""
+        at = iterations_before(frame)
+        before = (each for each in self._frames if iterations_before(each) < at)
+        self._keep(frame.result.losses, (*before, frame), _until(at, self._checks))
+
+    def show(self, session: "Session") -> None:
+        """Show the history of a session's result; empty if there is none."""
+        kept = None if session.result is None else self._of(session.result)
+        frames, checks = ((), ()) if kept is None else (kept.frames, kept.checks)
+        if frames and not same_task(frames[0].session, session):
+            frames = ()  # the lens is the same, but its frames are of another scene
+        if (*frames,) != (*self._frames,) or checks != self._checks:
+            self._frames, self._checks = list(frames), checks
+            self._gap = 1 if kept is None else kept.gap
+            self.changed.emit()
+
+    def _of(self, result: Result) -> _KeptCourse | None:
+        return next((kept for kept in self._kept if kept.losses() is result.losses), None)
+
+    def _keep(
+        self, losses: Array, frames: "tuple[Frame, ...]", checks: "tuple[Verified, ...]"
+    ) -> None:
+        self._kept.append(_KeptCourse(weakref.ref(losses), frames, self._gap, checks))
+        self._save_memory()
+
+    def _save_memory(self) -> None:
+        self._kept = [kept for kept in self._kept if kept.losses() is not None]
+        sizes: dict[int, int] = {}  # courses share frames
+        for kept in reversed(self._kept):
+            sizes |= {id(frame): _size(frame) for frame in kept.frames}
+            if sum(sizes.values()) > _COURSES * self._budget:
+                kept.frames = ()
+
+
+def _until(at: int, checks: "tuple[Verified, ...]") -> "tuple[Verified, ...]":
+    return tuple(check for check in checks if check.iteration <= at)
+
+
+def _size(frame: "Frame") -> int:
+    state, paths = frame.state, frame.paths
+    lights = state.irradiance, *(light.irradiance for light in state.further)
+    faces = *state.heights.values(), *frame.surfaces.values()
+    arrays = (*faces, *lights, frame.result.losses)
+    return sum(array.nbytes for array in (*arrays, paths.points, paths.weight))
+
 
 _AT_ONCE_MS = 250  # for a person; most frames of an edited design come sooner, and nothing flickers
 

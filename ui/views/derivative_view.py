@@ -1,10 +1,11 @@
-"""The derivative of the irradiance with respect to the height of one control point.
+"""Derivative maps as views ask for them, in a thread beside the window.
 
 1. A map is computed only for eyes: never while the view is hidden.
 2. It follows the lens when it rests: while a run brings frame after frame, a map of each would
    take the run's time and be of the past when it is there.
 """
 
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -12,14 +13,12 @@ from PySide6.QtCore import QSignalBlocker, QTimer, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSpinBox
 
+from ui.background import Background, Task, sentence_of
 from ui.shown.frame import same_task
-from ui.threads.background import Background
-from ui.threads.failure import sentence_of
-from ui.views.computing_view import ComputingView
-from ui.views.derivatives import DerivativeRequest, derivative
-from ui.views.face_choice import FaceChoice
 from ui.views.plot_view import PlotView
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.views.surface_view import FaceChoice
+from ui.views.view import ComputingView
+from ui.widgets.labels import WrappedLabel
 from ui.words import tr
 from workbench.geometry.faces import ControlPoint
 from workbench.geometry.surface import freeform_nets
@@ -35,6 +34,27 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.analysis.derivatives import DerivativeMap
     from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
+    from workbench.scene import Scene
+
+
+@dataclass(frozen=True, eq=False)
+class DerivativeRequest:
+    """Request for a derivative map."""
+
+    scene: "Scene"
+    heights: "ControlHeights"
+    point: "ControlPoint"
+
+
+def derivative(request: DerivativeRequest, task: Task) -> "DerivativeMap":
+    """Return the map of a request; called in a thread."""
+    # Late: torch comes with it, and the window shows before that.
+    from workbench.analysis.derivatives import irradiance_derivative
+
+    point = request.point
+    return irradiance_derivative(request.scene, request.heights, point.index, face=point.face)
+
 
 _REST_MS = 250  # longer than between two frames of a run, or two steps of a spin box
 

@@ -1,31 +1,33 @@
-"""Through focus: the irradiance on a screen before or behind the scene's.
+"""Traces of a lens to screens elsewhere, for threads.
 
 1. It is traced anew by other means than the optimiser's, only for eyes: never while hidden.
 2. It follows the lens when it rests, as the derivative does. A slider that moves is answered with
    few rays at once, and with many when it stays.
 """
 
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSlider
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QSlider
 
-from ui.check.focusing import FocusRequest, trace_through_focus
+from ui.background import Background, Task, other_cores, sentence_of
 from ui.shown.frame import same_task
-from ui.threads.background import Background
-from ui.threads.failure import sentence_of
-from ui.views.computing_view import ComputingView
-from ui.views.focus_curve import FocusCurveView
 from ui.views.image_link import ImageLink
-from ui.views.light_image_view import LightContent, LightImageView
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.views.light_images import LightContent, LightImageView
+from ui.views.plot_view import PlotCanvas
+from ui.views.view import ComputingView, View
+from ui.widgets.labels import WrappedLabel
+from ui.widgets.plot_words import translate
 from ui.words import later, tr
 from workbench.analysis.focus import screen_at
 from workbench.arrays import Array
 from workbench.design.session import verified_error
+from workbench.errors import RunFailed
+from workbench.pictures.error_curves import FocusCurve
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -33,6 +35,112 @@ if TYPE_CHECKING:
     from workbench.analysis.validation_figures import Validation
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
+
+
+@dataclass(frozen=True, eq=False)
+class FocusRequest:
+    """What the light of a lens is like on screens elsewhere.
+
+    Attributes
+    ----------
+    session : Session
+        Its task.
+    heights : ControlHeights
+        Its control heights.
+    traces : tuple of (float, int)
+        One after the other: z of the screen, and rays.
+    """
+
+    session: "Session"
+    heights: "ControlHeights"
+    traces: tuple[tuple[float, int], ...]
+
+
+def trace_through_focus(request: FocusRequest, task: Task) -> None:
+    """Answer a request; meant for a thread.
+
+    Reports for each screen its z and what the light is like there, a `Validation` or None for no
+    light.
+    """
+    for z, rays in request.traces:
+        found = _light_at(request, z, rays, task)
+        if task.stopped:
+            return
+        task.report((z, found))
+
+
+def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> "Validation | None":
+    """The light on a screen; None if there is none, or nobody wants to know any more."""
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.validation import validating
+
+    session = request.session.of_image(0)  # about whose screen the light is followed
+    steps = validating(
+        session.scene,
+        session.target,
+        request.heights,
+        rays,
+        screen_z=z,
+        threads=other_cores(),
+    )
+    try:
+        return task.follow(steps)
+    except RunFailed:
+        return None
+
+
+_LINES = 8  # of text, as high as it is beside an image
+
+
+class FocusCurveView(View):
+    """Small plot of errors that grows as traces arrive."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._canvas = PlotCanvas(self, bar=False)
+        self._box.addWidget(self._canvas)
+        self.setMinimumHeight(self.sizeHint().height())
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        self.setToolTip(tr("Relative L2 error against the distance; the dotted line is the screen"))
+        self._ends = (0.0, 1.0)
+        self._z = 0.0
+        self._errors: dict[float, float] = {}
+        self._curve: FocusCurve | None = None
+
+    def sizeHint(self) -> QSize:
+        """Some lines of text high."""
+        return QSize(super().sizeHint().width(), _LINES * self.fontMetrics().lineSpacing())
+
+    @property
+    def errors(self) -> list[tuple[float, float]]:
+        """Shown distances and errors."""
+        return sorted(self._errors.items())
+
+    def begin(self, session: "Session", ends: tuple[float, float]) -> None:
+        """Remove all errors, for another lens."""
+        self._ends, self._errors, self._curve = ends, {}, None
+        self.show_design(session)
+
+    def add(self, z: float, error: float) -> None:
+        """Add an error."""
+        self._errors[z] = error
+        self._ask()
+
+    def mark(self, z: float) -> None:
+        """Mark the shown distance."""
+        self._z = z
+        self._ask()
+
+    def _draw(self, session: "Session", frame: "Frame | None") -> None:
+        if self._curve is None:
+            self._curve = FocusCurve(self._canvas.begin(), session.scene, self._ends)
+            self._canvas.animate([self._curve.mark])
+            translate(self._canvas.figure)
+        self._canvas.show_changes(self._curve.update(self.errors, self._z))
+
+    def _recolour(self) -> None:
+        self._canvas.recolour()
+
 
 _TRACE = later("trace through focus")
 _REST_MS = 250  # longer than between two frames of a run

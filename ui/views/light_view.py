@@ -6,8 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QWidget
 
-from ui.views.image_choice import ImageChoice
-from ui.views.image_link import ImageLink
+from ui.views.image_link import ImageChoice, ImageLink
 from ui.views.view import View
 from ui.words import later, tr
 from workbench.optics.account import LOSSES, losses_in, words_for

@@ -1,32 +1,35 @@
-"""The predicted photo: what a camera would see on the screen, in colour.
+"""Predicted photos as views ask for them, in a thread beside the window.
 
 1. It is traced anew at several wavelengths, which takes seconds: only for eyes, and never while a
    run needs the cores. One that is under way when a run begins is given up.
 2. It follows the lens when it rests. Exposure needs no new trace.
 """
 
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QRectF, QSize, QSizeF, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QSizePolicy,
     QSlider,
     QVBoxLayout,
+    QWidget,
 )
 
-from ui.threads.background import Background
-from ui.threads.failure import sentence_of
-from ui.views.computing_view import ComputingView
-from ui.views.image_choice import ImageChoice
-from ui.views.image_link import ImageLink
-from ui.views.photos import PhotoRequest, take_photo
-from ui.views.pixels import Pixels
-from ui.widgets.wrapped_label import WrappedLabel
+from ui.background import Background, Task, other_cores, sentence_of
+from ui.shown.frame import same_light
+from ui.views.image_link import ImageChoice, ImageLink
+from ui.views.view import ComputingView
+from ui.widgets.labels import WrappedLabel
+from ui.widgets.native import rgb_image
 from ui.words import later, tr
 from workbench.analysis.photo.light import LIGHTS
 
@@ -34,6 +37,77 @@ if TYPE_CHECKING:
     from ui.shown.frame import Frame
     from workbench.analysis.photo.photo import Photo
     from workbench.files.session import Session
+
+
+@dataclass(frozen=True, eq=False)
+class PhotoRequest:
+    """Request for a photo."""
+
+    frame: "Frame"
+    image: int
+    light: str
+
+    def same(self, other: "PhotoRequest") -> bool:
+        """Whether both requests are for the same photo."""
+        asked = (self.image, self.light) == (other.image, other.light)
+        return asked and same_light(self.frame, other.frame)
+
+
+def take_photo(request: PhotoRequest, task: Task) -> "Photo | None":
+    """Return the photo of a request, None if cancelled; called in a thread.
+
+    Reports the finished fraction.
+    """
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.photo.light import LIGHTS
+    from workbench.analysis.photo.photo import photographing
+
+    session = request.frame.session.of_image(request.image)
+    steps = photographing(
+        session.scene,
+        session.target,
+        request.frame.state.heights,
+        LIGHTS.get(request.light),
+        threads=other_cores(),
+    )
+    return task.follow(steps, task.report)
+
+
+_USUAL, _LEAST = QSize(320, 320), QSize(160, 120)
+
+
+class Pixels(QWidget):
+    """Paints an image as large as possible, with its aspect ratio."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._image: QImage | None = None
+        self._aspect = 1.0
+        self.setMinimumSize(_LEAST)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def sizeHint(self) -> QSize:
+        """Size in which an image is recognisable."""
+        return _USUAL
+
+    def show_pixels(self, values: "npt.NDArray[np.uint8] | None", aspect: float = 1.0) -> None:
+        """Show an image (n_y, n_x, 3) with pixels of an aspect ratio, or none."""
+        self._image, self._aspect = None if values is None else rgb_image(values), aspect
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the image in the middle, as large as possible."""
+        if self._image is None:
+            return
+        size = QSizeF(self._image.width() * self._aspect, self._image.height())
+        size.scale(QSizeF(self.size()), Qt.AspectRatioMode.KeepAspectRatio)
+        place = QRectF(0, 0, size.width(), size.height())
+        place.moveCenter(QRectF(self.rect()).center())
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(place, self._image)
+        painter.end()
+
 
 _TAKE = later("predict the photo")
 _REST_MS = 250  # longer than between two steps of a hand

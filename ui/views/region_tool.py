@@ -1,20 +1,181 @@
-"""What the mouse does on an image while regions are marked.
+"""Regions on images: drawing and editing by mouse, and their marks.
+
+Coordinates are parts of the receiver's width and height, from its middle, as in
+`workbench.scene.region`.
 
 A drag draws a rectangle, or takes an edge or a corner of a region along. Clicks are corners of a
 polygon, until a double click or Enter. What is drawn becomes an edit when the hand lets go.
 """
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ui.views.image_link import ImageLink, Place
-from ui.views.region_hand import Grip, around, between, grip_at, reshaped
 from ui.words import tr
+from workbench.arrays import Array
+from workbench.measured.lamps import light_unit
+from workbench.powers import written
+from workbench.scene import PolygonRegion, RectangleRegion
+from workbench.scene.region import AnyRegion
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.text import Text
+
     from workbench.scene import AnyReceiver, Scene
-    from workbench.scene.region import AnyRegion
+
+_DIGITS = 4  # of places; less than a pixel of any receiver
+_LEAST = 1e-3  # width of a region
+_EDGE = 0.5
+
+
+class Grip(NamedTuple):
+    """Grabbed part of a region."""
+
+    number: int
+    corners: tuple[int, ...] = ()
+    sides: tuple[int, ...] = ()
+
+
+def grip_at(regions: Sequence[AnyRegion], place: Place, margin: Place) -> Grip | None:
+    """Return the edge or corner at a point, of the last region that has one there."""
+    for number, region in reversed(list(enumerate(regions))):
+        if isinstance(region, PolygonRegion):
+            corners = _corners_at(np.array(region.corners) / margin, np.array(place) / margin)
+            if corners:
+                return Grip(number, corners=corners)
+        else:
+            sides = _sides_at(_box(region), place, margin)
+            if sides:
+                return Grip(number, sides=sides)
+    return None
+
+
+def reshaped(region: AnyRegion, grip: Grip, start: Place, place: Place) -> AnyRegion:
+    """The region after its grip was dragged from one point to another."""
+    if isinstance(region, PolygonRegion):
+        by = np.subtract(place, start)
+        corners = tuple(
+            _within(np.add(corner, by)) if k in grip.corners else corner
+            for k, corner in enumerate(region.corners)
+        )
+        return region.model_copy(update={"corners": corners})
+    box = _box(region)
+    x, y = _within(place)
+    for side in grip.sides:
+        box[side] = x if side < 2 else y
+    for low, high in ((0, 1), (2, 3)):
+        box[low], box[high] = sorted((box[low], box[high]))
+        if box[high] - box[low] < _LEAST:  # no further than the side across from it
+            return region
+    center, size = _middle_and_size(box)
+    return region.model_copy(update={"center": center, "size": size})
+
+
+def between(start: Place, place: Place, name: str) -> RectangleRegion | None:
+    """The rectangle between two corners; None if too small to be intended."""
+    (x_0, y_0), (x_1, y_1) = _within(start), _within(place)
+    box = [min(x_0, x_1), max(x_0, x_1), min(y_0, y_1), max(y_0, y_1)]
+    if box[1] - box[0] < _LEAST or box[3] - box[2] < _LEAST:
+        return None
+    center, size = _middle_and_size(box)
+    return RectangleRegion(name=name, center=center, size=size)
+
+
+def around(corners: Sequence[Place], name: str) -> PolygonRegion | None:
+    """The polygon of corners, without repeated ones; None for less than 3."""
+    places = [_within(corner) for corner in corners]
+    distinct = tuple(p for k, p in enumerate(places) if p != places[k - 1])
+    return PolygonRegion(name=name, corners=distinct) if len(distinct) >= 3 else None
+
+
+def _box(region: AnyRegion) -> list[float]:
+    outline = region.outline
+    (left, bottom), (right, top) = outline.min(axis=0), outline.max(axis=0)
+    return [float(left), float(right), float(bottom), float(top)]
+
+
+def _middle_and_size(box: Sequence[float]) -> tuple[Place, Place]:
+    left, right, bottom, top = box
+    middle = round((left + right) / 2, _DIGITS + 1), round((bottom + top) / 2, _DIGITS + 1)
+    return middle, (round(right - left, _DIGITS), round(top - bottom, _DIGITS))
+
+
+def _sides_at(box: Sequence[float], place: Place, margin: Place) -> tuple[int, ...]:
+    (x, y), (near_x, near_y) = place, margin
+    left, right, bottom, top = box
+    if not (left - near_x <= x <= right + near_x and bottom - near_y <= y <= top + near_y):
+        return ()
+    held = (
+        min((0, 1), key=lambda side: abs(box[side] - x)),
+        min((2, 3), key=lambda side: abs(box[side] - y)),
+    )
+    beside = abs(box[held[0]] - x) <= near_x, abs(box[held[1]] - y) <= near_y
+    return tuple(side for side, there in zip(held, beside, strict=True) if there)
+
+
+def _corners_at(corners: Array, place: Array) -> tuple[int, ...]:
+    far = np.linalg.norm(corners - place, axis=1)
+    if far.min() <= 1:
+        return (int(far.argmin()),)
+    along = np.roll(corners, -1, axis=0) - corners
+    part = ((place - corners) * along).sum(axis=1) / np.square(along).sum(axis=1).clip(1e-300)
+    nearest = corners + part.clip(0, 1)[:, None] * along
+    beside = np.linalg.norm(nearest - place, axis=1)
+    first = int(beside.argmin())
+    return (first, (first + 1) % len(corners)) if beside[first] <= 1 else ()
+
+
+def _within(place: Sequence[float] | Array) -> Place:
+    x, y = (round(min(max(float(at), -_EDGE), _EDGE), _DIGITS) for at in place)
+    return x, y
+
+
+_OUTLINE: dict[str, Any] = {"color": "#4aa3df", "linewidth": 1.2}
+_TEXT: dict[str, Any] = {"fontsize": "x-small", "clip_on": True}
+_BOX: dict[str, Any] = {"edgecolor": "none", "alpha": 0.6, "pad": 1.5}
+
+
+class RegionMarks:
+    """Outlines and labels of the regions of a scene."""
+
+    def __init__(self, axes: "Axes", scene: "Scene") -> None:
+        self._scene = scene
+        self._texts: list[Text] = []
+        outlines: list[Artist] = []
+        receiver = scene.receiver
+        for number, region in enumerate(scene.regions):
+            corners = receiver.middle + 2 * region.outline * receiver.half_extent
+            outlines += axes.plot(*np.append(corners, corners[:1], axis=0).T, **_OUTLINE)
+            (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
+            side = "left" if left + right <= 2 * receiver.middle[0] else "right"  # towards it
+            at = left if side == "left" else right
+            # In turn above and below: words are wider than regions that stand beside each other.
+            edge, up = (bottom, "bottom") if number % 2 else (top, "top")
+            text = axes.text(at, edge, region.name, ha=side, va=up, bbox=_BOX, **_TEXT)
+            self._texts.append(text)
+        self.artists = (*outlines, *self._texts)
+        """Drawn over the image, which is drawn anew for each state of a run."""
+
+    def show_light(self, irradiance: Array) -> None:
+        """Write the part of the flux and the uniformity at each region."""
+        if not self._texts:
+            return
+        from workbench.analysis.regions import light_of_regions  # late: takes long to import
+
+        scene = self._scene
+        found = light_of_regions(scene.regions, scene.receiver, irradiance, light_unit(scene))
+        for text, light in zip(self._texts, found, strict=True):
+            words, unit = f"{light.name} {100 * light.share:.1f} %", light.unit
+            if unit.lumens is not None:
+                words += f", {written(light.mean * unit.density, unit.short, 3)}"
+            if light.uniformity is not None:
+                even = tr("least / mean {number:.2f}").format(number=light.uniformity)
+                words += f"\n{even}"
+            text.set_text(words)
 
 
 class RegionTool:

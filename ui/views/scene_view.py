@@ -31,8 +31,8 @@ from ui.views.tools.steer import steer
 from ui.views.tools.tool import Pointer, Tool
 from ui.views.tools.tool_input import ToolInput
 from ui.views.view import View
+from ui.widgets.labels import WrappedLabel
 from ui.widgets.native import make_native
-from ui.widgets.wrapped_label import WrappedLabel
 from workbench.arrays import Array
 from workbench.design.limits import bounded
 

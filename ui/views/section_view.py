@@ -14,7 +14,7 @@ from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from ui.views.image_link import ImageLink, Line, Place
 from ui.views.keys import ARROWS
 from ui.views.plot_view import PlotView
-from ui.widgets.menu_button import MenuButton, choose, chosen_of
+from ui.widgets.controls import MenuButton, choose, chosen_of
 from ui.words import later, tr
 from workbench.pictures.axes import Extent
 from workbench.pictures.section import Cut, SectionCurves, cut_between, cut_through

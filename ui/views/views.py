@@ -8,24 +8,20 @@ from PySide6.QtCore import QObject
 
 from ui.commands.table import COLOURS, FACES_BY, RAYS, RAYS_BY, VIEWS
 from ui.views.derivative_view import DerivativeView
-from ui.views.error_view import ErrorView
 from ui.views.focus_view import FocusView
-from ui.views.history_slider import HistorySlider
 from ui.views.image_link import ImageLink
-from ui.views.irradiance_view import IrradianceView
+from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.light_view import LightView
-from ui.views.loss_view import LossView
+from ui.views.loss_view import HistorySlider, LossView
 from ui.views.photo_view import PhotoView
 from ui.views.plot_view import PlotView
 from ui.views.scene_view import SceneView
 from ui.views.section_view import SectionView
 from ui.views.surface_view import SurfaceView
-from ui.views.target_view import TargetView
 from ui.views.view import View
 
 if TYPE_CHECKING:
-    from ui.shown.frame_history import FrameHistory
-    from ui.shown.shown_lens import ShownLens
+    from ui.shown.shown_lens import FrameHistory, ShownLens
 
 
 class Views(QObject):

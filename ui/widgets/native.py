@@ -1,8 +1,18 @@
-"""Windows within the window."""
+"""Native windows, the Qt application, and pictures of numpy for Qt."""
 
+import numpy as np
+import numpy.typing as npt
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
-from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QImage, QPaintEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
+
+def application() -> QApplication:
+    """Return the application; raise RuntimeError if there is none yet."""
+    found = QApplication.instance()
+    if not isinstance(found, QApplication):
+        raise RuntimeError("make the application before its widgets")
+    return found
 
 
 def make_native(widget: QWidget) -> None:
@@ -35,3 +45,11 @@ class Uncovered(QObject):
         if isinstance(event, QPaintEvent):
             self._window.update(event.region())
         return False
+
+
+def rgb_image(colours: npt.NDArray[np.uint8]) -> QImage:
+    """Return an image from colours (n_y, n_x, 3), with its own copy of the data."""
+    rows, columns, _ = colours.shape
+    data = np.ascontiguousarray(colours)
+    image = QImage(data.data, columns, rows, 3 * columns, QImage.Format.Format_RGB888)
+    return image.copy()  # the data are numpy's

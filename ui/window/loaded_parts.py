@@ -1,4 +1,4 @@
-"""What a window gets once its libraries are there: runner, views, and all that works with them.
+"""The docks on what becomes of a lens outside the program: can it be made, and how well must it.
 
 Importing this takes the seconds that these libraries take.
 """
@@ -8,36 +8,73 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from ui.check.check import Check
-from ui.check.figures import CheckFigures
-from ui.commands.colour_choice import keep_colours
-from ui.files.photo_picture import PhotoPicture
-from ui.files.plots import Plots
-from ui.files.scene_pictures import ScenePictures
+from ui.commands.choices import keep_colours
+from ui.files.plots import PhotoPicture, Plots, ScenePictures
 from ui.lens.tools import LensTools
-from ui.notices.coarse_net import CoarseNetNotice
-from ui.notices.lost_light import LostLightNotice
-from ui.notices.postponed_edits import PostponedEdits
-from ui.notices.shortfall import ShortfallNotice
-from ui.notices.total_reflection import TotalReflectionNotice
+from ui.manufacture.pane import ManufacturePane
+from ui.manufacture.tolerance_pane import TolerancePane
 from ui.panels.edits import Edit
-from ui.run.bound import BoundOfDesign
+from ui.run.check import Check
+from ui.run.check_figures import CheckFigures
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.log import RunLog
+from ui.run.run_check import BoundOfDesign
 from ui.run.runs import Runs
 from ui.shown.shown_lens import ShownLens
 from ui.views.views import Views
-from ui.window.production_panes import ProductionPanes
+from ui.window.edit_notices import PostponedEdits
+from ui.window.run_notices import (
+    CoarseNetNotice,
+    LostLightNotice,
+    ShortfallNotice,
+    TotalReflectionNotice,
+)
 from ui.words import tr
-
-FOLLOW = "run/follow"
-"""Setting that keeps whether edits are followed; they are by default."""
 
 if TYPE_CHECKING:
     from ui.shown.frame import Frame
-    from ui.window.early_parts import EarlyParts
+    from ui.views.plot_view import PlotView
+    from ui.window.workspace import EarlyParts
     from workbench.scene.region import Region
+
+
+class ProductionPanes(QObject):
+    """Makes both panes and tells them of the lens on show.
+
+    Attributes
+    ----------
+    panes : dict of str to QWidget
+        By the names of their docks.
+    """
+
+    def __init__(self, settings: QSettings, parent: QObject) -> None:
+        super().__init__(parent)
+        self.manufacture, self.tolerances = ManufacturePane(settings), TolerancePane()
+        self.panes = {"manufacture": self.manufacture, "tolerances": self.tolerances}
+
+    def plots(self) -> "dict[str, PlotView]":
+        """Their pictures, by the names of their docks."""
+        return {"manufacture": self.manufacture.map, "tolerances": self.tolerances.plot}
+
+    def follow(self, shown: "ShownLens") -> None:
+        """Tell both panes of what is shown."""
+        for pane in (self.manufacture, self.tolerances):
+            shown.add(pane)
+
+    def allow(self, resting: bool) -> None:
+        """Whether the lens on show stays as it is until somebody asks for another."""
+        for pane in (self.manufacture, self.tolerances):
+            pane.allow(resting)
+
+    def close(self) -> None:
+        """End their threads; safe to call twice."""
+        for pane in (self.manufacture, self.tolerances):
+            pane.close_thread()
+
+
+FOLLOW = "run/follow"
+"""Setting that keeps whether edits are followed; they are by default."""
 
 
 class LoadedParts(QObject):

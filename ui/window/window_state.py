@@ -1,17 +1,146 @@
-"""What goes on in a window, shown by its commands, forms and status bar."""
+"""State of a window, shown by its commands, forms and status bar."""
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QKeySequence
 
-from ui.commands.availability import Situation
-from ui.run.lens_on_show import LensOnShow
-from ui.window.early_parts import EarlyParts
+from ui.commands.table import LOCKS, NEW
+from ui.run.control import LensOnShow
+from ui.window.workspace import EarlyParts
 from ui.words import later, tr
 from workbench.design.endings import STOPPED
 
 if TYPE_CHECKING:
     from ui.window.loaded_parts import LoadedParts
+    from workbench.scene import Element
+
+_TAKES_LENS = ("export", "cut", "report")
+
+# Not while a run works on the design as it was when it began.
+_CHANGING = (
+    *NEW,
+    *LOCKS,
+    "new",
+    "gallery",
+    "open",
+    "restore_run",
+    "delete_run",
+    "mark_region",
+    "undo",
+    "redo",
+    "revert",
+)
+_ONE_FACE = later("There is one freeform face: Freeform entrance face gives a lens a second one")
+_RUN_FIRST = later(
+    "Not while a run goes on: it works on the design as it was when it began. Stop it first"
+)
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What decides about it.
+
+    Attributes
+    ----------
+    optic : Element
+        What is designed.
+    state : str
+        Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
+    has_lens : bool
+        Whether the design has a lens, if only to start from.
+    lens : str
+        What the lens on show is; empty where there is none.
+    can_undo, can_redo : bool
+        Whether the undo stack has a step in that direction.
+    can_revert : bool
+        Whether the design has a file and differs from it.
+    following : bool
+        Whether live update designs a lens just now.
+    has_refused : bool
+        Whether a field has an entry that was refused, which undo takes back first.
+    """
+
+    optic: "Element"
+    state: str
+    has_lens: bool
+    lens: str
+    can_undo: bool
+    can_redo: bool
+    can_revert: bool
+    has_refused: bool
+    following: bool
+
+    @property
+    def two_faces(self) -> bool:
+        """Whether the entrance face is freeform, too."""
+        return self.optic.entrance.shape == "bspline"
+
+    @property
+    def editable(self) -> bool:
+        """Whether the design may be changed."""
+        return self.state in ("loading", "idle")
+
+    @property
+    def under_way(self) -> bool:
+        """Whether a run goes on that nobody has stopped."""
+        return self.state in ("running", "paused")
+
+    @property
+    def resting(self) -> bool:
+        """Whether the lens on show stays as it is until somebody asks for another."""
+        return self.state in ("idle", "paused")
+
+    def texts(self) -> dict[str, str]:
+        """What commands are called that do one thing or another."""
+        return {
+            "second_face": tr("Flat &entrance face")
+            if self.two_faces
+            else tr("Freeform &entrance face"),
+            "start": tr("&Start over") if self.has_lens else tr("&Start"),
+            "pause": tr("&Resume") if self.state == "paused" else tr("&Pause"),
+        }
+
+    def allows(self) -> dict[str, bool]:
+        """Which of the commands are available; those that are left out always are."""
+        idle, under_way = self.state == "idle", self.under_way
+        return {
+            **dict.fromkeys(_CHANGING, self.editable),
+            **dict.fromkeys(_TAKES_LENS, self.has_lens or under_way),
+            "second_face": self.optic.most_faces > 1,
+            "other_face": self.two_faces,
+            "start": idle,
+            "continue": idle and (self.has_lens or self.following),
+            "pause": under_way,
+            "stop": under_way,
+            "restore_run": idle,
+            "delete_run": idle,
+            "check": self.resting,
+            "revert": self.editable and self.can_revert,
+            "undo": self.has_refused or (self.editable and self.can_undo),
+            "redo": self.editable and self.can_redo,
+        }
+
+    def reasons(self) -> dict[str, str]:
+        """Why commands are not available that a person may look for, and what others take."""
+        called = self.optic.called
+        no_lens = (
+            "" if self.has_lens else tr("There is no {optic} yet: Start designs one", optic=called)
+        )
+        taken = tr("the best {optic} so far", optic=called) if self.under_way else self.lens
+        return {
+            **dict.fromkeys(_CHANGING, "" if self.editable else tr(_RUN_FIRST)),
+            **dict.fromkeys(
+                _TAKES_LENS, tr("Takes {lens}").format(lens=taken) if taken else no_lens
+            ),
+            "continue": "" if self.following else no_lens,
+            **({"undo": ""} if self.has_refused else {}),
+            "second_face": ""
+            if self.optic.most_faces > 1
+            else tr("A {optic} has one freeform face", optic=called),
+            "other_face": "" if self.two_faces else tr(_ONE_FACE),
+        }
+
 
 _STATES = later(
     {

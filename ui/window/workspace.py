@@ -1,9 +1,9 @@
-"""Where forms and views stand in the window, before and after the views are there."""
+"""Docks of the window, and all of its parts that need no slow library."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, QTimer
+from PySide6.QtCore import QModelIndex, QObject, QPersistentModelIndex, QSettings, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QUndoStack
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -18,12 +18,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.commands.actions import Commands
 from ui.commands.panes import PANES
+from ui.document.document import Document
+from ui.files.dialogs import FileDialogs
 from ui.panels.forms import Forms
-from ui.widgets.log_view import LogView
-from ui.widgets.message_bar import MessageBar
+from ui.run.status import RunStatus
+from ui.widgets.messages import LogView, MessageBar
 from ui.widgets.native import Uncovered
-from ui.words import inside, tr
+from ui.window.edit_notices import RefusedFields
+from ui.words import inside, later, tr
 
 if TYPE_CHECKING:
     from workbench.files.session import Session
@@ -209,3 +213,48 @@ class _Capitalised(QStyledItemDelegate):
         super().initStyleOption(option, index)
         text = option.text
         option.text = text[:1].upper() + text[1:]
+
+
+_COMPILING = later(
+    "The run waits for its tracing kernels: they are compiled once after "
+    "installing, for about half a minute"
+)
+
+
+class EarlyParts(QObject):
+    """Makes what needs no slow library, and puts it into the window."""
+
+    def __init__(self, window: QMainWindow, document: Document, settings: QSettings) -> None:
+        super().__init__(window)
+        self.document = document
+        self.commands = Commands(window)
+        self.messages = messages = MessageBar()
+        self.log = LogView()
+        messages.message.connect(self.log.add)
+        self.forms = Forms(document)
+        self.forms.message.connect(self.log.add)
+        self.forms.file_refused.connect(messages.warn)
+        self._refused = RefusedFields(self.forms, messages, self)
+        self.workspace = DockWorkspace(window, self.forms, messages, document.undo_stack, self.log)
+        self.workspace.name_light(document.session)
+        document.session_changed.connect(self.workspace.name_light)
+        self.dialogs = FileDialogs(document, settings, window)
+        self._bar = window.statusBar()
+        self.status = RunStatus(self._bar)
+
+    def begin(self, begin: Callable[[], None]) -> None:
+        """Begin a run, unless something that was typed is refused."""
+        self.forms.commit()
+        if self.forms.refused:
+            self._refused.tell()
+        else:
+            self.messages.make_way()
+            begin()
+
+    def show_waiting(self, waiting: bool) -> None:
+        """Say why a run shows nothing yet, until it does."""
+        if waiting:
+            self.log.add(tr(_COMPILING))
+            self._bar.showMessage(tr(_COMPILING))
+        else:
+            self._bar.clearMessage()

@@ -1,7 +1,7 @@
 import pytest
 
-from ui.commands.availability import Situation
 from ui.commands.table import COMMANDS
+from ui.window.window_state import Situation
 from workbench.scene import Lens, Mirror, PlaneFace, SplineFace
 
 FACE = SplineFace(control_points=(8, 8))

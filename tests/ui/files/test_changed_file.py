@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
-from ui.files import changed
-from ui.files.changed import ChangedFileChoice
+from ui.files import actions
+from ui.files.actions import ChangedFileChoice
 from workbench.files.session import read_session, write_session
 
 
@@ -27,7 +27,8 @@ def path(window, tmp_path):
 def answers(monkeypatch):
     """Answers to come; each is used once."""
     coming = []
-    monkeypatch.setattr(changed, "ask", lambda path, found, window: coming.pop(0))
+    name = "ask_about_changed_file"
+    monkeypatch.setattr(actions, name, lambda path, found, window: coming.pop(0))
     yield coming
     assert not coming, "a question that was expected was not asked"
 
@@ -130,7 +131,7 @@ def press(word, seen):
 def test_the_question_about_a_changed_file(window, path, word, choice):
     seen = []
     press(word, seen)
-    assert changed.ask(path, OnDisk.CHANGED, window) is choice
+    assert actions.ask_about_changed_file(path, OnDisk.CHANGED, window) is choice
     ((text, buttons),) = seen
     assert "mine.freeform" in text
     assert buttons == {"Overwrite", "Save as…", "Reload", "Cancel"}

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from resources import EXAMPLES
-from ui.files.gallery import Gallery
+from ui.dialogs.gallery import Gallery
 
 
 @pytest.fixture

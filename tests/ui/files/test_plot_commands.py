@@ -6,7 +6,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMainWindow
 
 from ui.commands.actions import Commands
-from ui.commands.colour_choice import keep_colours
+from ui.commands.choices import keep_colours
 
 
 @pytest.fixture

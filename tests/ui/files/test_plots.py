@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from ui.document.document import Document
 from ui.files.dialogs import FileDialogs
 from ui.files.plots import Plots
-from ui.views.irradiance_view import IrradianceView
+from ui.views.light_images import IrradianceView
 from ui.views.loss_view import LossView
 from ui.views.surface_view import SurfaceView
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
 
 
 @pytest.fixture

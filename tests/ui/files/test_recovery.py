@@ -11,7 +11,7 @@ import pytest
 
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
-from ui.files import left_behind
+from ui.files import recovery as unsaved
 from ui.files.recovery import Recovery
 from workbench.files.session import read_session, write_session
 
@@ -62,12 +62,12 @@ def test_work_of_an_open_window_is_not_offered(document, keeping):
     recovery = keeping()
     move_screen(document, 7)
     recovery.keep_now()
-    assert left_behind.find(recovery.folder) == []
+    assert unsaved.find_left_behind(recovery.folder) == []
     crash(recovery)
-    (work,) = left_behind.find(recovery.folder)
-    assert left_behind.find(recovery.folder) == []  # nor to two at once
+    (work,) = unsaved.find_left_behind(recovery.folder)
+    assert unsaved.find_left_behind(recovery.folder) == []  # nor to two at once
     work.put_back()
-    (work,) = left_behind.find(recovery.folder)
+    (work,) = unsaved.find_left_behind(recovery.folder)
     work.remove()
     assert list(recovery.folder.iterdir()) == []
 
@@ -79,7 +79,7 @@ def test_recovered_work_has_its_name_and_file_and_is_unsaved(document, keeping, 
     move_screen(document, 7)
     recovery.keep_now()
     crash(recovery)
-    (work,) = left_behind.find(recovery.folder)
+    (work,) = unsaved.find_left_behind(recovery.folder)
     about = work.about
     assert (about.name, about.path, about.ended) == ("mine", path, False)
     other = Document(document.session, "other", document)
@@ -100,7 +100,7 @@ def test_a_file_changed_after_a_crash_is_asked_about(document, keeping, tmp_path
     recovery.keep_now()
     crash(recovery)
     write_session(document.session, path)
-    (work,) = left_behind.find(recovery.folder)
+    (work,) = unsaved.find_left_behind(recovery.folder)
     about = work.about
     document.recover(read_session(work.file), about.name, about.path, about.fingerprint)
     assert document.on_disk(path) is OnDisk.CHANGED
@@ -167,7 +167,7 @@ needs_display = pytest.mark.skipif(not os.environ.get("DISPLAY"), reason="needs 
 def test_work_is_found_after_a_kill(tmp_path):
     assert first_line(BEGIN, signal.SIGKILL, tmp_path) == "True\n"
     (folder,) = tmp_path.rglob("recovery")
-    (work,) = left_behind.find(folder)
+    (work,) = unsaved.find_left_behind(folder)
     assert (work.about.name, work.about.path) == ("tophat", None)
     session = read_session(work.file)
     assert session.scene.receiver.z == 7.5 and session.view["layout"]

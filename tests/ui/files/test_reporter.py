@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from ui.files import reporter
+from ui.files import exporter
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def test_a_report_is_written(display, window, written, name, begin, tmp_path):
 def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tmp_path, qtbot):
     path = tmp_path / "there.html"
     copy = "import shutil; shutil.copy(lens, report); open(report, 'a').write(lens)"
-    monkeypatch.setattr(reporter, "_COMMAND", as_command(copy))
+    monkeypatch.setattr(exporter, "_COMMAND", as_command(copy))
     monkeypatch.setattr(window.reporter, "ask_for_name", lambda: path)
     window.commands["report"].trigger()
     assert "there.html is being written" in window.messages.text
@@ -54,19 +54,19 @@ def test_the_command_asks_and_takes_the_session_as_it_is(window, monkeypatch, tm
 
 def test_a_report_that_fails_shows_the_reason(window, written, monkeypatch, tmp_path):
     fail = "print('chatter', file=sys.stderr); sys.exit('freeform: no light of this lens')"
-    monkeypatch.setattr(reporter, "_COMMAND", as_command(fail))
+    monkeypatch.setattr(exporter, "_COMMAND", as_command(fail))
     path = tmp_path / "a.html"
     path.write_text("before")
     assert written(path) == "No report: no light of this lens"
     assert path.read_text() == "before"
-    monkeypatch.setattr(reporter, "_COMMAND", as_command("sys.exit(3)"))
+    monkeypatch.setattr(exporter, "_COMMAND", as_command("sys.exit(3)"))
     assert written(path) == "No report: it ended without a word"
     assert window.messages.objectName() == "warning"
 
 
 @pytest.mark.parametrize("name", ["a.docx", "no/a.pdf"])
 def test_unwritable_report_is_refused_at_once(window, written, name, monkeypatch, tmp_path):
-    monkeypatch.setattr(reporter, "_COMMAND", ("no such program",))
+    monkeypatch.setattr(exporter, "_COMMAND", ("no such program",))
     assert str(tmp_path / name) in written(tmp_path / name)
     assert window.messages.objectName() == "warning"
 
@@ -81,8 +81,8 @@ def endless(monkeypatch):
             super().__init__(*arguments, **named)
             begun.append(self)
 
-    monkeypatch.setattr(reporter, "Popen", Noted)
-    monkeypatch.setattr(reporter, "_COMMAND", as_command("time.sleep(600)"))
+    monkeypatch.setattr(exporter, "Popen", Noted)
+    monkeypatch.setattr(exporter, "_COMMAND", as_command("time.sleep(600)"))
     return begun
 
 

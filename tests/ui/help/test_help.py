@@ -6,10 +6,10 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QTextBrowser
 
 from resources.manual_pages import pages
-from ui.commands.shortcuts import Shortcuts
+from ui.commands.command_search import Shortcuts
 from ui.commands.table import COMMANDS
-from ui.help.manual import Manual
-from ui.help.tour import STOPS, Bubble
+from ui.dialogs.help import Manual
+from ui.dialogs.tour import STOPS, Bubble
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
 from tests.ui.hands import fill, move_screen
+from ui.dialogs.start_page import StartPage
 from ui.files.actions import Answer
-from ui.jobs.page import StartPage
 from ui.panels.edits import Edit
 from workbench.jobs import JOBS
 from workbench.jobs.lenses import SunPlate, Torch

@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QKeyEvent, QMouseEvent, QWhee
 from PySide6.QtWidgets import QApplication
 
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
-from ui.files.scene_pictures import ScenePictures
+from ui.files.plots import ScenePictures
 from workbench.optics.plan import Plan
 
 pytestmark = pytest.mark.usefixtures("kernels")

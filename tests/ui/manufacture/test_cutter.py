@@ -7,8 +7,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QPushButton
 
 from tests.ui.hands import fill
-from ui.manufacture.cut_fields import CutFields, keep_cutting
-from ui.manufacture.cutter import AskCutting, CutterDialog
+from ui.manufacture.cutter import AskCutting, CutFields, CutterDialog, keep_cutting
 from workbench.files.export.options import PLAIN, Cutting
 
 COARSE = Cutting(tool_radius=0.2, scallop=0.002)

@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, Qt
 
 from tests.ui.hands import enter
 from ui.document.document import Document
-from ui.notices.carried_lens import CarriedLens
 from ui.panels.forms import Forms
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
+from ui.window.edit_notices import CarriedLens
 from workbench.geometry.approximation import deviation
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet

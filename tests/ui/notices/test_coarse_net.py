@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtCore import QObject, Qt
 
 from ui.document.document import Document
-from ui.notices.coarse_net import CoarseNetNotice
 from ui.run.control import RunControl
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
+from ui.window.run_notices import CoarseNetNotice
 from workbench.design.endings import SLOW
 from workbench.said import Said
 from workbench.scene import AutoNet

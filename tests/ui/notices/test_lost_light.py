@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import QObject
 
 from ui.document.document import Document
-from ui.notices.lost_light import LostLightNotice
 from ui.run.control import RunControl
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
+from ui.window.run_notices import LostLightNotice
 from workbench.optics.account import Account
 
 LOST = Account(

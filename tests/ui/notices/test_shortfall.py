@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import QObject, Qt
 
 from ui.document.document import Document
-from ui.notices.shortfall import ShortfallNotice
 from ui.run.control import RunControl
-from ui.widgets.message_bar import MessageBar
+from ui.widgets.messages import MessageBar
+from ui.window.run_notices import ShortfallNotice
 from workbench.design.shortfall import Shortfall
 
 NARROW = Shortfall("height_range", (-2.2, 2.2), (-0.3, 0.3), 0.4)

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QObject
 
 from ui.document.document import Document
-from ui.notices.total_reflection import TotalReflectionNotice
 from ui.run.control import RunControl
+from ui.window.run_notices import TotalReflectionNotice
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import ControlNet
 from workbench.optics.account import Account

@@ -2,8 +2,7 @@
 
 from typing import Annotated, Literal
 
-from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, TextRow
-from ui.panels.optional import OptionalRow
+from ui.panels.fields import CheckRow, ChoiceRow, NumberRow, OptionalRow, TextRow
 from ui.panels.panel import Panel
 from ui.panels.rows import value_row
 from workbench.scene import LENGTH, Scene

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from ui.check.check import Check
 from ui.document.document import Document
+from ui.run.check import Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
-from ui.run.kept import restored
+from ui.run.kept_runs import restored
 from workbench.design.live import LiveDesign
 
 _FREE = 10_000

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ui.run.kept import is_named, renamed, restored, with_run
+from ui.run.kept_runs import is_named, renamed, restored, with_run
 from workbench.geometry.faces import NO_LOCKS, FaceArrays
 
 KILOBYTE = 1 << 10

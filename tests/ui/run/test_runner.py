@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QThread
 
-from ui.run.runner import Runner
+from ui.run.control import Runner
 from workbench.errors import RunFailed
 
 

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import move_screen
-from ui.check.checking import CheckedLens
+from ui.run.check import CheckedLens
 from workbench.design.loss import relative_error
 
 pytestmark = pytest.mark.usefixtures("kernels")

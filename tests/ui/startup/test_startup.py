@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
-from ui.startup import warm_up
-from ui.startup.unexpected_errors import UnexpectedErrors
+from ui import windows
+from ui.unexpected_errors import UnexpectedErrors
 from workbench.analysis import kernels
 
 
@@ -84,9 +84,9 @@ def warmed_up(qtbot, monkeypatch):
 
     def do(modules):
         compiled, received = [], []
-        monkeypatch.setattr(warm_up, "_SLOW", modules)
+        monkeypatch.setattr(windows, "_SLOW", modules)
         monkeypatch.setattr(kernels, "compile_all", lambda goes_on: compiled.append(goes_on()))
-        warming = warm_up.WarmUp()
+        warming = windows.WarmUp()
         warming.imported.connect(lambda: received.append("imported"))
         warming.failed.connect(received.append)
         warming.start()

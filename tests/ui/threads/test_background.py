@@ -5,7 +5,7 @@ import threading
 import pytest
 from PySide6.QtCore import QThread
 
-from ui.threads.background import Background
+from ui.background import Background
 from workbench.errors import Refused
 
 

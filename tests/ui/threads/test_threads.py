@@ -7,10 +7,8 @@ import weakref
 import pytest
 from PySide6.QtCore import QTimer
 
-from ui.startup.unexpected_errors import UnexpectedErrors
-from ui.threads.background import Background
-from ui.threads.failure import sentence_of
-from ui.threads.garbage import GarbageCollector
+from ui.background import Background, GarbageCollector, sentence_of
+from ui.unexpected_errors import UnexpectedErrors
 from workbench.defects import file
 from workbench.errors import Refused, RunFailed
 

@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import Qt
 
 from tests.ui.hands import fill
-from ui.tolerances import pane as pane_module
-from ui.tolerances.pane import TolerancePane
+from ui.manufacture import tolerance_pane as pane_module
+from ui.manufacture.tolerance_pane import TolerancePane
 from workbench.analysis.tolerances import Distribution, perturbed
 
 CTRL = Qt.KeyboardModifier.ControlModifier

@@ -6,13 +6,10 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from tests.accounts import account_of
 from tests.scene.test_images import SECOND
-from ui.views.error_view import ErrorView
-from ui.views.image_choice import ImageChoice
-from ui.views.image_link import ImageLink
-from ui.views.irradiance_view import IrradianceView
+from ui.views.image_link import ImageChoice, ImageLink
+from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.light_view import LightView
 from ui.views.section_view import SectionView
-from ui.views.target_view import TargetView
 from workbench.design.lens_state import FurtherLight
 from workbench.design.task import begin
 from workbench.pictures.images import shown_error, target_irradiance

@@ -6,11 +6,9 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
-from ui.views.error_view import ErrorView
 from ui.views.image_link import ImageLink
-from ui.views.irradiance_view import IrradianceView
+from ui.views.light_images import ErrorView, IrradianceView, TargetView
 from ui.views.section_view import SectionView
-from ui.views.target_view import TargetView
 from workbench.pictures.images import shown_error, target_irradiance
 
 

@@ -5,8 +5,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from tests.scenes import changed
-from ui.views.region_hand import Grip, grip_at, reshaped
-from ui.views.region_marks import RegionMarks
+from ui.views.region_tool import Grip, RegionMarks, grip_at, reshaped
 from workbench.scene import RectangleRegion, Scene
 
 MARGIN = (0.01, 0.02)

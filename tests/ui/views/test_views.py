@@ -7,8 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMainWindow
 
 from tests.accounts import account_of
-from ui.views.error_view import ErrorView
-from ui.views.irradiance_view import IrradianceView
+from ui.views.light_images import ErrorView, IrradianceView
 from ui.views.light_view import LightView
 from ui.views.loss_view import LossView
 from ui.views.scene_view import SceneView

@@ -1,0 +1,249 @@
+"""Work in threads beside the window's, and cyclic garbage freed in the window's thread.
+
+1. A `Background` uses one thread at a time. Of the requests during its work only the latest is
+   executed.
+2. All signals are emitted in the window's thread, none for cancelled work.
+3. An error is passed as the exception itself, with its traceback; see `sentence_of`.
+
+Python frees it in whichever thread allocates at that moment. A worker's thread would then delete
+timers and widgets of the window, which Qt forbids: timers no longer fire, or the program crashes.
+"""
+
+import gc
+import logging
+import os
+import threading
+from collections.abc import Callable, Generator
+from contextlib import closing
+from functools import partial
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, QThread, QTimerEvent, Signal, Slot
+
+from ui.words import error_text, tr
+from workbench.defects import details, unexpected
+from workbench.errors import Refused, RunFailed
+from workbench.progress import Interrupted, given_up_when
+
+
+def leave_core_for_window() -> None:
+    """Let torch and kernels use all cores but one; call before they are loaded.
+
+    Threads that synchronise at every step become slower if one of them competes with drawing.
+    """
+    os.environ.setdefault("OMP_NUM_THREADS", str(other_cores()))
+
+
+def other_cores() -> int:
+    """Cores beside that of the window; at least 1."""
+    return max(1, QThread.idealThreadCount() - 1)
+
+
+LOG = logging.getLogger("freeform-workbench")
+"""Gets the traceback of each unexpected error; see `ui.unexpected_errors`."""
+
+
+def sentence_of(error: Exception, work: str) -> str:
+    """Return why some named work failed; a defect's traceback goes to the log."""
+    if isinstance(error, Refused | RunFailed):
+        return error_text(error)
+    LOG.error(details(error))
+    return tr("The {work} ended with an {error}").format(work=work, error=unexpected(error))
+
+
+Step = TypeVar("Step")
+End = TypeVar("End")
+
+
+class Task:
+    """Requested work, as seen by its thread; ``report`` passes values to the window's thread."""
+
+    def __init__(
+        self, work: "Work", request: object, report: Callable[["Task", object], object]
+    ) -> None:
+        self.request = request
+        self.wanted = True
+        self.result: object = None
+        self.error: Exception | None = None
+        self._work, self._report = work, report
+        self._stopped = threading.Event()
+
+    @property
+    def stopped(self) -> bool:
+        """Whether the work should end soon."""
+        return self._stopped.is_set()
+
+    def stop(self) -> None:
+        """Ask the work to end soon."""
+        self._stopped.set()
+
+    def report(self, value: object) -> None:
+        """Report progress; called in the thread of the work."""
+        self._report(self, value)
+
+    def follow(
+        self, steps: Generator[Step, None, End], watch: Callable[[Step], object] | None = None
+    ) -> End | None:
+        """Run steps until their end or until `stop`; return their result, or None if stopped."""
+        with closing(steps):
+            while not self.stopped:
+                try:
+                    step = next(steps)
+                except StopIteration as end:
+                    found: End = end.value
+                    return found
+                if watch is not None:
+                    watch(step)
+        return None
+
+    def run(self) -> None:
+        """Do the work until its end or its cancellation."""
+        try:
+            with given_up_when(lambda: not self.wanted):
+                self.result = self._work(self)
+        except Interrupted:
+            pass
+        except Exception as error:  # of any kind: it has to reach the person
+            self.error = error
+
+
+Work = Callable[[Task], object]
+
+
+class _Thread(QThread):
+    def __init__(self, call: Callable[[], object]) -> None:
+        super().__init__()
+        self._call = call
+
+    def run(self) -> None:
+        self._call()
+
+
+class Background(QObject):
+    """Executes the latest requested work and emits its result.
+
+    ``finish_first`` lets begun work finish before that of a later request begins; by default a
+    later request cancels it. ``progressed``, ``done`` and ``failed`` are emitted with the request.
+    """
+
+    progressed = Signal(object, object)
+    done = Signal(object, object)
+    failed = Signal(object, object)
+
+    # From the thread. These are queued: their receivers live in the window's thread.
+    _reported = Signal(object, object)
+    _ended = Signal(object)
+
+    def __init__(self, name: str, parent: QObject | None, *, finish_first: bool = False) -> None:
+        super().__init__(parent)
+        self._name, self._finish_first = name, finish_first
+        self._next: Task | None = None
+        self._task: Task | None = None  # in the thread
+        self._thread: _Thread | None = None
+        self._reported.connect(self._pass_on)
+        self._ended.connect(self._end)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a result is still to be emitted."""
+        return self._next is not None or (self._task is not None and self._task.wanted)
+
+    @property
+    def running(self) -> bool:
+        """Whether a thread is at work, even on cancelled work."""
+        return self._task is not None
+
+    @property
+    def stopping(self) -> bool:
+        """Whether stopped work has not yet emitted its result."""
+        return self._task is not None and self._task.wanted and self._task.stopped
+
+    def begin(self, work: Work, request: object = None) -> None:
+        """Execute work with its `Task`, now or when the thread is free."""
+        if not self._finish_first:
+            self.cancel()
+        self._next = Task(work, request, self._reported.emit)
+        if self._task is None:
+            self._begin_next()
+
+    def stop(self) -> None:
+        """Ask the work to end soon; its result is emitted."""
+        self._next = None
+        if self._task is not None:
+            self._task.stop()
+
+    def cancel(self) -> None:
+        """Ask the work to end soon; nothing more is emitted."""
+        self.stop()
+        if self._task is not None:
+            self._task.wanted = False
+
+    def finish(self) -> None:
+        """Wait for all work and emit its results."""
+        while self._task is not None:
+            self._end(self._task)
+
+    def close(self) -> None:
+        """Cancel the work and wait for the thread; safe to call twice."""
+        self.cancel()
+        self._join()
+
+    def _begin_next(self) -> None:
+        self._task, self._next = self._next, None
+        if self._task is not None:
+            self._thread = _Thread(partial(self._run, self._task))
+            self._thread.setObjectName(self._name)  # what the system calls it
+            self._thread.start()
+
+    def _run(self, task: Task) -> None:
+        task.run()
+        self._ended.emit(task)
+
+    def _join(self) -> None:
+        if self._thread is not None:
+            self._thread.wait()
+        self._task = self._thread = None
+
+    @Slot(object, object)
+    def _pass_on(self, task: Task, value: object) -> None:
+        if task is self._task and task.wanted:
+            self.progressed.emit(task.request, value)
+
+    @Slot(object)
+    def _end(self, task: Task) -> None:
+        if task is not self._task:  # ended or closed before this came
+            return
+        self._join()
+        if task.wanted and task.error is None:
+            self.done.emit(task.request, task.result)
+        elif task.wanted:
+            self.failed.emit(task.request, task.error)
+        if self._task is None:  # else a slot has begun other work
+            self._begin_next()
+
+
+_EVERY_MS = 100
+
+
+class GarbageCollector(QObject):
+    """Collects cyclic garbage between events of the window, at Python's thresholds.
+
+    Python collects in whichever thread allocates. A worker's thread would then delete timers and
+    widgets of the window, which Qt forbids: timers stop, or the program crashes.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        gc.disable()
+        self._timer = self.startTimer(_EVERY_MS)
+
+    def timerEvent(self, event: QTimerEvent) -> None:  # noqa: D102
+        counts = zip(gc.get_count(), gc.get_threshold(), strict=True)
+        full = [generation for generation, (count, most) in enumerate(counts) if count > most]
+        if full:
+            gc.collect(full[-1])
+
+    def close(self) -> None:
+        """Return the collection to Python."""
+        self.killTimer(self._timer)
+        gc.enable()

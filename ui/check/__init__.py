@@ -1,1 +1,0 @@
-"""Independent checks of lenses, asked for and during runs."""

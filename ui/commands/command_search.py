@@ -1,0 +1,177 @@
+"""Command palette, and the table of all keys."""
+
+import unicodedata
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLineEdit,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+from shiboken6 import isValid
+
+from ui.widgets.labels import WrappedLabel
+from ui.words import tr
+
+SEPARATOR = " \N{RIGHTWARDS ARROW} "
+"""Between the menu and the command in a name."""
+
+_SHARE, _PALETTE_ROWS = 0.45, 14  # of the window's width, and commands seen at once
+_MARGIN = 12  # around a sentence in place of the list
+_MOVES = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
+
+
+class CommandPalette(QDialog):
+    """Popup list; Enter or a click runs a command, Escape closes."""
+
+    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
+        super().__init__(window, Qt.WindowType.Popup)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setAccessibleName(tr("Command palette"))
+        self._entries = entries
+        self._field = QLineEdit(placeholderText=tr("Type parts of a command's name"))
+        self._field.setClearButtonEnabled(True)
+        self._field.textChanged.connect(self._find)
+        self._field.installEventFilter(self)
+        self._found = QTreeWidget()
+        self._found.setObjectName("commands")  # for the style sheet
+        self._found.setColumnCount(2)
+        self._found.setHeaderHidden(True)
+        self._found.setRootIsDecorated(False)
+        self._found.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # typing goes on in the field
+        header = self._found.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        self._found.itemClicked.connect(self._do)
+        self._nothing = WrappedLabel(
+            alignment=Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+        )
+        self._nothing.setTextFormat(Qt.TextFormat.PlainText)  # what is typed may have tags
+        self._nothing.setMargin(_MARGIN)
+        column = QVBoxLayout(self)
+        column.addWidget(self._field)
+        column.addWidget(self._found, 1)
+        column.addWidget(self._nothing, 1)
+        self._find("")
+        self._field.setFocus()
+        row = self._found.sizeHintForRow(0)
+        self.resize(int(_SHARE * window.width()), (_PALETTE_ROWS + 3) * row)
+        self.move(window.mapToGlobal(QPoint((window.width() - self.width()) // 2, 2 * row)))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keys in the field move in the list or choose from it."""
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            if event.key() in _MOVES:
+                self._found.keyPressEvent(event)
+                return True
+            if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+                self._do(self._found.currentItem())
+                return True
+        return super().eventFilter(watched, event)
+
+    def _find(self, text: str) -> None:
+        words = _folded(text).split()
+        fitting = [
+            (name, number)
+            for number, (name, action) in enumerate(self._entries)
+            if isValid(action)  # files that were open last come and go meanwhile
+            and all(word in _folded(name) for word in words)
+        ]
+        first = words[0] if words else ""
+        fitting.sort(key=lambda entry: _rank(entry[0], first))
+        self._found.clear()
+        for name, number in fitting:
+            action = self._entries[number][1]
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            item = QTreeWidgetItem([name, keys])
+            item.setData(0, Qt.ItemDataRole.UserRole, number)
+            item.setToolTip(0, action.statusTip())
+            item.setDisabled(not action.isEnabled())
+            self._found.addTopLevelItem(item)
+        able = (item for item in self._items() if not item.isDisabled())
+        self._found.setCurrentItem(next(able, None))  # type: ignore[arg-type]
+        self._nothing.setText(
+            tr("No command has all of this in its name: {words}").format(words=text)
+        )
+        self._nothing.setVisible(not fitting)
+        self._found.setVisible(bool(fitting))
+
+    def _items(self) -> list[QTreeWidgetItem]:
+        items = (self._found.topLevelItem(k) for k in range(self._found.topLevelItemCount()))
+        return [item for item in items if item is not None]
+
+    def _do(self, item: QTreeWidgetItem | None) -> None:
+        if item is not None and not item.isDisabled():
+            action = self._entries[item.data(0, Qt.ItemDataRole.UserRole)][1]
+            if not isValid(action):
+                self._find(self._field.text())
+                return
+            self.close()  # before the command, which may ask something
+            action.trigger()
+
+
+def _rank(name: str, begin: str) -> tuple[bool, int]:
+    *menus, own = _folded(name).split(SEPARATOR)
+    return not own.startswith(begin), len(menus)
+
+
+def _folded(text: str) -> str:
+    apart = unicodedata.normalize("NFKD", text.casefold())
+    return "".join(sign for sign in apart if not unicodedata.combining(sign))
+
+
+_COLUMNS, _ROWS = 70, 24  # characters and lines seen at once
+
+
+class Shortcuts(QDialog):
+    """Searchable table of keys, beside the window."""
+
+    def __init__(self, entries: Sequence[tuple[str, QAction]], window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle(tr("Keyboard shortcuts"))
+        self._field = QLineEdit(placeholderText=tr("Find by a part of the name, or by the key"))
+        self._field.setAccessibleName(tr("Find a shortcut"))
+        self._field.setClearButtonEnabled(True)
+        self._field.textChanged.connect(self._find)
+        self._table = QTreeWidget()
+        self._table.setObjectName("commands")  # for the style sheet
+        self._table.setAccessibleName(tr("Keyboard shortcuts"))
+        self._table.setHeaderLabels([tr("Command"), tr("Key")])
+        self._table.setRootIsDecorated(False)
+        self._table.setAlternatingRowColors(True)
+        self._table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        for name, action in entries:
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            if keys:
+                item = QTreeWidgetItem([name, keys])
+                item.setToolTip(0, action.statusTip())
+                self._table.addTopLevelItem(item)
+        header = self._table.header()
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        for widget in (self._field, self._table, buttons):
+            column.addWidget(widget)
+        font = self.fontMetrics()
+        wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
+        self.resize(min(wanted[0], window.width()), min(wanted[1], window.height()))
+
+    def _find(self, text: str) -> None:
+        words = text.lower().split()
+        for number in range(self._table.topLevelItemCount()):
+            item = self._table.topLevelItem(number)
+            if item is not None:
+                listed = f"{item.text(0)} {item.text(1)}".lower()
+                item.setHidden(not all(word in listed for word in words))

@@ -1,0 +1,243 @@
+"""Manual in a window, and the commands of the help menu."""
+
+from collections.abc import Callable, Iterator
+
+from PySide6.QtCore import QObject, QSettings, QSize, Qt, QUrl
+from PySide6.QtGui import QImage, QResizeEvent, QTextCursor, QTextDocument
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QMainWindow,
+    QMessageBox,
+    QPushButton,
+    QTextBrowser,
+    QTextEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+import workbench
+from resources.manual_pages import Page, pages
+from ui.commands.actions import Commands
+from ui.commands.command_search import CommandPalette, Shortcuts
+from ui.commands.panes import PaneFocus
+from ui.dialogs.tour import STOPS, Tour
+from ui.widgets.labels import WrappedLabel
+from ui.widgets.messages import MessageBar
+from ui.words import tr
+
+_COLUMNS, _ROWS = 140, 48  # characters and lines seen at once
+_LIST_COLUMNS = 36
+_MARGIN = 24  # pixels beside a picture
+
+
+class PageView(QTextBrowser):
+    """A page whose pictures fit into the view."""
+
+    def __init__(self) -> None:
+        super().__init__(openExternalLinks=True)
+        # One that came with a long page would change the width while that page is being read.
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+
+    def loadResource(self, kind: int, name: QUrl | str) -> object:
+        """Scale pictures to the view, sharp on high-resolution displays."""
+        if kind != QTextDocument.ResourceType.ImageResource.value:
+            return super().loadResource(kind, name)
+        image = QImage(self.source().resolved(QUrl(name)).toLocalFile())
+        ratio = self.devicePixelRatioF()
+        wide = round(ratio * max(self.viewport().width() - _MARGIN, 1))
+        if image.width() > wide:
+            image = image.scaledToWidth(wide, Qt.TransformationMode.SmoothTransformation)
+            image.setDevicePixelRatio(ratio)
+        return image
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Scale the pictures again."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width() and not self.source().isEmpty():
+            place = self.verticalScrollBar().value()
+            self.reload()
+            self.verticalScrollBar().setValue(place)
+
+
+class Manual(QDialog):
+    """Window of the manual."""
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle(tr("Manual"))
+        self._pages: list[Page] = pages()
+        self._places: list[QTextCursor] = []  # of what is searched for, on this page
+        self._search = QLineEdit(placeholderText=tr("Search"), clearButtonEnabled=True)
+        self._search.setAccessibleName(tr("Search the manual"))
+        self._search.setToolTip(tr("Words that a page must hold; Return goes to the next place"))
+        self._list = QListWidget()
+        self._list.setAccessibleName(tr("Pages of the manual"))
+        self._list.addItems([page.title for page in self._pages])
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._nothing = WrappedLabel(textFormat=Qt.TextFormat.PlainText)
+        self._nothing.hide()
+        self._text = PageView()
+        self._text.setAccessibleName(tr("Manual"))
+        self._search.textChanged.connect(self._find)
+        self._search.returnPressed.connect(self._find_next)
+        self._list.currentRowChanged.connect(self._open)
+        self._text.sourceChanged.connect(self._follow)
+        self._lay_out()
+        font = self.fontMetrics()
+        wanted = font.averageCharWidth() * _COLUMNS, font.lineSpacing() * _ROWS
+        self.resize(QSize(*wanted).boundedTo(window.size()))
+        self._list.setCurrentRow(0)
+
+    def _lay_out(self) -> None:
+        aside = QWidget()
+        aside.setFixedWidth(self.fontMetrics().averageCharWidth() * _LIST_COLUMNS)
+        left = QVBoxLayout(aside)
+        left.setContentsMargins(0, 0, 0, 0)
+        left.addWidget(self._search)
+        left.addWidget(self._nothing)
+        left.addWidget(self._list, 1)
+        line = QHBoxLayout()
+        line.addWidget(aside)
+        line.addWidget(self._text, 1)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        for button in buttons.findChildren(QPushButton):
+            button.setAutoDefault(False)  # Return goes on searching
+        whole = QVBoxLayout(self)
+        whole.addLayout(line, 1)
+        whole.addWidget(buttons)
+
+    def _open(self, row: int) -> None:
+        url = QUrl.fromLocalFile(str(self._pages[row].file))
+        if self._text.source() != url:  # else a link has led there
+            self._text.setSource(url)
+
+    def _follow(self, source: QUrl) -> None:
+        names = [page.file.name for page in self._pages]
+        if (name := source.fileName()) in names:
+            self._list.setCurrentRow(names.index(name))
+        self._mark()
+
+    def _find(self, words: str) -> None:
+        for row, page in enumerate(self._pages):
+            self._list.item(row).setHidden(not page.holds(words))
+        shown = self._listed()
+        self._nothing.setText(tr("No page has all of this: {words}").format(words=words))
+        self._nothing.setVisible(not shown)
+        if shown and self._list.currentRow() not in shown:
+            self._list.setCurrentRow(shown[0])
+        else:
+            self._mark()
+
+    def _listed(self) -> list[int]:
+        return [row for row in range(self._list.count()) if not self._list.item(row).isHidden()]
+
+    def _mark(self) -> None:
+        self._places = sorted(self._found(), key=QTextCursor.position)
+        marks = []
+        for place in self._places:
+            mark = QTextEdit.ExtraSelection()
+            mark.cursor = place
+            mark.format.setBackground(self.palette().highlight())
+            mark.format.setForeground(self.palette().highlightedText())
+            marks.append(mark)
+        self._text.setExtraSelections(marks)
+        if self._places:
+            self._go_to(self._places[0])
+
+    def _found(self) -> Iterator[QTextCursor]:
+        document = self._text.document()
+        for word in self._search.text().split():
+            place = document.find(word)
+            while not place.isNull():
+                yield place
+                place = document.find(word, place)
+
+    def _find_next(self) -> None:
+        at = self._text.textCursor().position()
+        after = next((place for place in self._places if place.position() > at), None)
+        if after is not None:
+            self._go_to(after)
+            return
+        rows, here = self._listed(), self._list.currentRow()
+        following = next((row for row in rows if row > here), rows[0] if rows else here)
+        if following == here:
+            self._mark()  # from the top again
+        else:
+            self._list.setCurrentRow(following)
+
+    def _go_to(self, place: QTextCursor) -> None:
+        cursor = QTextCursor(place)
+        cursor.clearSelection()  # the mark is seen, not the selection above it
+        self._text.setTextCursor(cursor)
+        self._text.ensureCursorVisible()
+
+
+TITLE = "Freeform Lens Workbench"
+_OFFERED = "tour_offered"
+
+
+class Help(QObject):
+    """Functions of the help menu."""
+
+    def __init__(
+        self, window: QMainWindow, commands: Commands, panes: PaneFocus, messages: MessageBar
+    ) -> None:
+        super().__init__(window)
+        self._window, self._commands, self._panes = window, commands, panes
+        self._messages = messages
+        self._tour: Tour | None = None
+
+    def slots(self) -> dict[str, Callable[[], object]]:
+        """Functions of commands."""
+        return {
+            "palette": lambda: CommandPalette(self._commands.entries(), self._window).open(),
+            "shortcuts": lambda: Shortcuts(self._commands.entries(), self._window).show(),
+            "tour": self.begin_tour,
+            "manual": lambda: Manual(self._window).show(),
+            "about": self._show_about,
+        }
+
+    def offer_tour(self, settings: QSettings) -> None:
+        """Offer the tour at the first start."""
+        if not settings.value(_OFFERED):
+            settings.setValue(_OFFERED, True)
+            self._messages.note(
+                tr(
+                    "New here? A tour of {count} steps shows what is where. Help > Tour "
+                    "begins it at any time."
+                ).format(count=len(STOPS)),
+                (tr("Show me around"), self.begin_tour),
+            )
+
+    def begin_tour(self) -> None:
+        """Begin the tour, unless it is running."""
+        if self._tour is None:
+            self._messages.clear()
+            self._tour = Tour(self._window, self._place, self._panes.show, self._hide)
+            self._tour.ended.connect(self._forget_tour)
+
+    def _place(self, name: str) -> QWidget:
+        if name == "menus":
+            return self._window.menuBar()
+        return self._commands.toolbar if name == "toolbar" else self._panes.place(name)
+
+    def _hide(self, name: str) -> None:
+        self._panes.place(name).hide()
+
+    def _forget_tour(self) -> None:
+        self._tour = None
+
+    def _show_about(self) -> None:
+        QMessageBox.about(
+            self._window,
+            tr("About {title}").format(title=TITLE),
+            tr(
+                "<h3>{title} {version}</h3><p>Shapes a freeform lens until it throws the "
+                "wanted image of light.</p><p>MIT licence</p>"
+            ).format(title=TITLE, version=workbench.__version__),
+        )

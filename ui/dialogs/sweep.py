@@ -1,0 +1,297 @@
+"""Dialog of a sweep: fields and values, and a table and a curve of the designs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLineEdit,
+    QSplitter,
+    QTableWidget,
+    QTableWidgetItem,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ui.background import Background, Task, sentence_of
+from ui.dialogs.sweep_form import SweepCurve, SweepForm
+from ui.widgets.labels import WrappedLabel
+from ui.words import error_text, later, tr
+from workbench.design.session import verified_error
+from workbench.errors import Refused
+from workbench.progress import Interrupted, interrupted_when
+
+if TYPE_CHECKING:
+    from workbench.files.session import Session
+    from workbench.sweep.points import Point
+    from workbench.sweep.sweep import PointRow
+
+RAYS = 4_000_000
+"""Of the check of each lens, as on the command line."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """What is to be designed.
+
+    Attributes
+    ----------
+    points : list of Point
+        The design tasks.
+    folder : Path
+        Where sessions and tables go; what is finished there is not done again.
+    """
+
+    points: "list[Point]"
+    folder: Path
+
+
+def work_on(sweep: Sweep, task: Task) -> None:
+    """Design the lenses of a sweep, each in a process; meant for a thread.
+
+    Reports the number of a point and its row as soon as it is finished. What is finished when the
+    task is stopped is kept.
+
+    Raises
+    ------
+    Refused
+        If the folder cannot be written, or another sweep is at work in it.
+    """
+    # Late: what they stand on is slow to import.
+    from workbench.sweep.processes import Processes
+    from workbench.sweep.sweep import Store
+    from workbench.sweep.sweep import sweep as rows_of
+
+    store, found = Store(sweep.folder), dict[int, "PointRow"]()
+    with store.locked():
+        try:
+            workers = Processes.of(len(sweep.points))
+            with interrupted_when(lambda: task.stopped), workers:
+                for number, row in rows_of(sweep.points, store, workers, RAYS):
+                    found[number] = row
+                    task.report((number, row))
+        except Interrupted:
+            pass  # the table has what is finished
+        store.write_table([found[number] for number in sorted(found)])
+
+
+_SIZE = QSize(1120, 640)
+_SHARES = (56, 44)  # of the table and the curve
+_ABOUT = later(
+    "Each value, or each pair of values of two fields, gets a design of its own, which is checked. "
+    "Sessions and a table (CSV, JSON) go into the folder; what is finished there is not done again."
+)
+_FIGURES = later(("Verified error", "Light", "Iterations", "Seconds"))
+
+
+class SweepDialog(QDialog):
+    """Fields, values and a folder; a table and a curve of what became of them. It stays open.
+
+    Parameters
+    ----------
+    design : Callable
+        Gives the file of the open design, a name alone where it has none, and the design.
+    window : QWidget
+        The dialog stands over it.
+
+    Attributes
+    ----------
+    open_asked : Signal(Path)
+        A person wants to see a lens.
+    """
+
+    open_asked = Signal(Path)
+
+    def __init__(self, design: "Callable[[], tuple[Path, Session]]", window: QWidget) -> None:
+        super().__init__(window)
+        self.setWindowTitle(tr("Sweep"))
+        self._design, self._rows = design, dict[int, "PointRow"]()
+        self._sweep: Sweep | None = None
+        self.form, self.folder = SweepForm(), QLineEdit()
+        self.form.lines.addRow(tr("Folder"), self._folder_line())
+        self.told = WrappedLabel()
+        self.told.setAccessibleName(tr("How far the sweep is"))
+        self.table, self.curve = _table(), SweepCurve(self)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        action = QDialogButtonBox.ButtonRole.ActionRole
+        self.begin, self.look = (
+            buttons.addButton(text, action) for text in (tr("Start"), tr("&Open design"))
+        )
+        self.look.setToolTip(tr("Open the session of the chosen row in the window"))
+        self.begin.setDefault(True)
+        column = QVBoxLayout(self)
+        column.addWidget(WrappedLabel(tr(_ABOUT)))
+        column.addWidget(self.form)
+        column.addWidget(self.told)
+        column.addWidget(self._results(), 1)
+        column.addWidget(buttons)
+        self.resize(_SIZE.boundedTo(window.size()))
+        self._background = Background("sweep", self)
+        self._background.progressed.connect(self._take)
+        self._background.done.connect(lambda *_: self._offer())
+        self._background.failed.connect(self._give_up)
+        self.begin.clicked.connect(self.toggle)
+        self.look.clicked.connect(self._open)
+        self.table.itemSelectionChanged.connect(self._offer)
+        self.table.itemDoubleClicked.connect(lambda _: self._open())
+        buttons.rejected.connect(self.reject)
+        self._offer()
+
+    def show_design(self) -> None:
+        """Offer the fields of the open design, and a folder beside its file if it has one."""
+        path, session = self._design()
+        self.form.show_scene(session.scene)
+        # Of a design without a file a person says where its sweep goes.
+        if not self.folder.text() and path.is_absolute():
+            self.folder.setText(str(path.with_name(f"{path.stem}-sweep").absolute()))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the palette between light and dark."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.curve.recolour()
+
+    def toggle(self) -> None:
+        """Begin the sweep that is asked for; stop the one that is under way."""
+        if self._background.busy:
+            self._background.stop()
+            self._offer()
+            return
+        from workbench.sweep.points import points_of  # late: slow to import
+
+        try:
+            points = points_of([self._design()], self.form.variations())
+        except Refused as refused:
+            self.told.setText(f"\N{WARNING SIGN} {error_text(refused)}")
+            return
+        if not self.folder.text().strip():
+            self._choose_folder()
+        if not self.folder.text().strip():
+            self.told.setText("\N{WARNING SIGN} " + tr("Choose a folder for the designs."))
+            return
+        self._sweep = sweep = Sweep(points, Path(self.folder.text()).expanduser())
+        self._rows.clear()
+        self._show_points(sweep)
+        self._background.begin(partial(work_on, sweep), sweep)
+        self._offer()
+
+    def close_thread(self) -> None:
+        """Leave the sweep and wait for its thread; safe to call twice."""
+        self._background.close()
+
+    def _results(self) -> QSplitter:
+        """The table, and beside it the curve."""
+        parts = QSplitter(Qt.Orientation.Horizontal)
+        parts.setChildrenCollapsible(False)
+        parts.addWidget(self.table)
+        parts.addWidget(self.curve)
+        for number, share in enumerate(_SHARES):
+            parts.setStretchFactor(number, share)
+        parts.setSizes([share * _SIZE.width() // 100 for share in _SHARES])
+        return parts
+
+    def _folder_line(self) -> QHBoxLayout:
+        self.folder.setAccessibleName(tr("Folder"))
+        self.folder.setPlaceholderText(tr("Asked for at the start"))
+        choose = QToolButton()
+        choose.setText("…")
+        choose.setAccessibleName(tr("Choose the folder"))
+        choose.clicked.connect(self._choose_folder)
+        line = QHBoxLayout()
+        line.addWidget(self.folder, 1)
+        line.addWidget(choose)
+        return line
+
+    def _choose_folder(self) -> None:
+        chosen = QFileDialog.getExistingDirectory(self, tr("Folder"), self.folder.text())
+        if chosen:
+            self.folder.setText(chosen)
+
+    def _show_points(self, sweep: Sweep) -> None:
+        """A line for each point, still without figures."""
+        from workbench.sweep.points import shown  # late, as above
+
+        points, titles = sweep.points, self.form.titles()
+        self.curve.show_rows(titles, self._rows)
+        self.table.clear()
+        self.table.setColumnCount(len(titles) + len(_FIGURES))
+        self.table.setHorizontalHeaderLabels([*titles, *map(tr, _FIGURES)])
+        self.table.setRowCount(len(points))
+        for number, point in enumerate(points):
+            self._fill(number, [*map(shown, point.changes.values()), "…"])
+
+    def _take(self, sweep: Sweep, found: "tuple[int, PointRow]") -> None:
+        number, row = found
+        self._rows[number] = row
+        values = list(row.changes.values())
+        if row.reason is not None:
+            refused = sweep.points[number].scene
+            why = error_text(refused) if isinstance(refused, Refused) else tr(row.reason)
+            self._fill(number, [*values, why])
+            self.table.setSpan(number, len(values), 1, len(_FIGURES))
+        else:
+            figures = row.figures
+            light, seconds = f"{figures['efficiency']:.1%}", f"{figures['seconds']:.1f}"
+            error, steps = verified_error(row.verified), f"{figures['iterations']:.0f}"
+            self._fill(number, [*values, error, light.replace("%", " %"), steps, seconds])
+        self.curve.show_rows(self.form.titles(), self._rows)
+        self._offer()
+
+    def _fill(self, number: int, texts: list[str]) -> None:
+        for column, text in enumerate(texts):
+            item = QTableWidgetItem(text)
+            item.setToolTip(text)
+            self.table.setItem(number, column, item)
+
+    def _give_up(self, _: Sweep, error: Exception) -> None:
+        self._offer()
+        self.told.setText(f"\N{WARNING SIGN} {sentence_of(error, tr('sweep'))}")
+
+    def _chosen(self) -> Path | None:
+        """The session of the chosen row."""
+        row = self._rows.get(self.table.currentRow())
+        if self._sweep is None or row is None or row.session is None:
+            return None
+        return self._sweep.folder / row.session
+
+    def _open(self) -> None:
+        if (path := self._chosen()) is not None:
+            self.open_asked.emit(path)
+
+    def _offer(self) -> None:
+        """Tell what can be done now, and how far the sweep is."""
+        busy = self._background.busy
+        self.begin.setText(tr("Stop") if busy else tr("Start"))
+        self.begin.setEnabled(not self._background.stopping)
+        self.look.setEnabled(self._chosen() is not None)
+        self.form.setEnabled(not busy)
+        if self._sweep is not None:
+            done = tr("{count} of {wanted} designs").format(
+                count=len(self._rows), wanted=len(self._sweep.points)
+            )
+            self.told.setText(f"{done}…" if busy else f"{done}, {self._sweep.folder}")
+
+
+def _table() -> QTableWidget:
+    table = QTableWidget(0, 0)
+    table.setAccessibleName(tr("Designs of the sweep"))
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setAlternatingRowColors(True)
+    table.verticalHeader().hide()
+    header = table.horizontalHeader()
+    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    header.setStretchLastSection(True)
+    header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+    return table

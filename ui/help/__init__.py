@@ -1,1 +1,0 @@
-"""Help: tour, manual, table of keys, about."""

@@ -1,0 +1,295 @@
+"""The dock Tolerances: the distribution of the error of perturbed lenses."""
+
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PySide6.QtCore import Signal
+
+from ui.background import Background, Task, sentence_of
+from ui.manufacture.tolerance_form import ToleranceForm
+from ui.shown.frame import same_light, shows
+from ui.views.plot_view import PlotView
+from ui.widgets.controls import SideBySide
+from ui.widgets.labels import WrappedLabel
+from ui.words import later, tr
+from workbench.analysis.tolerance_fields import ABOUT, PAIRS
+from workbench.analysis.tolerances import Distribution
+from workbench.pictures.axes import Column
+from workbench.pictures.error_curves import draw_errors
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from ui.shown.frame import Frame
+    from workbench.analysis.tolerance_fields import Tolerances
+    from workbench.analysis.tolerances import Perturbed
+    from workbench.files.session import Session
+
+
+@dataclass(eq=False)
+class Sample:
+    """Lenses that are off, as far as they are traced.
+
+    Attributes
+    ----------
+    frame : Frame
+        The lens as designed, and its task.
+    within : Tolerances
+        How far they may be off.
+    wanted : int
+        How many are asked for.
+    seed : int
+        The same seed gives the same lenses.
+    nominal : Perturbed, optional
+        The trace of the lens that is not off; None until it is there.
+    others : list of Perturbed
+        Those that are.
+    """
+
+    frame: "Frame"
+    within: "Tolerances"
+    wanted: int
+    seed: int
+    nominal: "Perturbed | None" = None
+    others: "list[Perturbed]" = field(default_factory=list)
+
+    @property
+    def shown(self) -> bool:
+        """Whether there is anything to tell of."""
+        return bool(self.others)
+
+    def add(self, each: "Perturbed") -> None:
+        """Take another lens; the first is the one that is not off."""
+        if self.nominal is None:
+            self.nominal = each
+        else:
+            self.others.append(each)
+
+
+def trace_sample(sample: Sample, rays: int, task: Task) -> None:
+    """Trace lenses, each with so many rays at least; meant for a thread. Reports each of them."""
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.tolerances import perturbed
+
+    session, heights = sample.frame.session, sample.frame.state.heights
+    for each in perturbed(
+        session.scene, session.target, heights, sample.within, sample.wanted, rays, sample.seed
+    ):
+        if task.stopped:
+            break
+        task.report(each)
+
+
+class SpreadView(PlotView):
+    """The distribution of the error over the lenses of a sample, while they come in."""
+
+    _HAS_BAR = False
+    _WAITING = later(
+        "How does the image change when lenses are a little off? Start traces some of them."
+    )
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._sample: Sample | None = None
+
+    def show_sample(self, sample: Sample) -> None:
+        """Show the lenses of a sample that are traced."""
+        if sample.shown:
+            self._sample = sample
+            self.show_frame(sample.frame)
+            self._begin_anew()
+
+    def data(self) -> list[Column]:
+        """How far each lens is off, and what comes of it."""
+        if self._sample is None:
+            return []
+        scene = self._sample.frame.session.scene
+        unit = scene.unit
+        rows = [each.to_data() for each in self._sample.others]
+        columns: list[Column] = []
+        for name in (name for name in ABOUT if name not in PAIRS):
+            in_unit = {"": "", "degrees": " [deg]", "length": f" [{unit}]"}[ABOUT[name].unit]
+            sizes, words = np.array([row[name] for row in rows]), name.replace("_", " ")
+            along = {"error": sizes} if sizes.ndim == 1 else dict(zip("xyz", sizes.T, strict=False))
+            columns += [Column(f"{words} {axis}{in_unit}", each) for axis, each in along.items()]
+        for words, name in (
+            ("relative L2 error", "relative_l2"),
+            (f"light {scene.receiver.place}", "efficiency"),
+        ):
+            columns.append(Column(words, np.array([row[name] for row in rows])))
+        return columns
+
+    def figures(self) -> dict[str, Any] | None:
+        """The distribution and each lens, as the command line tells them."""
+        sample = self._sample
+        if sample is None or sample.nominal is None:
+            return {}  # there is nothing to save yet
+        spread = Distribution.of(sample.nominal, sample.others)
+        return spread.to_data() | {"samples": [each.to_data() for each in sample.others]}
+
+    def _why_empty(self, frame: "Frame | None") -> str:
+        return "" if self._sample is not None else tr(self._WAITING)
+
+    def _begin(self, axes: "Axes", session: "Session") -> "Sequence[Artist]":
+        sample = self._sample
+        if sample is not None and sample.nominal is not None:
+            errors = [each.relative_l2 for each in sample.others]
+            draw_errors(axes, sample.nominal.relative_l2, errors)
+        return ()
+
+    def _change(self, frame: "Frame") -> bool:
+        return False  # another lens has another picture
+
+
+_RAYS = 1_000_000  # for each lens, as on the command line
+_NOTHING_OFF = later("Nothing is off: give a tilt, a decentre or another tolerance.")
+
+
+class TolerancePane(SideBySide):
+    """Fields, the distribution, and its figures.
+
+    What was found is that of the lens that was asked about; once another one is shown, it says so.
+
+    Attributes
+    ----------
+    plot : SpreadView
+        Its picture.
+    save_asked : Signal()
+        A person wants the plot or the figures in a file.
+    failed : Signal(str)
+        Why there is no distribution.
+    """
+
+    save_asked = Signal()
+    failed = Signal(str)
+
+    def __init__(self) -> None:
+        plot, form = SpreadView(), ToleranceForm()
+        super().__init__(plot, form, (form.begin, form.save))
+        self.plot, self.form = plot, form
+        self.summary = WrappedLabel()
+        self.summary.setContentsMargins(6, 0, 6, 4)
+        plot.add_below(self.summary)
+        self._frame: Frame | None = None
+        self._sample: Sample | None = None
+        self._resting = True
+        self._of_another = False  # whether the frame is of another design
+        self._background = Background("sample of tolerances", self)
+        self._background.progressed.connect(self._take)
+        self._background.done.connect(self._follow)
+        self._background.failed.connect(self._give_up)
+        form.toggled.connect(self.toggle)
+        form.save_asked.connect(self.save_asked)
+        self._offer()
+
+    def show_design(self, session: "Session") -> None:
+        """Take the unit of a design."""
+        self.form.show_scene(session.scene)
+        self.plot.show_design(session)
+        if self._frame is not None and not shows(self._frame, session):
+            self._background.stop()  # the lenses that are traced count
+            self._offer()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Mark the distribution as that of another design, or no longer."""
+        self._of_another = outdated
+        self._offer()
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of the lens that is shown."""
+        self._frame = frame
+        self._offer()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Take note that there is no lens to show."""
+        self._frame = None
+        self._offer()
+
+    def allow(self, resting: bool) -> None:
+        """Whether the lens on show stays as it is; only then it is perturbed."""
+        self._resting = resting
+        self._offer()
+
+    def toggle(self) -> None:
+        """Perturb the lens on show; while that is under way, make do with what there is."""
+        if self._background.busy:
+            self._background.stop()
+            self._offer()
+        elif self._frame is not None:
+            if not self.form.accepted():
+                if self.form.obstacle:
+                    self.summary.setText(self.form.obstacle)
+                return
+            if not self.form.within.any:
+                self.summary.setText(tr(_NOTHING_OFF))
+                return
+            sample = Sample(self._frame, self.form.within, self.form.lenses, self.form.seed)
+            self._sample = sample
+            self._background.begin(partial(trace_sample, sample, _RAYS), sample)
+            self._offer()
+
+    def close_thread(self) -> None:
+        """Leave the sample and wait for its thread; safe to call twice."""
+        self._background.close()
+
+    def _take(self, sample: Sample, each: "Perturbed") -> None:
+        sample.add(each)
+        self._follow(sample)
+
+    def _follow(self, sample: Sample) -> None:
+        self.plot.show_sample(sample)
+        self._offer()
+
+    def _give_up(self, sample: Sample, error: Exception) -> None:
+        self._sample = None
+        self._offer()
+        self.failed.emit(sentence_of(error, tr("sample of tolerances")))
+
+    def _offer(self) -> None:
+        """Tell what can be done now, and of which lens the figures are."""
+        busy, sample = self._background.busy, self._sample
+        begin = self.form.begin
+        begin.setText(tr("Cancel") if busy else tr("Start"))
+        begin.setToolTip(
+            tr("Trace no more; those that are traced count")
+            if busy
+            else tr("Perturb what is on show at random, and trace each with fresh rays")
+        )
+        possible = self._resting and self._frame is not None and not self._of_another
+        self.plot.show_outdated(sample is not None and (self._of_another or self._is_past(sample)))
+        begin.setEnabled(not self._background.stopping if busy else possible)
+        self.form.save.setEnabled(sample is not None and sample.shown)
+        self.summary.setText(self._figures(busy))
+
+    def _figures(self, busy: bool) -> str:
+        sample = self._sample
+        if sample is None:
+            return ""
+        done = tr("{count} of {wanted} lenses").format(
+            count=len(sample.others), wanted=sample.wanted
+        )
+        if sample.nominal is None or not sample.others:
+            return f"{done}…"
+        spread = Distribution.of(sample.nominal, sample.others)
+        text = tr(
+            "{done}: error as designed {nominal:.2f} %, median {median:.2f} %, 95 % of lenses "
+            "below {most:.2f} %, worst {worst:.2f} %"
+        ).format(
+            done=f"{done}…" if busy else done,
+            nominal=100 * spread.nominal,
+            median=100 * spread.percentiles["50"],
+            most=100 * spread.percentiles["95"],
+            worst=100 * spread.worst,
+        )
+        if self._is_past(sample):
+            return f"{text}. {tr('Out of date: the lens has changed since.')}"
+        return text
+
+    def _is_past(self, sample: Sample) -> bool:
+        """Whether a sample is of another lens than the one on show."""
+        return self._frame is None or not same_light(sample.frame, self._frame)

@@ -1,1 +1,0 @@
-"""Messages about edits and runs, with buttons for the next step."""

@@ -1,0 +1,291 @@
+"""Lists of parts of the scene, with the settings of the chosen part below."""
+
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from itertools import count, pairwise
+from typing import Any, Generic, TypeVar
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout, QWidget
+
+from ui.panels.editors import Wrapped
+from ui.panels.edits import Edit
+from ui.panels.fields import Row
+from ui.panels.panel import Panel
+from ui.words import tr
+from workbench.files.session import Session
+from workbench.scene import Part
+
+_MOST_SEEN = 6  # parts; more are scrolled to
+
+AnyPart = TypeVar("AnyPart", bound=Part)
+
+
+class PartListRow(Row, Generic[AnyPart]):
+    """The parts one below the other, with buttons to add, duplicate, remove and move them.
+
+    Parameters
+    ----------
+    path : str
+        Of the field that holds them.
+    label, tip : str
+        As for `Row`.
+    called : str
+        What undo steps call one of them.
+    name : str
+        What the list is called where it is read aloud.
+    tips : sequence of str
+        Of the buttons that add, duplicate, remove, and move up and down.
+    adding : sequence of str
+        Texts of the buttons that add; by default there is one.
+    """
+
+    chosen = Signal()
+
+    def __init__(
+        self,
+        path: str,
+        label: str,
+        tip: str,
+        called: str,
+        name: str,
+        tips: Sequence[str],
+        adding: Sequence[str] = (),
+    ) -> None:
+        super().__init__(path, label, tip)
+        self._called = called
+        self._parts: tuple[AnyPart, ...] = ()
+        self._list = QListWidget()
+        self._list.setAccessibleName(name)
+        self._list.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._list.currentRowChanged.connect(lambda _: self.chosen.emit())
+        self._rest = Wrapped()
+        adding = adding or (tr("Add"),)
+        texts = (*adding, tr("Duplicate"), tr("Remove"), tr("Up"), tr("Down"))
+        actions: tuple[Callable[[], None], ...] = (
+            *(partial(self._append, which) for which in range(len(adding))),
+            self._duplicate,
+            self._drop,
+            partial(self._move, -1),
+            partial(self._move, 1),
+        )
+        buttons = [
+            _button(text, tip, act) for text, tip, act in zip(texts, tips, actions, strict=True)
+        ]
+        self._of_chosen = buttons[len(adding) :]
+        lines = [buttons] if len(adding) == 1 else [buttons[: len(adding)], self._of_chosen]
+        content = QWidget()
+        column = QVBoxLayout(content)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(3)
+        column.addWidget(self._list)
+        column.addWidget(self._rest)
+        for line in lines:
+            column.addLayout(_side_by_side(line))
+        self._add(content)
+        self.setFocusProxy(self._list)
+
+    @property
+    def current(self) -> int:
+        """Number of the chosen part; −1 where there is none."""
+        return self._list.currentRow()
+
+    def concerns(self, path: str) -> bool:
+        """Whether a refusal is about the parts as a whole; one part has rows of its own."""
+        return path == self.path
+
+    def _is_there(self, scene: Any) -> bool:
+        return True
+
+    def show_parts(self, parts: tuple[AnyPart, ...], remark: str) -> None:
+        """Show the parts, and below them a remark."""
+        if parts != self._parts:
+            with QSignalBlocker(self._list):
+                chosen = self._chosen_among(parts)
+                self._parts = parts
+                self._list.clear()
+                for number, part in enumerate(parts, start=1):
+                    self._list.addItem(f"{number}.  {self._summary(part)}")
+                    self._list.item(number - 1).setToolTip(self._summary(part))
+                self._list.setCurrentRow(chosen)
+        if parts:
+            rows = min(len(parts), _MOST_SEEN)
+            frame = 2 * self._list.frameWidth()
+            self._list.setFixedHeight(rows * self._list.sizeHintForRow(0) + frame)
+        self._rest.say(remark)
+        self._rest.setVisible(bool(remark))
+        self._list.setVisible(bool(parts))
+        self._enable()
+
+    @abstractmethod
+    def _new(self, which: int) -> AnyPart:
+        """What the button of this number adds behind the others."""
+
+    @abstractmethod
+    def _summary(self, part: AnyPart) -> str:
+        """What makes a part different, in one line."""
+
+    def _copy(self, part: AnyPart) -> AnyPart:
+        """What is put behind a part as its duplicate."""
+        return part
+
+    def _place_of_copy(self) -> int:
+        """Where a duplicate of the chosen part is put."""
+        return self.current + 1
+
+    def _exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
+        """Two neighbours in their new order."""
+        return second, first
+
+    def _chosen_among(self, parts: tuple[AnyPart, ...]) -> int:
+        """Which of other parts is to be chosen; −1 where there are none."""
+        return min(max(self.current, 0), len(parts) - 1)
+
+    def _enable(self) -> None:
+        current, last = self.current, len(self._parts) - 1
+        duplicate, remove, up, down = self._of_chosen
+        duplicate.setEnabled(last >= 0)
+        remove.setEnabled(last >= 0)
+        up.setEnabled(current > 0)
+        down.setEnabled(0 <= current < last)
+
+    def _append(self, which: int) -> None:
+        self._put(
+            [*self._parts, self._new(which)],
+            tr("new {part}").format(part=self._called),
+            len(self._parts),
+        )
+
+    def _duplicate(self) -> None:
+        current, parts = self.current, list(self._parts)
+        place = self._place_of_copy()
+        parts.insert(place, self._copy(parts[current]))
+        self._put(
+            parts,
+            tr("copy of {part} {number}").format(part=self._called, number=current + 1),
+            place,
+        )
+
+    def _drop(self) -> None:
+        current = self.current
+        rest = [part for number, part in enumerate(self._parts) if number != current]
+        self._put(
+            rest,
+            tr("removal of {part} {number}").format(part=self._called, number=current + 1),
+            current,
+        )
+
+    def _move(self, step: int) -> None:
+        current, parts = self.current, list(self._parts)
+        first = min(current, current + step)
+        parts[first : first + 2] = self._exchanged(*parts[first : first + 2])
+        self._put(
+            parts,
+            tr("move of {part} {number}").format(part=self._called, number=current + 1),
+            current + step,
+        )
+
+    def _put(self, parts: list[AnyPart], text: str, chosen: int) -> None:
+        data = _data(parts)
+        self.edited.emit(Edit(self.path, text, {self.path: data}, alone=True))
+        if _data(self._parts) == data:  # not refused
+            self._list.setCurrentRow(min(chosen, len(parts) - 1))
+
+
+def another_name(name: str, taken: Iterable[str], between: str) -> str:
+    """A name that no other part has: that of a part, with the next free number behind it."""
+    stem = re.sub(rf"{between}\d+$", "", name)
+    names = set(taken)
+    return next(new for k in count(2) if (new := f"{stem}{between}{k}") not in names)
+
+
+def _data(parts: Iterable[Part]) -> list[dict[str, Any]]:
+    return [part.model_dump(mode="json", exclude_none=True) for part in parts]
+
+
+def _button(text: str, tip: str, act: Callable[[], None]) -> QToolButton:
+    button = QToolButton()
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # typed text is entered before it acts
+    button.clicked.connect(lambda _: act())
+    return button
+
+
+def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
+    line = QHBoxLayout()
+    line.setSpacing(2)
+    for button in buttons:
+        line.addWidget(button)
+    line.addStretch()
+    return line
+
+
+class ListedPanel(Panel):
+    """Shows rows of one part of a list; a panel says which.
+
+    Parameters
+    ----------
+    title : str
+        What a person reads above it.
+    parts : PartListRow
+        The list.
+    """
+
+    def __init__(self, title: str, parts: PartListRow[Any]) -> None:
+        self._parts = parts
+        self._bound = -1  # the part whose rows are there
+        self._called = ""  # in their names
+        super().__init__(title, [parts])
+        parts.chosen.connect(self._choose)
+
+    def prepare(self, session: Session) -> None:
+        """Have rows for the chosen part, if there is one."""
+        self._session = session
+        self.show_list(session)
+        self._bind(self._parts.current)
+
+    @abstractmethod
+    def show_list(self, session: Session) -> None:
+        """List the parts of a session."""
+
+    @abstractmethod
+    def name_of(self, number: int) -> str:
+        """What a person reads for a part."""
+
+    @abstractmethod
+    def rows_of(self, number: int) -> list[Row]:
+        """The rows of a part."""
+
+    def _choose(self) -> None:
+        """Show another part; what was refused in the one before is taken back."""
+        self._bind(self._parts.current)
+        self.reverted.emit(self._parts.path)
+
+    def _bind(self, number: int) -> None:
+        name = self.name_of(number) if number >= 0 else ""
+        if number != self._bound:
+            self._remove_rows(list(self.rows[1:]))
+            self._bound = number
+            if number >= 0:
+                self._add_rows(self.rows_of(number), name)
+                self._put_in_tab_order()
+        elif name != self._called:
+            self._name_rows(self.rows[1:], name)
+        self._called = name
+
+    def _put_in_tab_order(self) -> None:
+        """Let Tab reach the new rows behind the list; they would come last of all panels."""
+        stops = [
+            widget
+            for row in self.rows
+            for widget in row.findChildren(QWidget)
+            if widget.focusPolicy() & Qt.FocusPolicy.TabFocus
+            and widget.focusProxy() is None
+            and widget.window() is self.window()  # not the lists that choosers open
+        ]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)

@@ -1,0 +1,223 @@
+"""Independent check of the shown lens."""
+
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from ui.background import Background, Task, sentence_of
+from ui.shown.frame import same_lens, shows
+from ui.words import tr
+from workbench.arrays import Array
+from workbench.design.session import verified_error as verified_error
+from workbench.powers import written
+
+if TYPE_CHECKING:
+    from ui.shown.frame import Frame
+    from workbench.analysis.validation_figures import Validation
+    from workbench.files.session import Session
+    from workbench.geometry.faces import ControlHeights
+
+RAYS = 4_000_000
+"""Rays of a thorough check."""
+
+ACCURACY = 1e-3
+"""Relative error of the image by cells in a thorough check."""
+
+
+@dataclass(frozen=True, eq=False)
+class CheckedLens:
+    """A lens that shall be checked.
+
+    Attributes
+    ----------
+    session : Session
+        Its task.
+    heights : ControlHeights
+        Its control heights.
+    iterations : int
+        Iterations before it.
+    seconds : float
+        Run time before it.
+    irradiance : ndarray, shape (n_y, n_x), optional
+        The optimiser's own image, to compare with.
+    further : tuple of ndarray, shape (n_y, n_x)
+        Its own images at the receivers of further images.
+    """
+
+    session: "Session"
+    heights: "ControlHeights"
+    iterations: int = 0
+    seconds: float = 0.0
+    irradiance: Array | None = None
+    further: tuple[Array, ...] = ()
+
+
+def check(
+    lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
+) -> "tuple[Validation, float | None] | None":
+    """Check a lens; meant for a thread. Reports the part that is done.
+
+    Parameters
+    ----------
+    lens : CheckedLens
+        The lens.
+    rays : int
+        How many are traced.
+    threads : int, optional
+        How many trace them; by default as many as there are cores.
+    accuracy : float
+        Relative error that the image by cells may have.
+    task : Task
+        Ends the check within a moment.
+
+    Returns
+    -------
+    found : Validation
+        What the check says.
+    difference : float or None
+        Relative L2 difference to the optimiser's own image.
+    """
+    # Late: what it stands on is slow to import.
+    from workbench.analysis.metrics import relative_l2
+    from workbench.analysis.validation import validating
+
+    scene, target = lens.session.scene, lens.session.target
+    steps = validating(scene, target, lens.heights, rays, threads=threads, accuracy=accuracy)
+    found = task.follow(steps, task.report)
+    if found is None:
+        return None
+    own = lens.irradiance
+    return found, None if own is None else relative_l2(found.irradiance, own)
+
+
+class Check(QObject):
+    """A check of the lens on show, forgotten as soon as another one is shown.
+
+    Attributes
+    ----------
+    figures_changed : Signal(str)
+        What is known of the lens on show, or how far its check is; empty for nothing.
+    under_way_changed : Signal(bool)
+        Whether there is a check that could be cancelled.
+    checked : Signal(CheckedLens, Validation, float)
+        The outcome for a lens, and how far it is from the optimiser's own image.
+    summary_ready : Signal(str)
+        The same as a sentence.
+    failed : Signal(str)
+        Why there is none, or why its figures are not reliable.
+    """
+
+    figures_changed = Signal(str)
+    under_way_changed = Signal(bool)
+    checked = Signal(object, object, object)
+    summary_ready = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._shown: Frame | None = None
+        self._asked: Frame | None = None  # whose check goes on, or whose figures are shown
+        self._rays = self._asked_rays = RAYS
+        self._background = Background("check", self)
+        self._background.progressed.connect(self._tell_progress)
+        self._background.done.connect(self._take)
+        self._background.failed.connect(self._give_up)
+
+    def show_frame(self, frame: "Frame") -> None:
+        """Take note of the lens that is shown."""
+        self._shown = frame
+        if self._asked is not None and not same_lens(self._asked, frame):
+            self._forget()
+
+    def show_design(self, session: "Session") -> None:
+        """Forget a lens that is not the open design's any more, and its check."""
+        if self._shown is not None and not shows(self._shown, session):
+            self._shown = None
+        if self._asked is not None and not shows(self._asked, session):
+            self._forget()
+
+    def show_nothing(self, session: "Session") -> None:
+        """Take note that there is no lens to show."""
+        self._shown = None
+        self._forget()
+
+    def use_rays(self, rays: int) -> None:
+        """Trace so many from the next check on."""
+        self._rays = rays
+
+    def toggle(self) -> None:
+        """Check the lens on show, unless that is done; while it is under way, cancel it."""
+        if self._background.busy:
+            self._forget()
+        elif self._shown is None:
+            self.failed.emit(
+                tr("The light of this design is still being traced. Try again in a moment.")
+            )
+        elif self._asked is None or self._asked_rays != self._rays:
+            self.under_way_changed.emit(True)  # first: what follows shows its best lens, and rests
+            self._asked, self._asked_rays = self._shown, self._rays
+            self.figures_changed.emit(tr("checking…"))
+            session, shot = self._shown.session, self._shown.snapshot
+            lens = CheckedLens(
+                session,
+                shot.state.heights,
+                irradiance=shot.state.irradiance,
+                further=tuple(light.irradiance for light in shot.state.further),
+            )
+            self._background.begin(partial(check, lens, self._rays, None, ACCURACY), lens)
+
+    def cancel(self) -> None:
+        """Leave the check, if one is under way."""
+        if self._background.busy:
+            self._forget()
+
+    def close(self) -> None:
+        """Leave the check and wait for its thread; safe to call twice."""
+        self._background.close()
+
+    def _tell_progress(self, lens: CheckedLens, part: float) -> None:
+        self.figures_changed.emit(tr("checking… {part:.0f} %").format(part=100 * part))
+
+    def _take(self, lens: CheckedLens, outcome: "tuple[Validation, float]") -> None:
+        found, difference = outcome
+        failed = found.contradiction
+        self.figures_changed.emit(
+            tr("Check failed")
+            if failed
+            else tr("Checked error {verified}").format(verified=verified_error(found.verified))
+        )
+        self.under_way_changed.emit(False)
+        self.checked.emit(lens, found, difference)
+        if failed:
+            self.failed.emit(tr(failed))
+            return
+        low, high = found.verified.relative_l2_corrected_interval
+        self.summary_ready.emit(
+            tr(
+                "Check with {rays:,} fresh rays: relative L2 error {verified} ({low:.2f} "
+                "to {high:.2f} %); with the scatter of the rays {relative_l2:.2f} ± "
+                "{noise:.2f} %, loss {loss}; {efficiency:.1f} % {place}"
+            ).format(
+                rays=found.rays,
+                verified=verified_error(found.verified),
+                low=100 * low,
+                high=100 * high,
+                relative_l2=100 * found.relative_l2,
+                noise=100 * found.noise,
+                loss=written(found.loss),
+                efficiency=100 * found.efficiency,
+                place=tr(lens.session.scene.receiver.place),
+            )
+        )
+
+    def _give_up(self, lens: CheckedLens, error: Exception) -> None:
+        self._forget()
+        self.failed.emit(sentence_of(error, tr("check")))
+
+    def _forget(self) -> None:
+        self._asked = None
+        self._background.cancel()
+        self.figures_changed.emit("")
+        self.under_way_changed.emit(False)

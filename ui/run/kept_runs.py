@@ -1,0 +1,146 @@
+"""Which runs a session keeps to be compared, and what they are called."""
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from ui.document.undo_steps import distinct_bytes
+from ui.words import tr
+from workbench.design.endings import STOPPED
+from workbench.design.snapshot import Result
+from workbench.files.header import MOST_RUNS
+from workbench.files.session import KeptRun, Session
+from workbench.scene import Scene
+
+_BUDGET = 64 << 20  # bytes of all kept runs
+_RUN, _FOLLOWED = "Run", "Followed"
+_NUMBERED = re.compile(rf"({_RUN}|{_FOLLOWED}) (\d+): ")
+
+
+def with_run(
+    session: Session, result: Result, budget: int = _BUDGET
+) -> tuple[Session, list[KeptRun]]:
+    """The session after a run, which is kept.
+
+    Parameters
+    ----------
+    session : Session
+        What was designed.
+    result : Result
+        The lens that the run found.
+    budget : int
+        Bytes that all kept runs may take.
+
+    Returns
+    -------
+    session : Session
+        With the result, and with the run after the earlier ones. A run without an iteration has
+        no course to compare and is not kept.
+    given_way : list of KeptRun
+        Runs that were dropped to make room: first the oldest lenses of live update that nobody
+        named, then the oldest runs that nobody named, then the oldest. The latest always stays.
+    """
+    return _with_kept(session, result, session.runs, _RUN, budget)
+
+
+def with_followed(
+    session: Session, result: Result, budget: int = _BUDGET
+) -> tuple[Session, list[KeptRun]]:
+    """The session with a lens that live update has designed, which is kept like a run.
+
+    It replaces the lens that live update had not finished, unless a person has named that one. A
+    lens that is not finished yet drops no other run: where there is no room, it is not kept.
+
+    Parameters
+    ----------
+    session, result, budget
+        As for `with_run`.
+
+    Returns
+    -------
+    session, given_way
+        As for `with_run`.
+    """
+    others = tuple(run for run in session.runs if not _is_passing(run))
+    kept, given_way = _with_kept(session, result, others, _FOLLOWED, budget)
+    if given_way and result.ended == STOPPED:
+        return replace(session, result=result, runs=others), []
+    return kept, given_way
+
+
+def _with_kept(
+    session: Session, result: Result, others: Sequence[KeptRun], kind: str, budget: int
+) -> tuple[Session, list[KeptRun]]:
+    session = replace(session, result=result)
+    if not result.iterations:
+        return replace(session, runs=tuple(others)), []
+    name = f"{kind} {_next_number(others)}: {_description(session.scene)}"
+    runs = [*others, KeptRun(name, session.scene, session.target, result)]
+    given_way = []
+    while len(runs) > 1 and (len(runs) > MOST_RUNS or distinct_bytes(*runs) > budget):
+        nameless = [run for run in runs[:-1] if not is_named(run)]
+        followed = [run for run in nameless if run.name.startswith(_FOLLOWED)]
+        oldest = [*followed, *nameless, runs[0]][0]
+        runs.remove(oldest)
+        given_way.append(oldest)
+    return replace(session, runs=tuple(runs)), given_way
+
+
+def _is_passing(run: KeptRun) -> bool:
+    """Whether live update has not finished the lens of a run, and nobody has named the run."""
+    return run.name.startswith(_FOLLOWED) and not is_named(run) and run.result.ended == STOPPED
+
+
+def restored(session: Session, run: KeptRun) -> Session:
+    """The session with a kept run's task and lens in place of its own."""
+    again = session.with_scene(run.scene, run.target)  # for the locks, which hang on the net
+    return replace(again, result=run.result, start=None)
+
+
+def renamed(session: Session, run: KeptRun, name: str) -> Session:
+    """The session with another name for a kept run.
+
+    Raises
+    ------
+    Refused
+        If the name is empty or too long.
+    """
+    other = replace(run, name=name)
+    return replace(session, runs=tuple(other if each is run else each for each in session.runs))
+
+
+def without(session: Session, runs: Iterable[KeptRun]) -> Session:
+    """The session without some of its kept runs."""
+    gone = {id(run) for run in runs}
+    return replace(session, runs=tuple(run for run in session.runs if id(run) not in gone))
+
+
+def is_named(run: KeptRun) -> bool:
+    """Whether a person gave a run its name."""
+    number = _NUMBERED.match(run.name)
+    return number is None or run.name != number[0] + _description(run.scene)
+
+
+def called(run: KeptRun) -> str:
+    """What a run is called in the language of the window; files keep the program's name in English.
+
+    A name that a person gave stays as it is.
+    """
+    number = _NUMBERED.match(run.name)
+    if number is None or is_named(run):
+        return run.name
+    text = {
+        _RUN: tr("Run {number}: {description}"),
+        _FOLLOWED: tr("Followed {number}: {description}"),
+    }[number[1]]
+    return text.format(number=number[2], description=_description(run.scene))
+
+
+def _next_number(runs: Iterable[KeptRun]) -> int:
+    numbers = (_NUMBERED.match(run.name) for run in runs)
+    return 1 + max((int(number[2]) for number in numbers if number), default=0)
+
+
+def _description(scene: Scene) -> str:
+    n_u, n_v = scene.optic.net_shape
+    return f"{scene.run.method}, {n_u} × {n_v}"

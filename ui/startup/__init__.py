@@ -1,1 +1,0 @@
-"""Start of the program: display, slow libraries, unexpected errors."""

@@ -1,1 +1,0 @@
-"""What becomes of the image when the lens on show is a little off."""

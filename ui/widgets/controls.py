@@ -1,0 +1,112 @@
+"""Menu button, and the layout of a picture and its form."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QFrame,
+    QHBoxLayout,
+    QMenu,
+    QPushButton,
+    QScrollArea,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+
+class MenuButton(QToolButton):
+    """Button that opens its menu by a click or a key."""
+
+    chosen = Signal()
+
+    def __init__(self, text: str, tip: str) -> None:
+        super().__init__()
+        self.setText(f"{text} ▾")  # the style's own arrow lies below the line
+        self.setAccessibleName(text)
+        self.setToolTip(tip)
+        self.setAutoRaise(True)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setMenu(QMenu(self))
+
+    def add_choice(self, texts: Sequence[str]) -> QActionGroup:
+        """Add exclusive choices; the first is checked."""
+        group = QActionGroup(self)
+        for text in texts:
+            group.addAction(self.add_toggle(text, on=not group.actions()))
+        return group
+
+    def add_toggle(self, text: str, on: bool) -> QAction:
+        """Add a checkable choice."""
+        action = self.menu().addAction(text)
+        action.setCheckable(True)
+        action.setChecked(on)
+        action.triggered.connect(self.chosen)
+        return action
+
+
+def chosen_of(group: QActionGroup) -> int:
+    """Index of the checked action of a group."""
+    return group.actions().index(group.checkedAction())
+
+
+def choose(group: QActionGroup, number: int) -> None:
+    """Check an action of a group without a signal."""
+    group.actions()[number].setChecked(True)
+
+
+_WIDE = 1.3  # times as wide as high
+_HIGH, _OTHER_HIGH = 200, 160  # pixels; a lower picture would be labels alone
+
+
+class SideBySide(QWidget):
+    """Gives the picture all space that the form does not need; the form scrolls."""
+
+    def __init__(self, picture: QWidget, other: QWidget, buttons: Sequence[QPushButton]) -> None:
+        super().__init__()
+        self._line = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._line.setContentsMargins(0, 0, 0, 0)
+        self._line.setSpacing(0)
+        self._line.addWidget(picture, 1)
+        beside = QVBoxLayout()
+        row = QHBoxLayout()
+        row.setContentsMargins(6, 2, 6, 6)
+        for button in buttons:
+            row.addWidget(button)
+        row.addStretch(1)
+        beside.addWidget(_Scrolled(other, _OTHER_HIGH - row.sizeHint().height()))
+        beside.addLayout(row)
+        self._line.addLayout(beside)
+        picture.setMinimumHeight(_HIGH)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Choose the direction by the aspect ratio."""
+        super().resizeEvent(event)
+        wide = self.width() > _WIDE * self.height()
+        directions = QBoxLayout.Direction
+        self._line.setDirection(directions.LeftToRight if wide else directions.TopToBottom)
+
+
+class _Scrolled(QScrollArea):
+    def __init__(self, held: QWidget, least: int) -> None:
+        super().__init__()
+        self._held, self._least = held, least
+        self.setWidget(held)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
+
+    def sizeHint(self) -> QSize:
+        bar = self.verticalScrollBar().sizeHint().width()
+        return self._held.sizeHint() + QSize(bar, 0)
+
+    def minimumSizeHint(self) -> QSize:
+        least = super().minimumSizeHint()
+        return QSize(least.width(), min(self.sizeHint().height(), self._least))
