@@ -29,18 +29,7 @@ _M_ARENA_MAX = -8  # of glibc's malloc.h
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Open a window and stay until all are closed.
-
-    Parameters
-    ----------
-    arguments : list of str, optional
-        Command line without the program's name; by default the process's own.
-
-    Returns
-    -------
-    int
-        Exit status: 0 closed, 1 no window can open here (2, wrong use, leaves by `SystemExit`).
-    """
+    """Open a window and stay until all are closed."""
     if arguments is None:
         restart_in_utf8_mode()
     options = _parser().parse_args(arguments)
@@ -146,7 +135,6 @@ def _begin_when_painted(window: "MainWindow", begin: Callable[[], None]) -> None
 def _begin(
     windows: "Windows", window: "MainWindow", settings: "QSettings", options: argparse.Namespace
 ) -> None:
-    """Load what is slow, recover or open, start."""
     windows.warm_up()
     recovered = windows.recover(window)
     opened: MainWindow | None = None if recovered else window

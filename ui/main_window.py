@@ -38,26 +38,6 @@ class MainWindow(QMainWindow):
 
     It shows at once, with placeholders; `build` adds runner and views, whose libraries take
     seconds to load.
-
-    Parameters
-    ----------
-    document : Document
-        The open design; the window owns it from now on.
-    settings : QSettings
-        Where recent files are kept.
-
-    Attributes
-    ----------
-    early : EarlyParts
-        Commands, forms, docks, messages.
-    loaded : LoadedParts, optional
-        Runner, views and what works with them, between `build` and the end.
-    painted, built, closed : Signal()
-        It can be seen, has its views, is gone.
-    stayed : Signal()
-        It was to close after a run whose lens could not be saved.
-    new_window_asked, quit_asked : Signal()
-        Commands that are not for one window.
     """
 
     painted = Signal()
@@ -243,7 +223,6 @@ class MainWindow(QMainWindow):
             self.files.open(path)
 
     def _open(self, path: Path) -> None:
-        """Open a design or scene; a run that is under way is stopped if somebody says so."""
         if self._busy:
             text = tr("{file} takes the place of {design}, which is being designed.").format(
                 file=path.name, design=self.document.name
@@ -308,7 +287,6 @@ class MainWindow(QMainWindow):
         self.files.saved.connect(self._tell_saved)
 
     def _undo(self) -> None:
-        """Take back an entry that was refused, or the last step where there is none."""
         if not self.forms.take_back():
             self.document.undo_stack.undo()
 

@@ -64,20 +64,7 @@ _STEP = QPoint(32, 32)  # from one window to the next, so that both can be seen
 
 
 class Windows(QObject):
-    """Each window has a document, a run and a recovery file of its own.
-
-    Parameters
-    ----------
-    settings : QSettings
-        What all windows remember.
-    folder : Path
-        Of the recovery files.
-
-    Attributes
-    ----------
-    loaded : Signal()
-        The slow libraries are imported; views are about to be built.
-    """
+    """Each window has a document, a run and a recovery file of its own."""
 
     loaded = Signal()
 
@@ -145,22 +132,7 @@ class Windows(QObject):
         return offer_left_behind(find_left_behind(self._folder), recover, window)
 
     def open_given(self, path: Path, window: MainWindow, recovered: bool) -> MainWindow | None:
-        """Open the file that the program was started with.
-
-        Parameters
-        ----------
-        path : Path
-            The file.
-        window : MainWindow
-            The first one.
-        recovered : bool
-            Whether it has unsaved work by now; then another one gets the file.
-
-        Returns
-        -------
-        MainWindow or None
-            Where the file was opened; None if it was not.
-        """
+        """Open the file that the program was started with."""
         own = next(self._with(path), None)
         if own is not None:
             own.activateWindow()
@@ -232,11 +204,9 @@ class Windows(QObject):
             self._recoveries[window].follow(window.loaded.control)
 
     def _other_with(self, window: MainWindow, path: Path) -> MainWindow | None:
-        """The window beside ``window`` whose design lives in a file."""
         return next((other for other in self._with(path) if other is not window), None)
 
     def _with(self, path: Path) -> Iterator[MainWindow]:
-        """The windows whose design lives in a file."""
         path = path.resolve()
         for window in self._recoveries:
             own = window.document.path

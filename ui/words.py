@@ -30,15 +30,7 @@ _spoken = "en"
 
 
 def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
-    """A text in the language that is spoken; as it is where that has no words for it.
-
-    Parameters
-    ----------
-    text : str or Said
-        In English. Other values that change are put into the translation, not into this.
-    optic, receiver : str
-        What stands in place of "{optic}" and "{receiver}".
-    """
+    """A text in the language that is spoken; as it is where that has no words for it."""
     if isinstance(text, Said):
         return _said(text)
     if optic:
@@ -49,7 +41,6 @@ def tr(text: str, *, optic: str = "", receiver: str = "") -> str:
 
 
 def _said(said: Said) -> str:
-    """A sentence of the engine; values that are said of themselves are translated, too."""
     values = {
         name: tr(value) if isinstance(value, Said) else value for name, value in said.values.items()
     }
@@ -76,11 +67,6 @@ def inside(text: str) -> str:
     """A title as it stands inside of a sentence of the language that is spoken.
 
     Abbreviations stay large; in German all does, as its nouns are.
-
-    Parameters
-    ----------
-    text : str
-        Translated.
     """
     if _spoken in _NOUNS_ARE_LARGE or text[1:2].isupper():
         return text
@@ -88,13 +74,7 @@ def inside(text: str) -> str:
 
 
 def begun(text: str) -> str:
-    """A text as it stands at the beginning of a sentence; symbols as λ stay small.
-
-    Parameters
-    ----------
-    text : str
-        Translated.
-    """
+    """A text as it stands at the beginning of a sentence; symbols as λ stay small."""
     if not (text and unicodedata.name(text[0], "").startswith("LATIN")):
         return text
     return text[0].upper() + text[1:]
@@ -112,22 +92,7 @@ def spoken_by_system() -> str:
 
 
 def speak(application: QCoreApplication, language: str) -> None:
-    """Say all that is said from now on in a language; what is shown already stays as it is.
-
-    Parameters
-    ----------
-    application : QCoreApplication
-        Keeps the dictionaries.
-    language : str
-        One of `LANGUAGES`, or "system" for what `spoken_by_system` says.
-
-    Raises
-    ------
-    ValueError
-        If it is none of these.
-    RuntimeError
-        If its dictionary is missing, as in a broken installation.
-    """
+    """Say all that is said from now on in a language; what is shown already stays as it is."""
     global _spoken
     code = spoken_by_system() if language == "system" else language
     if code not in LANGUAGES:

@@ -89,7 +89,6 @@ class SideDrawing(QWidget):
         return QPolygonF([QPointF(begin + along * z, middle - across * y) for z, y in points])
 
     def _lengths(self, painter: QPainter, dimensions: Sequence[Dimension]) -> None:
-        """Widths beside what they are of, distances in rows below, or aslant where they are so."""
         metrics, line = self.fontMetrics(), self.fontMetrics().lineSpacing()
         row = self._room().bottom() + 0.5 * line
         for dimension in dimensions:
@@ -115,7 +114,6 @@ class SideDrawing(QWidget):
             painter.drawText(QPointF(at, row - 0.25 * line), dimension.text)
 
     def _aslant(self, painter: QPainter, first: QPointF, last: QPointF, text: str) -> None:
-        """A distance where it is, on ground of its own, since light goes there too."""
         painter.save()
         painter.setPen(QPen(painter.pen().color(), 1, Qt.PenStyle.DashLine))
         painter.drawLine(first, last)
@@ -129,7 +127,6 @@ class SideDrawing(QWidget):
         painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, text)
 
     def _remark(self, painter: QPainter) -> None:
-        """Say from where it is seen, and how much larger heights are."""
         assert self._view is not None  # or nothing is drawn
         along, across = self.scales
         seen = tr("From the side") if self._view.across == "y" else tr("From above")
@@ -142,5 +139,4 @@ class SideDrawing(QWidget):
 
 
 def _along(dimension: Dimension) -> bool:
-    """Whether a length is a distance along the axis."""
     return dimension.distance and bool(abs(dimension.ends[0, 1] - dimension.ends[1, 1]) < 1e-9)

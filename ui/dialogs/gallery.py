@@ -26,15 +26,9 @@ _SIZE = QSize(680, 560)
 
 
 class Gallery(QDialog):
-    """One example can be chosen: by arrows and Enter, by typing its name, or by mouse.
+    """One example can be chosen: by arrows and Enter, by typing its name, or by mouse."""
 
-    Attributes
-    ----------
-    chosen : Signal(Example)
-        This one shall be opened.
-    """
-
-    chosen = Signal(object)
+    chosen = Signal(object)  # Example
 
     def __init__(self, examples: Sequence[Example], window: QWidget) -> None:
         super().__init__(window)

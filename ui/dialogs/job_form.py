@@ -23,22 +23,7 @@ _LATER = {*Finish.model_fields, "tone", "turn", "crop"} - {"viewed_from"}
 
 
 class JobForm(QScrollArea):
-    """Asks the questions of one job, and holds the job that the answers make.
-
-    Parameters
-    ----------
-    job : Job
-        What it begins with.
-
-    Attributes
-    ----------
-    job : Job
-        With the answers so far; those that are not possible wait in their rows.
-    changed : Signal()
-        It has other answers, or one was refused or corrected.
-    image_asked, light_asked : Signal()
-        A person wants to choose a picture file, or one of a lamp's light.
-    """
+    """Asks the questions of one job, and holds the job that the answers make."""
 
     changed = Signal()
     image_asked = Signal()
@@ -128,7 +113,6 @@ class JobForm(QScrollArea):
             self._edit(edit)
 
     def _edit(self, edit: Edit) -> None:
-        """Try an answer; one that is not possible waits in its row."""
         refused = try_with_waiting(edit, self._refused, self._try)
         if refused is not None:
             self._refused[edit.path] = Waiting(edit, refused)

@@ -24,22 +24,10 @@ _HIGH = 160  # logical pixels of a picture: two of them are compared
 
 
 class ProspectFinder(QObject):
-    """Draws the target of the latest job and finds what can be expected of it.
+    """Draws the target of the latest job and finds what can be expected of it."""
 
-    Attributes
-    ----------
-    ready : Signal(Session)
-        The job can be begun: this is its design.
-    found : Signal(Prospect)
-        What can be expected of it.
-    progressed : Signal(float)
-        The part of its estimate that is done.
-    failed : Signal(str)
-        Why it cannot be begun.
-    """
-
-    ready = Signal(object)
-    found = Signal(object)
+    ready = Signal(object)  # Session
+    found = Signal(object)  # Prospect
     progressed = Signal(float)
     failed = Signal(str)
 
@@ -80,7 +68,6 @@ class ProspectFinder(QObject):
 
 
 def _find(job: "Job", task: Task) -> "Prospect | None":
-    """Meant for the thread: what can be expected; None if nobody wants it any more."""
     from workbench.design.task import begin  # late: take long to import
     from workbench.jobs.prospect import prospecting
 

@@ -37,18 +37,9 @@ _JOBS_WIDE, _FORM_WIDE = 190, 330  # pixels at least
 
 
 class StartPage(QDialog):
-    """Lists the jobs; shows the form, the drawing and the outlook of the chosen one.
+    """Lists the jobs; shows the form, the drawing and the outlook of the chosen one."""
 
-    Attributes
-    ----------
-    begun : Signal(Session, str)
-        A job shall be designed: its design without a lens, and what it is called. Whoever takes
-        it accepts the page.
-    open_asked, examples_asked : Signal()
-        A person would rather open a file, or an example.
-    """
-
-    begun = Signal(object, str)
+    begun = Signal(object, str)  # Session, str
     open_asked = Signal()
     examples_asked = Signal()
 
@@ -147,7 +138,6 @@ class StartPage(QDialog):
         self._look()
 
     def _look(self) -> None:
-        """Draw the job as it is now, and look for what can be expected of it."""
         self._session, self._begins, self._obstacle = None, False, ""
         self._told.say("")
         self._begin.setEnabled(not self.form.refused)
@@ -176,7 +166,6 @@ class StartPage(QDialog):
             self._tell()
 
     def _tell(self) -> None:
-        """Say beside the button why it does not begin, once that is known."""
         if self._obstacle:
             why = tr("Cannot begin: {reason}").format(reason=self._obstacle)
             self._told.say(f"\N{WARNING SIGN} {why}")
@@ -199,24 +188,7 @@ class StartPage(QDialog):
 
 
 class Start(QObject):
-    """Has at most one start page open.
-
-    Parameters
-    ----------
-    files : FileActions
-        Take the new design, or open a file in its place.
-    show_examples : callable
-        Shows the gallery of examples.
-    dialogs : FileDialogs
-        Ask for files.
-    window : QWidget
-        The page stands over it.
-
-    Attributes
-    ----------
-    open_changed : Signal(bool)
-        Whether the page is there.
-    """
+    """Has at most one start page open."""
 
     open_changed = Signal(bool)
 
@@ -250,7 +222,6 @@ class Start(QObject):
             self.page.reject()
 
     def _begin(self, session: "Session", name: str) -> None:
-        """Take the job into the window; the page stays where that is not wanted after all."""
         if self._files.begin(session, name) and self.page is not None:
             self.page.accept()
 

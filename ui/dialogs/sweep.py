@@ -42,15 +42,7 @@ RAYS = 4_000_000
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """What is to be designed.
-
-    Attributes
-    ----------
-    points : list of Point
-        The design tasks.
-    folder : Path
-        Where sessions and tables go; what is finished there is not done again.
-    """
+    """What is to be designed."""
 
     points: "list[Point]"
     folder: Path
@@ -61,11 +53,6 @@ def work_on(sweep: Sweep, task: Task) -> None:
 
     Reports the number of a point and its row as soon as it is finished. What is finished when the
     task is stopped is kept.
-
-    Raises
-    ------
-    Refused
-        If the folder cannot be written, or another sweep is at work in it.
     """
     # Late: what they stand on is slow to import.
     from workbench.sweep.processes import Processes
@@ -95,20 +82,7 @@ _FIGURES = later(("Verified error", "Light", "Iterations", "Seconds"))
 
 
 class SweepDialog(QDialog):
-    """Fields, values and a folder; a table and a curve of what became of them. It stays open.
-
-    Parameters
-    ----------
-    design : Callable
-        Gives the file of the open design, a name alone where it has none, and the design.
-    window : QWidget
-        The dialog stands over it.
-
-    Attributes
-    ----------
-    open_asked : Signal(Path)
-        A person wants to see a lens.
-    """
+    """Fields, values and a folder; a table and a curve of what became of them. It stays open."""
 
     open_asked = Signal(Path)
 
@@ -190,7 +164,6 @@ class SweepDialog(QDialog):
         self._background.close()
 
     def _results(self) -> QSplitter:
-        """The table, and beside it the curve."""
         parts = QSplitter(Qt.Orientation.Horizontal)
         parts.setChildrenCollapsible(False)
         parts.addWidget(self.table)
@@ -218,7 +191,6 @@ class SweepDialog(QDialog):
             self.folder.setText(chosen)
 
     def _show_points(self, sweep: Sweep) -> None:
-        """A line for each point, still without figures."""
         from workbench.sweep.points import shown  # late, as above
 
         points, titles = sweep.points, self.form.titles()
@@ -258,7 +230,6 @@ class SweepDialog(QDialog):
         self.told.setText(f"\N{WARNING SIGN} {sentence_of(error, tr('sweep'))}")
 
     def _chosen(self) -> Path | None:
-        """The session of the chosen row."""
         row = self._rows.get(self.table.currentRow())
         if self._sweep is None or row is None or row.session is None:
             return None
@@ -269,7 +240,6 @@ class SweepDialog(QDialog):
             self.open_asked.emit(path)
 
     def _offer(self) -> None:
-        """Tell what can be done now, and how far the sweep is."""
         busy = self._background.busy
         self.begin.setText(tr("Stop") if busy else tr("Start"))
         self.begin.setEnabled(not self._background.stopping)

@@ -30,13 +30,7 @@ _VALUES = later(
 
 
 class SweepForm(QWidget):
-    """A field and its values, and a second one if somebody wants it.
-
-    Attributes
-    ----------
-    lines : QFormLayout
-        Takes what else is asked for.
-    """
+    """A field and its values, and a second one if somebody wants it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -72,13 +66,7 @@ class SweepForm(QWidget):
         self._show_present()
 
     def variations(self) -> "list[Variation]":
-        """What is asked for.
-
-        Raises
-        ------
-        Refused
-            If values of a field are missing or are none.
-        """
+        """What is asked for."""
         from workbench.sweep.points import Variation  # late, as all of sweeps
 
         found = []
@@ -119,15 +107,7 @@ class SweepCurve(FigureCanvasQTAgg):
         self.recolour()
 
     def show_rows(self, titles: Sequence[str], rows: "Mapping[int, PointRow]") -> None:
-        """Show those of some rows that have a lens, as they are in a moment.
-
-        Parameters
-        ----------
-        titles : sequence of str
-            What the fields are called.
-        rows : mapping of int to PointRow
-            By their numbers.
-        """
+        """Show those of some rows that have a lens, as they are in a moment."""
         self._titles, self._rows = titles, rows
         if not self._soon.isActive():
             self._soon.start()
@@ -159,6 +139,5 @@ def _first(row: "PointRow") -> str:
 
 
 def _name(titles: Sequence[str], row: "PointRow") -> str:
-    """The second field and its value, if there is one."""
     _, *others = row.changes.values()
     return ", ".join(f"{title} {value}" for title, value in zip(titles[1:], others, strict=True))

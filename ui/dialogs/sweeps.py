@@ -15,17 +15,7 @@ if TYPE_CHECKING:
 
 
 class Sweeps(QObject):
-    """Knows the dialog, once it was asked for.
-
-    Parameters
-    ----------
-    document : Document
-        Its design is varied.
-    open_file : Callable
-        Opens a session in the window.
-    window : QWidget
-        The dialog stands over it.
-    """
+    """Knows the dialog, once it was asked for."""
 
     def __init__(
         self, document: Document, open_file: Callable[[Path], object], window: QWidget

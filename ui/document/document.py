@@ -60,17 +60,7 @@ _File = tuple[Path | None, str | None, Path]
 
 
 class OnDisk(Enum):
-    """What has become of a design's file since the design was last read from it or written to it.
-
-    Attributes
-    ----------
-    KNOWN
-        It holds what it held then.
-    CHANGED
-        Another program has written to it.
-    GONE
-        It is no longer there.
-    """
+    """Whether a design's file holds what it held when it was last read or written."""
 
     KNOWN = auto()
     CHANGED = auto()
@@ -82,33 +72,11 @@ class Document(QObject):
 
     Sessions are immutable values, so an edit is a step from one session to the next and whatever
     raises on the way (a refusal, a full disk) leaves the open one as it is.
-
-    Parameters
-    ----------
-    session : Session
-        What is open at first.
-    name : str
-        What the title calls it until it has a file of its own.
-
-    Attributes
-    ----------
-    verified : VerifiedErrors
-        What checks say of the lenses of kept runs, which goes into files.
-    session_changed : Signal(Session)
-        Another session is open, in whatever way it came.
-    edited : Signal(Session, Session)
-        An edit has led from the one to the other.
-    begun : Signal(Session)
-        A new task was begun in place of the open design.
-    path_changed : Signal()
-        The design has another file.
-    dirty_changed : Signal(bool)
-        Whether closing now would lose changes.
     """
 
-    session_changed = Signal(object)
-    edited = Signal(object, object)
-    begun = Signal(object)
+    session_changed = Signal(object)  # Session
+    edited = Signal(object, object)  # Session, Session
+    begun = Signal(object)  # Session
     path_changed = Signal()
     dirty_changed = Signal(bool)
 
@@ -159,22 +127,7 @@ class Document(QObject):
         return not self.undo_stack.isClean()
 
     def edit(self, scene: Scene, text: str, key: str) -> None:
-        """Go on with another scene, as one step that can be undone.
-
-        Parameters
-        ----------
-        scene : Scene
-            Takes the place of the open one.
-        text : str
-            What the undo menu calls the step.
-        key : str
-            Consecutive edits with the same key become one step.
-
-        Raises
-        ------
-        Refused
-            If the scene's target cannot be loaded; nothing has changed then.
-        """
+        """Go on with another scene, as one step that can be undone."""
         # One step is one edit: what was lost on the way comes back with the value it hung on.
         old = self.before(key)
         # A relative path typed by hand starts beside the file, as it will when saved there.
@@ -195,13 +148,7 @@ class Document(QObject):
         return self.undo_stack.origin(key) or self._session
 
     def read_image_again(self) -> None:
-        """Take the target's image as its file has it now, as one step that can be undone.
-
-        Raises
-        ------
-        Refused
-            If the target cannot be drawn; nothing has changed then.
-        """
+        """Take the target's image as its file has it now, as one step that can be undone."""
         before = self._session
         after = with_file(before, self.suggested_path.parent)
         self.change(after, tr("new reading of the image"))
@@ -212,15 +159,7 @@ class Document(QObject):
         self.change(replace(self._session, result=result), text)
 
     def change(self, session: Session, text: str, key: str = "") -> None:
-        """Go on with another session, as one step that can be undone.
-
-        Parameters
-        ----------
-        session : Session
-            Takes the place of the open one.
-        text, key
-            As for `edit`.
-        """
+        """Go on with another session, as one step that can be undone."""
         self.undo_stack.take(self._session, session, text, key)
 
     def improve(self, session: Session) -> None:
@@ -229,11 +168,6 @@ class Document(QObject):
         No signal is sent: it is the same design, and whoever found the lens shows it. Undoing the
         step takes the lens back, and redoing it brings the lens again. A design to which nothing
         was done yet has no changes by this.
-
-        Parameters
-        ----------
-        session : Session
-            The open session with its better lens.
         """
         self._session = session
         self.undo_stack.amend(session)
@@ -246,13 +180,6 @@ class Document(QObject):
         """Go on with a new task, which has no file yet, as one step that can be undone.
 
         Undoing it also gives the design before its name and file back.
-
-        Parameters
-        ----------
-        session : Session
-            Takes the place of the open one.
-        name : str
-            What the title calls it until it has a file of its own.
         """
         other: _File = None, None, Path(name)  # file and name of the design that is not open
 
@@ -268,13 +195,7 @@ class Document(QObject):
         self.begun.emit(session)
 
     def open(self, path: Path) -> None:
-        """Open a session, or an untitled design from a scene file.
-
-        Raises
-        ------
-        Refused
-            If it cannot be read; the open design stays.
-        """
+        """Open a session, or an untitled design from a scene file."""
         path = path.absolute()
         shipped = path.is_relative_to(resources.path())  # no place to save to
         suggestion = Path(path.name) if shipped else path
@@ -287,30 +208,12 @@ class Document(QObject):
             self._begin(session, suggestion, path, found)
 
     def recover(self, session: Session, name: str, path: Path | None, known: str | None) -> None:
-        """Go on with a session that was never saved.
-
-        Parameters
-        ----------
-        session : Session
-            What was kept of it.
-        name : str
-            What the title called it.
-        path : Path, optional
-            The file that saving wrote.
-        known : str, optional
-            Fingerprint of that file when the work was kept.
-        """
+        """Go on with a session that was never saved."""
         self._begin(session, Path(name), path, known)
         self.undo_stack.resetClean()
 
     def on_disk(self, path: Path) -> OnDisk:
-        """What saving to a file would replace; `OnDisk.KNOWN` for any but the design's own.
-
-        Raises
-        ------
-        Refused
-            If something is there that cannot be read.
-        """
+        """What saving to a file would replace; `OnDisk.KNOWN` for any but the design's own."""
         if self._path is None or path.resolve() != self._path.resolve():
             return OnDisk.KNOWN
         found = fingerprint(path)
@@ -319,13 +222,7 @@ class Document(QObject):
         return OnDisk.GONE if found is None else OnDisk.CHANGED
 
     def revert(self) -> None:
-        """Go back to what the file holds, as one step that can be undone.
-
-        Raises
-        ------
-        Refused
-            If it cannot be read; nothing has changed then.
-        """
+        """Go back to what the file holds, as one step that can be undone."""
         if self._path is not None:
             found = fingerprint(self._path)
             self.change(read_session(self._path), tr("revert to the file"))
@@ -335,23 +232,7 @@ class Document(QObject):
     def save(
         self, path: Path, view: dict[str, Any] | None = None, making: Result | None = None
     ) -> None:
-        """Write the session and make ``path`` its file.
-
-        Parameters
-        ----------
-        path : Path
-            Session file.
-        view : dict, optional
-            How the design is looked at, which goes into the file and is no change of the design.
-        making : Result, optional
-            The best lens so far of a run that goes on. The file gets it; the design still has
-            changes then, because it gets its lens when the run ends.
-
-        Raises
-        ------
-        Refused
-            If it cannot be written; what was at ``path`` before is still there.
-        """
+        """Write the session and make ``path`` its file."""
         session = replace(self.verified.complete(self._session), view=view)
         if making is not None:
             session = replace(session, result=making)

@@ -45,18 +45,6 @@ class UndoSteps(QUndoStack):
 
     Sessions share their arrays, so a step costs what the session before it holds and the one
     after it does not. When all steps together cost too much, the oldest are forgotten.
-
-    Parameters
-    ----------
-    show : Callable
-        Is given the session that a step, or taking it back, leads to.
-    budget : int
-        Bytes that the steps may hold.
-
-    Attributes
-    ----------
-    forgot : Signal(int)
-        So many of the oldest steps can be taken back no more.
     """
 
     forgot = Signal(int)
@@ -78,20 +66,7 @@ class UndoSteps(QUndoStack):
         key: str = "",
         exchange: Callable[[], None] | None = None,
     ) -> None:
-        """Go from one session to the next.
-
-        Parameters
-        ----------
-        before, after : Session
-            Where the step begins and ends.
-        text : str
-            What the undo menu calls it.
-        key : str
-            Consecutive steps with the same key become one.
-        exchange : Callable, optional
-            Is called before the step is done, taken back or done again: it exchanges what else
-            belongs to the one session or the other.
-        """
+        """Go from one session to the next."""
         self.push(_Step(self._go_to, before, after, text, key, exchange))
         self._forget_oldest()
 
@@ -145,8 +120,6 @@ class UndoSteps(QUndoStack):
 
 
 class _Step(QUndoCommand):
-    """From one session to the next."""
-
     _MERGING = 1  # Qt offers only commands of the same id to each other
 
     def __init__(

@@ -24,13 +24,7 @@ _MOST_RECENT = 10
 
 
 class RecentFiles:
-    """A list of paths in the settings, the latest first.
-
-    Parameters
-    ----------
-    settings : QSettings
-        Where the list outlives the window.
-    """
+    """A list of paths in the settings, the latest first."""
 
     def __init__(self, settings: QSettings) -> None:
         self._settings = settings
@@ -57,17 +51,7 @@ class RecentFiles:
 
 
 class RecentMenu:
-    """Has an action for each file.
-
-    Parameters
-    ----------
-    menu : QMenu
-        Gets them.
-    recent : RecentFiles
-        The files.
-    open_file : callable
-        Opens one of them.
-    """
+    """Has an action for each file."""
 
     def __init__(
         self, menu: QMenu, recent: RecentFiles, open_file: Callable[[Path], object]
@@ -99,17 +83,7 @@ class ChangedFileChoice(Enum):
 
 
 def ask_about_changed_file(path: Path, found: OnDisk, window: QWidget) -> ChangedFileChoice:
-    """Put the question.
-
-    Parameters
-    ----------
-    path : Path
-        The design's file.
-    found : OnDisk
-        What has become of it.
-    window : QWidget
-        Asks.
-    """
+    """Put the question."""
     box = QMessageBox(window)
     box.setIcon(QMessageBox.Icon.Warning)
     box.setTextFormat(Qt.TextFormat.PlainText)  # names of files may look like markup
@@ -171,21 +145,7 @@ class Answer(Enum):
 
 
 class FileActions(QObject):
-    """Takes the document to files and back.
-
-    Attributes
-    ----------
-    find_other : callable
-        The window, other than this one, in which a file is open; None where there is none.
-    look : callable
-        How the design is looked at, for the file.
-    opened : Signal()
-        Another design is open.
-    saved : Signal(str)
-        What was saved, in a sentence.
-    recent_changed : Signal()
-        The list of files used last is another.
-    """
+    """Takes the document to files and back."""
 
     opened = Signal()
     saved = Signal(str)
@@ -353,7 +313,6 @@ class FileActions(QObject):
         return True
 
     def _save_otherwise(self, choice: ChangedFileChoice) -> bool:
-        """Save elsewhere or not at all; False if not saved."""
         if choice is ChangedFileChoice.RELOAD:
             self.revert()
         return choice is ChangedFileChoice.SAVE_AS and self.save_as()

@@ -26,11 +26,6 @@ class FileDialogs(QObject):
     A dialog begins in the folder that was used last for its kind of file since the design was
     opened or saved elsewhere; else in the design's own; for a design without one, in the folder
     that was used last for this kind of file by whatever window.
-
-    Attributes
-    ----------
-    chosen : str
-        Filter that was chosen in the last dialog for a file to write.
     """
 
     def __init__(self, document: Document, settings: QSettings, window: QWidget) -> None:
@@ -42,33 +37,13 @@ class FileDialogs(QObject):
         document.path_changed.connect(self._follow)
 
     def to_open(self, kind: str, title: str, filters: str) -> Path | None:
-        """Ask for a file that is there.
-
-        Parameters
-        ----------
-        kind : str
-            Kind of file, for the folder.
-        title : str
-            Of the dialog.
-        filters : str
-            Names of files to choose from, as Qt writes them.
-        """
+        """Ask for a file that is there."""
         begin = str(self._begin(kind))
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, begin, filters)
         return self._note(kind, Path(chosen)) if chosen else None
 
     def to_save(self, kind: str, title: str, name: str, endings: Mapping[str, str]) -> Path | None:
-        """Ask for a file to write; a name without an ending gets that of the chosen filter.
-
-        Parameters
-        ----------
-        kind, title
-            As for `to_open`.
-        name : str
-            Suggestion for the name of the file.
-        endings : mapping of str to str
-            What may be chosen, as Qt's filters, and the ending of each.
-        """
+        """Ask for a file to write; a name without an ending gets that of the chosen filter."""
         dialog = QFileDialog(self._window, title, str(self._begin(kind)))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setNameFilters(list(endings))
@@ -87,7 +62,6 @@ class FileDialogs(QObject):
         return next((folder for folder in self._folders(kind) if folder.is_dir()), Path.home())
 
     def _folders(self, kind: str) -> Iterator[Path]:
-        """The one that suits best first; some may be gone by now."""
         kept = self._settings.value(f"{_KEY}/{kind}")
         found = self._used.get(kind), self._own, Path(kept) if isinstance(kept, str) else None
         yield from (folder for folder in found if folder is not None)
@@ -100,30 +74,13 @@ class FileDialogs(QObject):
         return path
 
     def _follow(self) -> None:
-        """Another folder of the design is where a person works now."""
         if self._document.folder != self._own:
             self._own = self._document.folder
             self._used.clear()
 
 
 def pasted_picture(folder: Path) -> Path | None:
-    """The picture on the clipboard.
-
-    Parameters
-    ----------
-    folder : Path
-        Gets a file of a picture that is none yet, named by what it holds.
-
-    Returns
-    -------
-    Path or None
-        The file that was copied, or the one that was written; None if no picture was copied.
-
-    Raises
-    ------
-    Refused
-        If the file cannot be written.
-    """
+    """The picture on the clipboard."""
     copied = QGuiApplication.clipboard().mimeData()
     files = [Path(url.toLocalFile()) for url in copied.urls() if url.isLocalFile()]
     if files:

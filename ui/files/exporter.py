@@ -37,14 +37,7 @@ if TYPE_CHECKING:
 
 
 class Exporter(QObject):
-    """Asks for a file and writes it in a thread of its own, one at a time.
-
-    Attributes
-    ----------
-    ask_cutting : callable
-        Asks how the lens of a session is cut, for G-code, and simulates the cut; None if the lens
-        shall not be cut.
-    """
+    """Asks for a file and writes it in a thread of its own, one at a time."""
 
     def __init__(
         self,
@@ -117,7 +110,6 @@ class Exporter(QObject):
         return self._dialogs.to_save("export", title, name, endings)
 
     def _filters(self, mesh_unit: str) -> dict[str, str]:
-        """Filters of the formats whose lengths are in that unit, or have none; their endings."""
         session = self._document.session
         unit = mesh_unit_of(mesh_unit, session.scene.unit)
         return {
@@ -142,13 +134,6 @@ class Exporter(QObject):
 def _write(
     session: "Session", path: Path, plan: "CutPlan | None", mesh_unit: str, task: Task
 ) -> "Written":
-    """Write a file, a percent after the other.
-
-    Raises
-    ------
-    Interrupted
-        If the work is stopped; then nothing is written.
-    """
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.export.write import export
 
@@ -253,7 +238,6 @@ class Reporter(QObject):
 
 
 def _write_report(session: "Session", name: str, path: Path, task: Task) -> Path | None:
-    """Write a report; None if it was cancelled."""
     # Late: torch comes with it, and the window shows before that.
     from workbench.files.session import write_session
 
@@ -270,13 +254,6 @@ def _write_report(session: "Session", name: str, path: Path, task: Task) -> Path
 
 
 def _run_command(command: list[str], task: Task) -> bool:
-    """Let a command do its work; False if it was cancelled.
-
-    Raises
-    ------
-    RunFailed
-        If it failed, with its last line.
-    """
     with Popen(command, stdin=DEVNULL, stdout=DEVNULL, stderr=PIPE, encoding="utf-8") as process:
         while True:
             if task.stopped:

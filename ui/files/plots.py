@@ -43,19 +43,7 @@ _FIGURES = later({"Figures (*.json)": _DATA})
 
 
 class Plots(QObject):
-    """Copies and saves the plot that was clicked, or reached by keyboard, last.
-
-    Parameters
-    ----------
-    plots : mapping of str to PlotView
-        All plots by their names.
-    document : Document
-        Gives file names.
-    messages : MessageBar
-        Tells what was done, or why not.
-    dialogs : FileDialogs
-        Ask for the file.
-    """
+    """Copies and saves the plot that was clicked, or reached by keyboard, last."""
 
     def __init__(
         self,
@@ -145,7 +133,6 @@ class Plots(QObject):
         self._last = name
 
     def _current(self) -> str | None:
-        """The last one touched, or else the first, of those that can be seen and show something."""
         for name in (self._last, *self._plots):
             plot = self._plots[name]
             if plot.isVisible() and not plot.empty:
@@ -182,7 +169,6 @@ def _header(columns: "list[Column]") -> str:
 
 
 def _in_words(name: str) -> str:
-    """What the pane of a plot is called within a sentence."""
     return inside(tr(PANES[name].title))
 
 
@@ -190,21 +176,7 @@ _PNG = ".png"
 
 
 class PhotoPicture(QObject):
-    """Saves the photo that is seen, with its exposure.
-
-    Parameters
-    ----------
-    view : PhotoView
-        What shows it.
-    document : Document
-        Gives the name of the file.
-    messages : MessageBar
-        Tells what was done, or why not.
-    dialogs : FileDialogs
-        Ask for the file.
-    show : callable
-        Brings the view to the front, where photos are taken.
-    """
+    """Saves the photo that is seen, with its exposure."""
 
     def __init__(
         self,

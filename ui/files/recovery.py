@@ -36,19 +36,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class About:
-    """What is said of a session beside it.
-
-    Attributes
-    ----------
-    name : str
-        What the title called the design.
-    path : Path, optional
-        The file that saving wrote.
-    fingerprint : str, optional
-        Of that file when the design was last read from it or written to it.
-    ended : bool
-        Whether the program was asked to end, as at the end of a login; otherwise it broke off.
-    """
+    """What is said of a session beside it."""
 
     name: str
     path: Path | None = None
@@ -66,13 +54,7 @@ class About:
             return cls("recovered")
 
     def write(self, file: Path) -> None:
-        """Write it.
-
-        Raises
-        ------
-        Refused
-            If that is not possible.
-        """
+        """Write it."""
         path = None if self.path is None else str(self.path)
         with replacing(file) as content:
             content.write(json.dumps(asdict(self) | {"path": path}).encode())
@@ -80,15 +62,7 @@ class About:
 
 @dataclass(frozen=True)
 class LeftBehind:
-    """Work of a window that was not closed; nobody else is offered it meanwhile.
-
-    Attributes
-    ----------
-    file : Path
-        The session.
-    about : About
-        What is known of it.
-    """
+    """Work of a window that was not closed; nobody else is offered it meanwhile."""
 
     file: Path
     about: About
@@ -151,22 +125,7 @@ class RecoveryChoice(Enum):
 def offer_left_behind(
     works: Sequence[LeftBehind], recover: Callable[[LeftBehind], bool], window: QWidget
 ) -> bool:
-    """Ask what shall become of each.
-
-    Parameters
-    ----------
-    works : sequence of LeftBehind
-        What was found.
-    recover : callable
-        Opens one, each in a window of its own; tells whether it is safe elsewhere now.
-    window : QWidget
-        Asks.
-
-    Returns
-    -------
-    bool
-        Whether any is open now.
-    """
+    """Ask what shall become of each."""
     recovered = 0
     for work in works:
         choice = ask(work, window)
@@ -213,22 +172,7 @@ _EVERY_MS = 60_000
 
 
 class Recovery(QObject):
-    """Keeps a document's unsaved work; `start` begins with it, `close` ends it.
-
-    Parameters
-    ----------
-    document : Document
-        What is kept while it is dirty.
-    folder : Path
-        Where; made if it is not there.
-    every_ms : int
-        How often, in milliseconds.
-
-    Attributes
-    ----------
-    look : callable
-        How the design is looked at, which is kept with it.
-    """
+    """Keeps a document's unsaved work; `start` begins with it, `close` ends it."""
 
     failed = Signal(str)  # why nothing can be kept, once
 
@@ -294,13 +238,7 @@ class Recovery(QObject):
             self._background.begin(partial(_write, work, about, self._file))
 
     def close(self, leave: bool = False) -> None:
-        """End keeping; safe to call twice.
-
-        Parameters
-        ----------
-        leave : bool
-            Leave the file behind, for the next start, instead of removing it.
-        """
+        """End keeping; safe to call twice."""
         if self._closed:
             return
         self._closed = True

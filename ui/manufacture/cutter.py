@@ -74,24 +74,7 @@ _MACHINE = later(
 
 
 class CutFields(QWidget):
-    """A field for each value of a `Cutting`.
-
-    Parameters
-    ----------
-    unit : str
-        Unit of lengths.
-    begin_with : Cutting
-        What the fields hold at first.
-
-    Attributes
-    ----------
-    lines : dict of str to QLineEdit
-        By the names of `Cutting`.
-    mould : QCheckBox
-        Whether a mould is cut.
-    changed : Signal()
-        A person has changed something.
-    """
+    """A field for each value of a `Cutting`."""
 
     changed = Signal()
 
@@ -122,13 +105,7 @@ class CutFields(QWidget):
         self._form.addRow("", self.mould)
 
     def cutting(self) -> Cutting:
-        """What the fields say.
-
-        Raises
-        ------
-        ValueError, Refused
-            If one of them is no number or not within its range, or they do not go together.
-        """
+        """What the fields say."""
         numbers = {name: self._number(name) for name in self.lines}
         stated = {name: value for name, value in numbers.items() if value is not None}
         try:
@@ -207,24 +184,7 @@ class AskCutting:
 
 
 class CutterDialog(QDialog):
-    """Fields of a cut, and what it would leave of a lens.
-
-    Parameters
-    ----------
-    session : Session
-        Has the lens.
-    begin_with : Cutting
-        What the fields hold at first.
-    window : QWidget
-        The dialog stands over it.
-
-    Attributes
-    ----------
-    fields : CutFields
-        How the face is cut.
-    plan : CutPlan or None
-        The cut that the fields describe, once it has been simulated and the cutter fits.
-    """
+    """Fields of a cut, and what it would leave of a lens."""
 
     def __init__(self, session: "Session", begin_with: Cutting, window: QWidget) -> None:
         super().__init__(window)
@@ -298,7 +258,6 @@ class CutterDialog(QDialog):
             self._background.begin(partial(_trace, self._session, self.plan))
 
     def _follow(self) -> None:
-        """Simulate what the fields say now, in a moment."""
         self._background.cancel()
         self._forget()
         self._end("")
@@ -329,7 +288,6 @@ class CutterDialog(QDialog):
         self.bar.setValue(round(100 * done))
 
     def _tell(self, _: None, found: "CutPlan | str | None") -> None:
-        """Show a verdict, or the errors that were traced."""
         if found is None:
             stopped = tr("Stopped: the cut is not simulated.")
             self._end(stopped if self.plan is None else _words(self.plan, self._unit))
@@ -365,7 +323,6 @@ class CutterDialog(QDialog):
         self.fit.setVisible(self._fitting < plan.raster.radius)
 
     def _take_fitting(self) -> None:
-        """Cut by a ball that fits."""
         self.fields.lines["tool_radius"].setText(f"{self._fitting:.2g}")
         self.simulate()
 
@@ -379,7 +336,6 @@ class CutterDialog(QDialog):
 
 
 def _words(plan: "CutPlan", unit: str) -> str:
-    """What a cut leaves."""
     cut_off, left, _ = plan.errors
     deep = tr("Up to {cut_off} is cut too deep").format(cut_off=written(cut_off, unit, 2))
     whole = cut_off < _NEGLIGIBLE * left
@@ -396,7 +352,6 @@ def _words(plan: "CutPlan", unit: str) -> str:
 
 
 def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
-    """Meant for the thread: the simulated cut; None if the work was stopped."""
     from workbench.design.session import result_of  # late: take long to import
     from workbench.files.export.design import Design
     from workbench.files.export.gcode import planning
@@ -406,7 +361,6 @@ def _plan(session: "Session", cutting: Cutting, task: Task) -> "CutPlan | None":
 
 
 def _trace(session: "Session", plan: "CutPlan", task: Task) -> str | None:
-    """Meant for the thread: errors of the lens as cut, in words; None if the work was stopped."""
     from workbench.analysis.cut_lens import tracing_cut  # late: takes long to import
     from workbench.design.session import result_of
 

@@ -42,22 +42,9 @@ _HINT = later("Empty: what the design task keeps to, if anything. Kept for the n
 
 
 class LimitFields(QObject):
-    """A field for each limit. An empty one stands for the limit that the design keeps to.
+    """A field for each limit. An empty one stands for the limit that the design keeps to."""
 
-    Parameters
-    ----------
-    settings : QSettings
-        Where limits outlive the window. Lengths are kept for each unit by itself.
-
-    Attributes
-    ----------
-    rows : dict of str to OptionalRow
-        By the names of `Limits`; to be put somewhere.
-    changed : Signal(Limits)
-        Other ones count.
-    """
-
-    changed = Signal(object)
+    changed = Signal(object)  # Limits
 
     def __init__(self, settings: QSettings, parent: QObject) -> None:
         super().__init__(parent)
@@ -166,8 +153,6 @@ _STATES = later(
 
 
 class _Line(NamedTuple):
-    """The limit that a figure is judged by: as verdicts call it, and its field, if that is here."""
-
     limited: str
     at_least: bool
     field: str
@@ -222,11 +207,6 @@ class ManufactureFigures(QWidget):
     """A table of figures, limits and verdicts.
 
     A verdict stands below its figure, where it is also seen in a narrow dock.
-
-    Attributes
-    ----------
-    cut : QPushButton
-        Asks for a cut, for whoever holds the table.
     """
 
     def __init__(self, fields: LimitFields) -> None:
@@ -333,7 +313,6 @@ class ManufactureFigures(QWidget):
         self._cells[key].addWidget(state)
 
     def _add_entrance(self) -> None:
-        """Rows for a freeform entrance face, which is judged by the limits above."""
         first = len(_LINES) + 3
         title = QLabel(f"<b>{tr('Entrance face')}</b>")
         self._grid.addWidget(title, first, 0, 1, 4)

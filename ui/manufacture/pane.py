@@ -138,23 +138,13 @@ _PLACES = 193  # of a map along the longer side of the lens
 
 
 class _Found(NamedTuple):
-    """What was asked about, and what was found."""
-
     frame: "Frame"
     figures: Manufacture
     maps: dict[str, SurfaceMaps]
 
 
 class ManufacturePane(SideBySide):
-    """Map, figures and limits of the lens on show.
-
-    Attributes
-    ----------
-    map : FaceMap
-        Its picture.
-    cut_asked : Signal()
-        A person wants to have the face cut.
-    """
+    """Map, figures and limits of the lens on show."""
 
     cut_asked = Signal()
 

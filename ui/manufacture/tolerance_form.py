@@ -23,17 +23,7 @@ _DECENTRE, _SCALE = 0.005, 0.1
 
 
 class ToleranceForm(QWidget):
-    """What is asked for; a field that is refused says why.
-
-    Attributes
-    ----------
-    toggled, save_asked : Signal()
-        A person wants to begin, or to cancel; to save what was found.
-    begin, save : QPushButton
-        What is done with it, for whoever holds the form.
-    obstacle : str
-        What in the task itself tolerances do not know, as it was found last; empty if nothing.
-    """
+    """What is asked for; a field that is refused says why."""
 
     toggled = Signal()
     save_asked = Signal()
@@ -113,7 +103,6 @@ class ToleranceForm(QWidget):
         return not self._refused() and not self.obstacle
 
     def _convert(self, scene: Scene, unit: Unit) -> Scene:
-        """Give the lengths for a scene in another unit."""
         factor = ratio(scene.unit, unit)
         for row in self._rows:
             if row.measure.power:
@@ -146,7 +135,6 @@ class ToleranceForm(QWidget):
             self._show()
 
     def _judge(self, data: dict[str, Any]) -> None:
-        """Have the engine refuse what is not possible for this lens."""
         assert self._scene is not None  # there is one before anything is typed
         try:
             self._possible(data).check(self._scene)
@@ -158,13 +146,11 @@ class ToleranceForm(QWidget):
                 self.obstacle = error_text(refused)
 
     def _possible(self, data: dict[str, Any]) -> Tolerances:
-        """Without errors of what a scene does not have, whatever was typed before."""
         absent = ABOUT.keys() - self._there()
         none = {name: [0.0, data[name][1]] if name in PAIRS else 0.0 for name in absent}
         return Tolerances.of(data | none)
 
     def _there(self) -> set[str]:
-        """Names of the tolerances of what the scene has."""
         assert self._scene is not None  # there is one before anything is asked for
         return {name for name, about in ABOUT.items() if about.there(self._scene)}
 
@@ -225,7 +211,6 @@ def _make_rows() -> tuple[NumberRow, ...]:
 
 
 def _lines(rows: Sequence[NumberRow]) -> Iterator[Sequence[NumberRow]]:
-    """Rows side by side, two of one number or one of two numbers in a line."""
     single = [row for row in rows if row.path not in PAIRS]
     *errors, last = zip(single[::2], single[1::2], strict=True)
     yield from errors

@@ -33,23 +33,7 @@ if TYPE_CHECKING:
 
 @dataclass(eq=False)
 class Sample:
-    """Lenses that are off, as far as they are traced.
-
-    Attributes
-    ----------
-    frame : Frame
-        The lens as designed, and its task.
-    within : Tolerances
-        How far they may be off.
-    wanted : int
-        How many are asked for.
-    seed : int
-        The same seed gives the same lenses.
-    nominal : Perturbed, optional
-        The trace of the lens that is not off; None until it is there.
-    others : list of Perturbed
-        Those that are.
-    """
+    """Lenses that are off, as far as they are traced."""
 
     frame: "Frame"
     within: "Tolerances"
@@ -154,15 +138,6 @@ class TolerancePane(SideBySide):
     """Fields, the distribution, and its figures.
 
     What was found is that of the lens that was asked about; once another one is shown, it says so.
-
-    Attributes
-    ----------
-    plot : SpreadView
-        Its picture.
-    save_asked : Signal()
-        A person wants the plot or the figures in a file.
-    failed : Signal(str)
-        Why there is no distribution.
     """
 
     save_asked = Signal()
@@ -251,7 +226,6 @@ class TolerancePane(SideBySide):
         self.failed.emit(sentence_of(error, tr("sample of tolerances")))
 
     def _offer(self) -> None:
-        """Tell what can be done now, and of which lens the figures are."""
         busy, sample = self._background.busy, self._sample
         begin = self.form.begin
         begin.setText(tr("Cancel") if busy else tr("Start"))
@@ -291,5 +265,4 @@ class TolerancePane(SideBySide):
         return text
 
     def _is_past(self, sample: Sample) -> bool:
-        """Whether a sample is of another lens than the one on show."""
         return self._frame is None or not same_light(sample.frame, self._frame)

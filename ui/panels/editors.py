@@ -10,14 +10,7 @@ from workbench.scene import Measure
 
 
 class TextEditor(QLineEdit):
-    """One value as text; committed by Enter or by leaving it, taken back by Escape.
-
-    Attributes
-    ----------
-    of_design : bool
-        Whether undo of entered text is that of the design, which the window does; in other fields
-        it takes back what was refused, as Escape does.
-    """
+    """One value as text; committed by Enter or by leaving it, taken back by Escape."""
 
     committed = Signal(str)
     reverted = Signal()

@@ -19,30 +19,14 @@ _NONE = Measure()
 
 @dataclass(frozen=True)
 class Typed:
-    """What was typed for a number, which the unit of the scene gives its meaning.
-
-    Attributes
-    ----------
-    text : str
-        As it was typed.
-    measure : Measure
-        What the field's numbers are measured in.
-    whole : bool
-        Whether only whole numbers make sense.
-    """
+    """What was typed for a number, which the unit of the scene gives its meaning."""
 
     text: str
     measure: Measure = _NONE
     whole: bool = False
 
     def number(self, unit: str) -> float | int:
-        """The number, in a scene with a unit.
-
-        Raises
-        ------
-        ValueError
-            With what is wrong in one sentence.
-        """
+        """The number, in a scene with a unit."""
         found = read_number(self.text, self.measure.sign_in(unit))
         try:
             return int(found) if self.whole and found.denominator == 1 else float(found)
@@ -52,31 +36,7 @@ class Typed:
 
 @dataclass(frozen=True)
 class Edit:
-    """What a field asks for; the scene decides whether it is possible.
-
-    Attributes
-    ----------
-    path : str
-        Field that was touched, as refusals name it (``images[0].receiver.pixels[0]``).
-    text : str
-        What the undo menu calls it.
-    changes : dict
-        New values by path, or what was `Typed` for them; a kind that changes brings its
-        neighbours along.
-    alone : bool
-        Whether it is a step of its own, also after another at the same path.
-    unit : str, optional
-        Unit that all lengths are converted to, before the changes.
-    waits : bool
-        Whether it stays in its field when it is refused, to be corrected or to become possible by
-        another edit. A file that was chosen or dropped is in no field.
-    measure : Measure
-        What numbers of the field are measured in.
-    between : str
-        What stands between them.
-    name : str
-        What the field is called within a sentence; the text, if it is left out.
-    """
+    """What a field asks for; the scene decides whether it is possible."""
 
     path: str
     text: str
@@ -110,7 +70,6 @@ class Edit:
 
 
 def _numbers(value: object) -> list[str]:
-    """Numbers of a field's value as people read them; none if it has other values."""
     values = value if isinstance(value, tuple) else (value,)
     if not all(isinstance(each, int | float) and not isinstance(each, bool) for each in values):
         return []
@@ -130,22 +89,7 @@ def try_with_waiting(
     pending: dict[str, Waiting],
     attempt: Callable[[list[Edit]], Refused | None],
 ) -> Refused | None:
-    """Try an edit together with those that were refused, which may be possible now; else alone.
-
-    Parameters
-    ----------
-    edit : Edit
-        Takes the place of one that waits at the same path.
-    pending : dict
-        Edits that wait, by path; none is left where all of them are possible together.
-    attempt : callable
-        Makes edits, or says why they are refused.
-
-    Returns
-    -------
-    Refused or None
-        Why the edit is not possible.
-    """
+    """Try an edit together with those that were refused, which may be possible now; else alone."""
     pending.pop(edit.path, None)
     waiting = [waiter.edit for waiter in pending.values()]
     refused = attempt([*waiting, edit])
@@ -192,13 +136,7 @@ def has_place(scene: Scene, edit: Edit) -> bool:
 
 
 def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
-    """The scene after some edits, which is written out and validated once for all of them.
-
-    Raises
-    ------
-    Refused
-        If that scene is impossible.
-    """
+    """The scene after some edits, which is written out and validated once for all of them."""
     data: dict[str, Any] = {}  # once there is a change
     for edit in edits:
         if edit.unit is not None:
@@ -215,20 +153,7 @@ def edited_scene(scene: Scene, edits: Iterable[Edit]) -> Scene:
 
 
 def put(edit: Edit, data: dict[str, Any]) -> None:
-    """Put the changes of an edit into plain data.
-
-    Parameters
-    ----------
-    edit : Edit
-        Its changes are put there.
-    data : dict
-        Of a part of the scene; it says the unit of its lengths.
-
-    Raises
-    ------
-    Refused
-        If there is no such field, or what was typed is no number.
-    """
+    """Put the changes of an edit into plain data."""
     for path, value in edit.changes.items():
         holder, last = holder_of(data, path)
         if not isinstance(holder, list | dict):  # another edit has taken it away
@@ -238,7 +163,6 @@ def put(edit: Edit, data: dict[str, Any]) -> None:
 
 
 def _read(value: object, path: str, unit: str) -> object:
-    """The value, with numbers in place of what was typed for them."""
     if isinstance(value, list):
         return [_read(each, path, unit) for each in value]
     if not isinstance(value, Typed):

@@ -80,12 +80,10 @@ class ElementListRow(PartListRow[AnyElement]):
         return len(self._parts)
 
     def _exchanged(self, first: AnyElement, second: AnyElement) -> tuple[AnyElement, AnyElement]:
-        """Both together take the same length along z as before."""
         to_front, to_end = first.front_z - second.front_z, second.highest - first.highest
         return _shifted(second, to_front), _shifted(first, to_end)
 
     def _chosen_among(self, parts: tuple[AnyElement, ...]) -> int:
-        """The one of the same name, or at the same place of as many; else the designed one."""
         before, names = self._parts, [part.name for part in parts]
         if before and before[self.current].name in names:
             return names.index(before[self.current].name)
@@ -118,7 +116,6 @@ def of_kind(kind: type[Part], before: AnyElement) -> AnyElement:
 def _element(
     kind: type[Part], faces: tuple[Any, ...], like: AnyElement, **fields: Any
 ) -> AnyElement:
-    """An element with these faces, as large as another one."""
     fields["half_width"] = like.half_width
     if kind is Mirror:
         return Mirror(kind="mirror", face=faces[0], **fields)
@@ -127,7 +124,6 @@ def _element(
 
 
 def _behind(element: AnyElement) -> tuple[float, float, float]:
-    """Where the next element may stand: a gap behind it, the way that light goes on."""
     x, y, _ = element.position
     gap = _GAP * max(element.half_width)
     z = element.highest + gap if element.onwards > 0 else element.lowest - gap
@@ -173,8 +169,6 @@ class ElementsPanel(ListedPanel):
 
 
 class _ElementRows(Rows):
-    """Makes the rows of one element."""
-
     def __init__(self, panel: ElementsPanel, number: int) -> None:
         own = {
             "material": self._material_rows,
@@ -201,7 +195,6 @@ class _ElementRows(Rows):
         return super()._first_of(kinds, kind, path)
 
     def _material_rows(self, field: FieldDescription, path: str) -> list[Row]:
-        """A material is a name, or an index of its own."""
         material = ChoiceRow(
             path,
             tr(field.title),
@@ -222,7 +215,6 @@ class _ElementRows(Rows):
         return {_CUSTOM_INDEX: round(self._element.lit(scene.source.wavelength).index, 6)}
 
     def _range_rows(self, field: FieldDescription, path: str) -> list[Row]:
-        """A range may follow from the task."""
         choice = ChoiceRow(
             path,
             tr(field.title),
@@ -256,7 +248,6 @@ class _ElementRows(Rows):
         return {path: self._own_range(face)}
 
     def _own_range(self, face: PlacedFace) -> list[float]:
-        """A range that the face as it is lies within."""
         scene, heights = self._panel.session.scene, self._panel.session.heights
         optic = scene.optic
         half = 0.3 * max(self._element.half_width)
@@ -272,7 +263,6 @@ class _ElementRows(Rows):
 
 
 def _heights_rows(field: FieldDescription, path: str) -> list[Row]:
-    """Asked for of a fixed face only."""
     row = value_row(field, path)
     fixed = f"{path.rpartition('.')[0]}.fixed"
     row.only_if(lambda scene: bool(value_at(scene, fixed)))

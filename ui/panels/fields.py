@@ -24,19 +24,7 @@ _INDENT = 10  # logical pixels
 
 
 class Row(QWidget):
-    """Editors side by side, their unit behind them and a refusal below.
-
-    Parameters
-    ----------
-    path : str
-        Field of the scene that the row shows.
-    label : str
-        What stands before the row.
-    tip : str
-        What the value is and why one would change it.
-    measure : Measure
-        What stands behind the editors.
-    """
+    """Editors side by side, their unit behind them and a refusal below."""
 
     edited = Signal(object)
     reverted = Signal(object)
@@ -149,17 +137,7 @@ class Row(QWidget):
 
 
 class NumberRow(Row):
-    """One number, or some with a word between them.
-
-    Parameters
-    ----------
-    between : str
-        What stands between numbers; without it there is one.
-    count : int
-        How many numbers there are with something between them.
-    whole : bool
-        Whether only whole numbers make sense.
-    """
+    """One number, or some with a word between them."""
 
     def __init__(
         self,
@@ -200,15 +178,7 @@ class NumberRow(Row):
 
 
 class TextRow(Row):
-    """One line of text, which a button behind it may help to find.
-
-    Parameters
-    ----------
-    button_tip : str
-        What the button does; none if it is left out.
-    optional : bool
-        Whether the text may be left out.
-    """
+    """One line of text, which a button behind it may help to find."""
 
     asked = Signal()
 
@@ -270,19 +240,7 @@ class NumbersRow(TextRow):
 
 
 class ChoiceRow(Row):
-    """One of a few, entered at once.
-
-    Parameters
-    ----------
-    choices : sequence of (str, str)
-        What the scene calls it and what a person reads.
-    otherwise : str
-        What a person reads for no choice, where it may be left out.
-    read : callable, optional
-        The scene's choice; by default the value at the path.
-    changes : callable, optional
-        What choosing brings with it, or None to leave all as it is; by default the path's value.
-    """
+    """One of a few, entered at once."""
 
     def __init__(
         self,
@@ -381,7 +339,6 @@ class AutoRow(NumberRow):
                 editor.show_value("" if auto else str(number))
 
     def _choose(self, auto: bool) -> None:
-        """Take the numbers that count now, or leave them to the program."""
         self._tell(self.path, {self.path: AUTO if auto or self._shape is None else [*self._shape]})
 
     def _commit(self, path: str, text: str) -> None:
@@ -396,14 +353,7 @@ class AutoRow(NumberRow):
 
 
 class OptionalRow(NumberRow):
-    """A number, or two of them, that may be left empty.
-
-    Parameters
-    ----------
-    stand_in : callable
-        The numbers that count instead, of a scene or plain data, or words where none does; shown
-        faintly.
-    """
+    """A number, or two of them, that may be left empty."""
 
     def __init__(
         self,

@@ -26,30 +26,7 @@ _MOST_OF_SCREEN = 0.29  # of its width, that the forms insist on
 
 
 class Forms(QScrollArea):
-    """The panels below each other.
-
-    Parameters
-    ----------
-    document : Document
-        What is edited. It holds possible scenes only; edits that were refused wait here and are
-        tried again with the next one, because two values may only be possible together. A run
-        works on the scene as it was when it began: edits meanwhile wait until it has ended.
-
-    Attributes
-    ----------
-    message : Signal(str)
-        Why an edit was refused, each time.
-    file_refused : Signal(str)
-        Why a chosen or dropped file is not taken.
-    image_asked : Signal()
-        A person wants to choose an image file for the target.
-    light_asked : Signal()
-        A person wants to choose a file of light for the source.
-    postponed : Signal(str)
-        Which edits wait for the end of the run.
-    refusals_changed : Signal()
-        See `refusals`.
-    """
+    """The panels below each other."""
 
     message = Signal(str)
     file_refused = Signal(str)
@@ -86,7 +63,6 @@ class Forms(QScrollArea):
         self._show()
 
     def _make_panels(self) -> list[Panel]:
-        """A panel for each part of the scene, those of the first image at the top."""
         parts = {field.name: field for field in Scene.fields() if field.parts}
         of_image = {field.name: field for field in Image.fields()}
         self._target = TargetPanel(of_image["target"])
@@ -109,7 +85,6 @@ class Forms(QScrollArea):
         ]
 
     def _lay_out(self) -> None:
-        """The panels below each other, with all fields in line, below the hint."""
         self._hint = WrappedLabel()
         self._hint.setObjectName("hint")
         self._hint.hide()
@@ -239,7 +214,6 @@ class Forms(QScrollArea):
         self.edit(Edit(f"{path}.{receiver.extent}", text, changes, alone=True))
 
     def _ask_image(self, panel: TargetPanel | ImagesPanel) -> None:
-        """Have an image file chosen for a panel; any other one is for the first target."""
         self._chooser = panel
         self.image_asked.emit()  # comes back when it is chosen, or is not
         self._chooser = self._target
@@ -285,7 +259,6 @@ class Forms(QScrollArea):
             )
 
     def _try(self, edits: list[Edit]) -> Refused | None:
-        """Edit the document, now or after the run; the last one names the step."""
         self._editing = True
         try:
             scene = edited_scene(self._session.scene, edits)
@@ -322,7 +295,6 @@ class Forms(QScrollArea):
 
     @property
     def _session(self) -> Session:
-        """The document's session as it will be after the edits that wait for the run."""
         return self._document.session if self._next is None else self._next
 
     @property

@@ -43,15 +43,7 @@ def is_image_file(path: Path) -> bool:
 
 
 class TargetPanel(PartPanel):
-    """Bound to the target of the first image.
-
-    Attributes
-    ----------
-    image_asked : Signal()
-        A person wants to choose an image file.
-    image_again : Signal()
-        The image file of the target was chosen again.
-    """
+    """Bound to the target of the first image."""
 
     image_asked = Signal()
     image_again = Signal()
@@ -101,13 +93,7 @@ def image_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class Thumbnail(QWidget):
-    """The target in greys, also while the form is closed.
-
-    Parameters
-    ----------
-    height : int
-        Logical pixels.
-    """
+    """The target in greys, also while the form is closed."""
 
     def __init__(self, height: int = _HEIGHT) -> None:
         super().__init__()
@@ -178,7 +164,6 @@ class ImageListRow(PartListRow[Image]):
         self.show_parts(scene.images, of_first if len(scene.images) > 1 else "")
 
     def _new(self, which: int) -> Image:
-        """Like the last one, farther away where it is at a distance."""
         assert self._scene is not None  # shown before anything can be clicked
         last, near = self._scene.images[-1], self._scene.optic.leaving_z
         receiver = last.receiver
@@ -196,13 +181,7 @@ class ImageListRow(PartListRow[Image]):
 
 
 class ImagesPanel(ListedPanel):
-    """Bound to ``scene.images``; receiver and target of the first one have panels of their own.
-
-    Attributes
-    ----------
-    image_asked : Signal()
-        A person wants to choose an image file for the target of the chosen image.
-    """
+    """Bound to ``scene.images``; receiver and target of the first one have panels of their own."""
 
     image_asked = Signal()
 

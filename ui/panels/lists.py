@@ -24,23 +24,7 @@ AnyPart = TypeVar("AnyPart", bound=Part)
 
 
 class PartListRow(Row, Generic[AnyPart]):
-    """The parts one below the other, with buttons to add, duplicate, remove and move them.
-
-    Parameters
-    ----------
-    path : str
-        Of the field that holds them.
-    label, tip : str
-        As for `Row`.
-    called : str
-        What undo steps call one of them.
-    name : str
-        What the list is called where it is read aloud.
-    tips : sequence of str
-        Of the buttons that add, duplicate, remove, and move up and down.
-    adding : sequence of str
-        Texts of the buttons that add; by default there is one.
-    """
+    """The parts one below the other, with buttons to add, duplicate, remove and move them."""
 
     chosen = Signal()
 
@@ -129,19 +113,15 @@ class PartListRow(Row, Generic[AnyPart]):
         """What makes a part different, in one line."""
 
     def _copy(self, part: AnyPart) -> AnyPart:
-        """What is put behind a part as its duplicate."""
         return part
 
     def _place_of_copy(self) -> int:
-        """Where a duplicate of the chosen part is put."""
         return self.current + 1
 
     def _exchanged(self, first: AnyPart, second: AnyPart) -> tuple[AnyPart, AnyPart]:
-        """Two neighbours in their new order."""
         return second, first
 
     def _chosen_among(self, parts: tuple[AnyPart, ...]) -> int:
-        """Which of other parts is to be chosen; −1 where there are none."""
         return min(max(self.current, 0), len(parts) - 1)
 
     def _enable(self) -> None:
@@ -225,15 +205,7 @@ def _side_by_side(buttons: Iterable[QToolButton]) -> QHBoxLayout:
 
 
 class ListedPanel(Panel):
-    """Shows rows of one part of a list; a panel says which.
-
-    Parameters
-    ----------
-    title : str
-        What a person reads above it.
-    parts : PartListRow
-        The list.
-    """
+    """Shows rows of one part of a list; a panel says which."""
 
     def __init__(self, title: str, parts: PartListRow[Any]) -> None:
         self._parts = parts
@@ -261,7 +233,6 @@ class ListedPanel(Panel):
         """The rows of a part."""
 
     def _choose(self) -> None:
-        """Show another part; what was refused in the one before is taken back."""
         self._bind(self._parts.current)
         self.reverted.emit(self._parts.path)
 

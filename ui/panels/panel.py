@@ -13,15 +13,7 @@ from workbench.scene import FieldDescription, Kinds
 
 
 class Panel(QWidget):
-    """Rows under a heading. Panels know nothing of each other, nor of the document.
-
-    Parameters
-    ----------
-    title : str
-        The heading.
-    rows : sequence of Row
-        In the order shown.
-    """
+    """Rows under a heading. Panels know nothing of each other, nor of the document."""
 
     edited = Signal(object)
     reverted = Signal(object)
@@ -90,7 +82,6 @@ class Panel(QWidget):
             row.label.setMinimumWidth(width)
 
     def _add_rows(self, rows: Sequence[Row], name: str) -> None:
-        """Append rows, which undo menu and refusals call by ``name`` and their label."""
         self._name_rows(rows, name)
         for row in rows:
             row.label.setMinimumWidth(self._label_width)
@@ -107,7 +98,6 @@ class Panel(QWidget):
                 row.name = tr("{panel} {field}").format(panel=row.name, field=inside(part))
 
     def _remove_rows(self, rows: Sequence[Row]) -> None:
-        """Take rows away; what is typed in them and not entered is lost."""
         for row in rows:
             row.blockSignals(True)  # an editor that loses the focus enters its text
             self._rows.remove(row)
@@ -118,15 +108,7 @@ class Panel(QWidget):
 
 
 class PartPanel(Panel):
-    """The rows of a part of the scene, as its fields say them.
-
-    Parameters
-    ----------
-    field : FieldDescription
-        What it says of itself.
-    path : str
-        Where it is in the scene, if that is not its name.
-    """
+    """The rows of a part of the scene, as its fields say them."""
 
     def __init__(self, field: FieldDescription, path: str = "") -> None:
         self.path = path or field.name

@@ -49,7 +49,6 @@ class RegionListRow(PartListRow[AnyRegion]):
         return part.model_copy(update={"name": another_name(part.name, taken, " ")})
 
     def _summary(self, part: AnyRegion) -> str:
-        """Name, kind and how far it goes, in the receiver's own coordinates."""
         assert self._scene is not None
         receiver = self._scene.receiver
         low, high = part.outline.min(axis=0), part.outline.max(axis=0)
@@ -105,7 +104,6 @@ class CornersRow(TextRow):
 
 
 def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
-    """Places are typed as one line."""
     return [
         CornersRow(
             path,

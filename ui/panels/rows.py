@@ -28,21 +28,7 @@ Make = Callable[[FieldDescription, str], list[Row]]
 
 
 class Rows:
-    """Makes rows.
-
-    Parameters
-    ----------
-    task : callable
-        The scene in which a part of another kind begins: a stage's own, if they are of one.
-    own : mapping of str to callable, optional
-        Makes the rows of fields that show more than they say, by name, from field and path.
-    otherwise : str
-        What a person reads for there being none of what may be left out.
-    stage : str
-        Path of the stage or image whose rows these are; empty for the scene itself.
-    place : str
-        Where the task has what the scene has there.
-    """
+    """Makes rows."""
 
     def __init__(
         self,
@@ -114,7 +100,6 @@ class Rows:
         return [value_row(field, path, self._otherwise)]
 
     def _of_member(self, field: FieldDescription, number: int, path: str) -> list[Row]:
-        """Rows of one of a fixed number of parts, whose title is part of their names."""
         member = field.members[number]
         choice, *rows = self.of_field(member, f"{path}[{number}]")
         for row in rows:
@@ -132,17 +117,7 @@ class Rows:
 
 
 def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
-    """The row of a field at a path that holds numbers, a choice, a yes or no, or text.
-
-    Parameters
-    ----------
-    field : FieldDescription
-        What it says of itself.
-    path : str
-        Where it is in the scene.
-    otherwise : str
-        What a person reads for no choice, where it may be left out.
-    """
+    """The row of a field at a path that holds numbers, a choice, a yes or no, or text."""
     label, tip = tr(field.title), f"{tr(field.tip)} {_limits(field)}".rstrip()
     if field.choices:
         choices = [(value, tr(title)) for value, title in field.choices]
@@ -165,30 +140,9 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
 
 
 class KindRow(ChoiceRow):
-    """The kind of a part of the scene.
+    """The kind of a part of the scene."""
 
-    Parameters
-    ----------
-    part : str
-        Where the part is.
-    label : str
-        What stands before the row.
-    field : FieldDescription
-        What the part is, and of which kinds it may be.
-    kinds : Kinds
-        What distinguishes them.
-    begin : callable
-        A new part of a kind; None if it needs what only a person can give.
-    otherwise : str
-        What a person reads for there being no such part, where it may be left out.
-
-    Attributes
-    ----------
-    asked : Signal(type)
-        A person wants a kind that needs what only a person can give.
-    """
-
-    asked = Signal(object)
+    asked = Signal(object)  # type
 
     def __init__(
         self,
@@ -245,7 +199,6 @@ def _sentence(kind: type[Part]) -> str:
 
 
 def _limits(field: FieldDescription) -> str:
-    """Between which numbers it lies, as a sentence."""
     sentence, *ends = field.bounds
     return tr(sentence).format(*ends)
 
@@ -270,12 +223,10 @@ def _merged(kinds: Sequence[type[Part]]) -> list[tuple[FieldDescription, list[ty
 
 
 def _is_of(path: str, kinds: Sequence[type[Part]]) -> Condition:
-    """Whether what a scene has at a path is of one of these kinds."""
     return lambda scene: type(value_at(scene, path)) in kinds
 
 
 def _stand_in(field: FieldDescription) -> Callable[[Any], Sequence[float | str]]:
-    """What counts where a field is left empty."""
     fallback = field.mark(Fallback)
     if fallback is None:
         return lambda scene: [tr("none")] * field.count

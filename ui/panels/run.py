@@ -26,8 +26,6 @@ class RunPanel(PartPanel):
 
 
 class _SizeRow(Row):
-    """What a parametrisation costs, known before it is built."""
-
     def __init__(self) -> None:
         super().__init__(
             "run.parameters",
@@ -87,7 +85,6 @@ class StageListRow(PartListRow[Stage]):
         self.show_parts(stages, then if stages else tr("None: the scene is run as it stands."))
 
     def _new(self, which: int) -> Stage:
-        """Half of what is left for the scene is a fair share; the scene refuses what is none."""
         return Stage(iterations=max(1, self._left // 2))
 
     def _summary(self, part: Stage) -> str:
@@ -141,7 +138,6 @@ class StagesPanel(ListedPanel):
         return rows.of_part(Stage, path)
 
     def _method_rows(self, field: FieldDescription, path: str) -> list[Row]:
-        """The automatic method has no learning rate."""
         rate = f"{path.rpartition('.')[0]}.learning_rate"
 
         def changes(choice: str) -> Changes:

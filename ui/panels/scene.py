@@ -38,8 +38,6 @@ def _unit_rows(field: FieldDescription, path: str) -> list[Row]:
 
 
 class _UnitRow(ChoiceRow):
-    """The unit of length; a choice converts all lengths."""
-
     def _tell(self, path: str, changes: Changes) -> None:
         # A step of its own: from unit to unit, rounding adds up, and the scene would be another.
         unit = self.chooser.currentData()
@@ -63,13 +61,7 @@ def is_light_file(path: Path) -> bool:
 
 
 class SourcePanel(PartPanel):
-    """Bound to ``scene.source``.
-
-    Attributes
-    ----------
-    file_asked : Signal()
-        A person wants to choose a file of light.
-    """
+    """Bound to ``scene.source``."""
 
     file_asked = Signal()
 

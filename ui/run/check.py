@@ -28,23 +28,7 @@ ACCURACY = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class CheckedLens:
-    """A lens that shall be checked.
-
-    Attributes
-    ----------
-    session : Session
-        Its task.
-    heights : ControlHeights
-        Its control heights.
-    iterations : int
-        Iterations before it.
-    seconds : float
-        Run time before it.
-    irradiance : ndarray, shape (n_y, n_x), optional
-        The optimiser's own image, to compare with.
-    further : tuple of ndarray, shape (n_y, n_x)
-        Its own images at the receivers of further images.
-    """
+    """A lens that shall be checked."""
 
     session: "Session"
     heights: "ControlHeights"
@@ -57,28 +41,7 @@ class CheckedLens:
 def check(
     lens: CheckedLens, rays: int, threads: int | None, accuracy: float, task: Task
 ) -> "tuple[Validation, float | None] | None":
-    """Check a lens; meant for a thread. Reports the part that is done.
-
-    Parameters
-    ----------
-    lens : CheckedLens
-        The lens.
-    rays : int
-        How many are traced.
-    threads : int, optional
-        How many trace them; by default as many as there are cores.
-    accuracy : float
-        Relative error that the image by cells may have.
-    task : Task
-        Ends the check within a moment.
-
-    Returns
-    -------
-    found : Validation
-        What the check says.
-    difference : float or None
-        Relative L2 difference to the optimiser's own image.
-    """
+    """Check a lens; meant for a thread. Reports the part that is done."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.metrics import relative_l2
     from workbench.analysis.validation import validating
@@ -93,25 +56,11 @@ def check(
 
 
 class Check(QObject):
-    """A check of the lens on show, forgotten as soon as another one is shown.
-
-    Attributes
-    ----------
-    figures_changed : Signal(str)
-        What is known of the lens on show, or how far its check is; empty for nothing.
-    under_way_changed : Signal(bool)
-        Whether there is a check that could be cancelled.
-    checked : Signal(CheckedLens, Validation, float)
-        The outcome for a lens, and how far it is from the optimiser's own image.
-    summary_ready : Signal(str)
-        The same as a sentence.
-    failed : Signal(str)
-        Why there is none, or why its figures are not reliable.
-    """
+    """A check of the lens on show, forgotten as soon as another one is shown."""
 
     figures_changed = Signal(str)
     under_way_changed = Signal(bool)
-    checked = Signal(object, object, object)
+    checked = Signal(object, object, object)  # CheckedLens, Validation, float
     summary_ready = Signal(str)
     failed = Signal(str)
 

@@ -115,8 +115,6 @@ _OF_REGION = later(
 
 
 class _NarrowTable(QTableWidget):
-    """Names and values side by side, both wrapped so that nothing is cut off at the right."""
-
     def __init__(self, rows: int, columns: int) -> None:
         super().__init__(rows, columns)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -135,20 +133,7 @@ class _NarrowTable(QTableWidget):
 
 
 class CheckFigures(QWidget):
-    """Keeps the figures when another lens is shown, and tells that they are of the one before.
-
-    Parameters
-    ----------
-    settings : QSettings
-        Where the number of rays is kept for the next start.
-    check : QAction
-        Checks the lens on show, or cancels that.
-
-    Attributes
-    ----------
-    rays_chosen : Signal(int)
-        The next check shall trace so many.
-    """
+    """Keeps the figures when another lens is shown, and tells that they are of the one before."""
 
     rays_chosen = Signal(int)
 
@@ -281,7 +266,6 @@ class CheckFigures(QWidget):
 def _rows_of(
     found: "Validation", difference: float, remark: Said | None, scene: "Scene"
 ) -> "list[tuple[Fact, str]]":
-    """What a check says of an image, and what explains it."""
     # Late: what it stands on is slow to import, and is there after a check.
     from workbench.measured.lamps import light_unit
     from workbench.optics.account import words_for
@@ -299,5 +283,4 @@ def _rows_of(
 
 
 def _value(value: str) -> str:
-    """A figure as it is, or what is said of it in the language of the window."""
     return tr(value) if isinstance(value, Said) else value

@@ -80,15 +80,7 @@ Pair = tuple[KeptRun, KeptRun]
 
 
 class RunComparison(QDialog):
-    """Shows a pair of runs, and stays open beside the window.
-
-    Parameters
-    ----------
-    verified : Callable
-        What checks said of a run's lens; empty for nothing.
-    window : QWidget
-        It stands over this.
-    """
+    """Shows a pair of runs, and stays open beside the window."""
 
     def __init__(self, verified: Callable[[KeptRun], str], window: QWidget) -> None:
         super().__init__(window)
@@ -170,7 +162,6 @@ class RunComparison(QDialog):
             self._recolour()
 
     def _show_image(self) -> None:
-        """Show the chosen one of several images."""
         assert self._pair is not None  # since there is a choice
         one, other = (replace(run, name=called(run)) for run in self._pair)
         self._picture = Comparison(self._figure, (one, other), self._choice.currentIndex())
@@ -180,7 +171,6 @@ class RunComparison(QDialog):
         self.show_figures()
 
     def _figures_of(self, run: KeptRun) -> list[tuple[str, str]]:
-        """Figures of a run's chosen image; a check knows the error of the first."""
         number = min(self._choice.currentIndex(), len(run.scene.images) - 1)
         return figures_of(run.of_image(number), "" if number else self._verified(run))
 

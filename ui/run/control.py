@@ -29,35 +29,13 @@ class Runner(QObject):
     While a run is on, `preview` does nothing, since its frames are the lens as it stands. A
     preview does not count as a run: the state stays "idle", and a run or another preview replaces
     it. `pause`, `resume` and `stop` out of season do nothing, so that a second click is harmless.
-
-    Parameters
-    ----------
-    parent : QObject, optional
-        The owner.
-    generate : Callable, optional
-        Makes the snapshots of a run; `workbench.design.run.run` by default.
-
-    Attributes
-    ----------
-    state_changed : Signal(str)
-        "idle", "running", "paused" or "stopping".
-    frame_ready : Signal(Frame)
-        At most 15 times a second; the last frame of a run always.
-    finished : Signal(Result or None)
-        A run has ended, however it did, with the best lens so far; None where it had none yet.
-    failed : Signal(str)
-        Why a run or a preview could not go on; of a run, `finished` follows.
-    unshown : Signal(Session)
-        A preview failed: there is no picture of this session.
-    waiting : Signal(bool)
-        A run waits for its kernels, which another thread compiles; or does so no longer.
     """
 
     state_changed = Signal(str)
-    frame_ready = Signal(object)
-    finished = Signal(object)
+    frame_ready = Signal(object)  # Frame
+    finished = Signal(object)  # Result or None
     failed = Signal(str)
-    unshown = Signal(object)
+    unshown = Signal(object)  # Session
     waiting = Signal(bool)
 
     def __init__(self, parent: QObject | None = None, generate: Generate | None = None) -> None:
@@ -85,20 +63,7 @@ class Runner(QObject):
         return self._best
 
     def start(self, session: "Session", continue_run: bool) -> None:
-        """Begin a run.
-
-        Parameters
-        ----------
-        session : Session
-            What to design.
-        continue_run : bool
-            Go on from the session's lens, if it has one.
-
-        Raises
-        ------
-        RuntimeError
-            If a run is on.
-        """
+        """Begin a run."""
         if self._state != "idle":
             raise RuntimeError(f"cannot start a run while one is {self._state}")
         self._give(RunJob(session, continue_run=continue_run, generate=self._generate))
@@ -192,23 +157,7 @@ _PREVIEW_MS = 200  # a person who types is not done yet
 
 
 class RunControl(QObject):
-    """Runs designs of the document and previews it in between.
-
-    Parameters
-    ----------
-    document : Document
-        Its session is run; it gets the result, and keeps the run, as one step that can be undone.
-
-    Attributes
-    ----------
-    followed : bool
-        Whether lenses for the edits of the document come from elsewhere, so that no preview of it
-        is needed.
-    ended : Signal()
-        A run has ended, and the document has its result.
-    gave_way : Signal(str)
-        Name of a kept run that had to make room for a later one.
-    """
+    """Runs designs of the document and previews it in between."""
 
     ended = Signal()
     gave_way = Signal(str)
@@ -283,7 +232,6 @@ class RunControl(QObject):
             self.history.add(frame)
 
     def _follow(self, session: "Session") -> None:
-        """The course on show is that of the lens on show."""
         if not self.busy:
             self.history.show(session)
 

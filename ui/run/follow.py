@@ -52,24 +52,6 @@ _SLOW = later("Following: the first design takes long here; edits wait for a pau
 
 @dataclass(eq=False)
 class _Design:
-    """What is designed, or will be next.
-
-    Attributes
-    ----------
-    session : Session
-        The task.
-    job : RunJob
-        What the thread does.
-    own_step : bool
-        Whether its lens is a step of its own: it follows no edit.
-    own_edit : bool
-        Whether it follows an edit, so that the lens of the edit before is still of interest.
-    began : float
-        When the thread began with it.
-    has_lens : bool
-        Whether there is a lens for it by now.
-    """
-
     session: "Session"
     job: RunJob
     own_step: bool = False
@@ -79,26 +61,7 @@ class _Design:
 
 
 class Follow(QObject):
-    """Designs the lens of the document after every edit.
-
-    Parameters
-    ----------
-    document : Document
-        Gets each lens that is better than the one before.
-    control : RunControl
-        Shows the lenses; its runs go first.
-    live : LiveDesign, optional
-        Designs the lenses.
-
-    Attributes
-    ----------
-    message : Signal(str)
-        How far the lens is that follows; empty when none does any more.
-    settled : Signal()
-        The lens is as good as it gets, and the document has it.
-    failed : Signal(str)
-        Why a lens could not be designed.
-    """
+    """Designs the lens of the document after every edit."""
 
     message = Signal(str)
     settled = Signal()
@@ -199,7 +162,6 @@ class Follow(QObject):
             self._control.show(frame_of(session, session.result))
 
     def _note_change(self, session: "Session") -> None:
-        """Count changes; what was opened without a lens gets one."""
         self._changes += 1
         if self._rested.isActive():  # an edit begins the pause anew after this
             self._rested.start(0)
@@ -208,7 +170,6 @@ class Follow(QObject):
             self._begin(session, abandons=True)
 
     def _begin_new(self, session: "Session") -> None:
-        """Design the first lens of a new task."""
         if self.follows(session):
             self._begin(session, abandons=True)
 
@@ -255,7 +216,6 @@ class Follow(QObject):
         self._say(tr(_UNDER_WAY))
 
     def _queue(self) -> None:
-        """Let the thread begin with what waits, once it is free."""
         self._rested.stop()
         if self._changes:  # by somebody else
             self.rest()
@@ -272,7 +232,6 @@ class Follow(QObject):
             self._grace.start()
 
     def _give_up(self) -> None:
-        """End the design that is under way: nobody waits for more of it."""
         design = self._design
         if design is None:
             return
@@ -287,7 +246,6 @@ class Follow(QObject):
         return (yield from self._live.snapshots(session, goes_on, before))
 
     def _take_next(self) -> None:
-        """The thread has begun with what was next, or rests."""
         self._design, self._next = self._next, None
         self._late.stop()
         self._grace.stop()
@@ -327,7 +285,6 @@ class Follow(QObject):
             self._give_up()
 
     def _put(self, design: _Design, best: "Result") -> None:
-        """Give the document the best lens so far."""
         session, given_way = with_followed(self._document.session, best)
         if design.own_step:
             design.own_step = False
@@ -391,5 +348,4 @@ class Follow(QObject):
 
 
 def _pause_after(seconds: float) -> float:
-    """Seconds without an edit before the next design, after one whose first lens took so long."""
     return 0.0 if seconds < _SOON else min(_SHARE * seconds, _LONGEST)

@@ -20,26 +20,7 @@ _NUMBERED = re.compile(rf"({_RUN}|{_FOLLOWED}) (\d+): ")
 def with_run(
     session: Session, result: Result, budget: int = _BUDGET
 ) -> tuple[Session, list[KeptRun]]:
-    """The session after a run, which is kept.
-
-    Parameters
-    ----------
-    session : Session
-        What was designed.
-    result : Result
-        The lens that the run found.
-    budget : int
-        Bytes that all kept runs may take.
-
-    Returns
-    -------
-    session : Session
-        With the result, and with the run after the earlier ones. A run without an iteration has
-        no course to compare and is not kept.
-    given_way : list of KeptRun
-        Runs that were dropped to make room: first the oldest lenses of live update that nobody
-        named, then the oldest runs that nobody named, then the oldest. The latest always stays.
-    """
+    """The session after a run, which is kept."""
     return _with_kept(session, result, session.runs, _RUN, budget)
 
 
@@ -50,16 +31,6 @@ def with_followed(
 
     It replaces the lens that live update had not finished, unless a person has named that one. A
     lens that is not finished yet drops no other run: where there is no room, it is not kept.
-
-    Parameters
-    ----------
-    session, result, budget
-        As for `with_run`.
-
-    Returns
-    -------
-    session, given_way
-        As for `with_run`.
     """
     others = tuple(run for run in session.runs if not _is_passing(run))
     kept, given_way = _with_kept(session, result, others, _FOLLOWED, budget)
@@ -87,7 +58,6 @@ def _with_kept(
 
 
 def _is_passing(run: KeptRun) -> bool:
-    """Whether live update has not finished the lens of a run, and nobody has named the run."""
     return run.name.startswith(_FOLLOWED) and not is_named(run) and run.result.ended == STOPPED
 
 
@@ -98,13 +68,7 @@ def restored(session: Session, run: KeptRun) -> Session:
 
 
 def renamed(session: Session, run: KeptRun, name: str) -> Session:
-    """The session with another name for a kept run.
-
-    Raises
-    ------
-    Refused
-        If the name is empty or too long.
-    """
+    """The session with another name for a kept run."""
     other = replace(run, name=name)
     return replace(session, runs=tuple(other if each is run else each for each in session.runs))
 

@@ -30,15 +30,6 @@ class RunLog(QObject):
 
     Notes on a stage or on the trace are logged when a frame with them is shown, so the log of a run
     grows with what changes in it, never with its iterations.
-
-    Parameters
-    ----------
-    document : Document
-        What is designed.
-    control : RunControl
-        Its runs are logged; the log is deleted with it.
-    tell : Callable
-        Gets one sentence at a time.
     """
 
     def __init__(

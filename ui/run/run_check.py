@@ -33,20 +33,10 @@ class RunCheck(QObject):
 
     While the run goes on, one thread traces few rays on the core that the run leaves free; where
     there is one core alone, none.
-
-    Attributes
-    ----------
-    figures_changed : Signal(str)
-        The latest verified error and the moment that it is of; empty for none, and while the
-        design is another lens.
-    checked : Signal(CheckedLens, Validation)
-        One of them.
-    failed : Signal(str)
-        Why a check came to nothing.
     """
 
     figures_changed = Signal(str)
-    checked = Signal(object, object)
+    checked = Signal(object, object)  # CheckedLens, Validation
     failed = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
@@ -139,28 +129,17 @@ class RunCheck(QObject):
             self._tell()
 
     def _follow_document(self, session: "Session") -> None:
-        """Leave the check of a lens of another design; one that is undone may come back."""
         if self._end is not None and not lit_alike(self._end.session, session):
             self._background.cancel()
         self._tell()
 
     def _tell(self) -> None:
-        """A hand at the lens makes another of it; taking that back brings the figures back."""
         same = self._control.busy or self._document.session.result is self._result
         self.figures_changed.emit(self._text if same else "")
 
 
 class BoundOfDesign(QObject):
-    """Finds the bound of each new task in a thread of its own.
-
-    Attributes
-    ----------
-    figures_changed : Signal(str, str)
-        The bound in a few words, and in a sentence; empty where the source sets none, and until it
-        is found.
-    failed : Signal(str)
-        Why there is none.
-    """
+    """Finds the bound of each new task in a thread of its own."""
 
     figures_changed = Signal(str, str)
     failed = Signal(str)
@@ -196,7 +175,6 @@ class BoundOfDesign(QObject):
 
 
 def _in_words(bound: "Bound", task: Task) -> tuple[str, str]:
-    """The bound in words; meant for the thread, which leaves it once it shall stop."""
     from workbench.extended.bound import percent  # late: takes long to import
 
     if task.follow(bound.finding()) is None:

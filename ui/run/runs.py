@@ -23,30 +23,9 @@ if TYPE_CHECKING:
 
 
 class Runs(QObject):
-    """Shows the kept runs, tells which are marked, and does what is asked with them.
+    """Shows the kept runs, tells which are marked, and does what is asked with them."""
 
-    Parameters
-    ----------
-    document : Document
-        Whose runs.
-    control : RunControl
-        While a run of it goes on, none is changed.
-
-    Attributes
-    ----------
-    table : RunTable
-        For a dock.
-    check : RunCheck
-        Of the run that goes on.
-    comparison : RunComparison, optional
-        Shows two runs; None before it is asked for.
-    compared : Signal(list of LossCourse)
-        Other runs shall be drawn beside this one.
-    refused : Signal(str)
-        Why something was not done.
-    """
-
-    compared = Signal(object)
+    compared = Signal(object)  # list of LossCourse
     refused = Signal(str)
 
     def __init__(self, document: Document, control: RunControl, parent: QObject) -> None:
@@ -135,7 +114,6 @@ class Runs(QObject):
         self._compare()
 
     def _compare(self) -> None:
-        """Draw the marked runs, but for the one that is drawn as this run already."""
         drawn = None if self._control.busy else self._current
         runs = [run for run in self.table.marked if run is not drawn]
         if runs != self._drawn:
@@ -171,5 +149,4 @@ class Runs(QObject):
 
 
 def _is_lens_of(run: KeptRun, lens: CheckedLens) -> bool:
-    """Whether a lens is that of a run, in the same light."""
     return run.result.state.heights == lens.heights and lit_alike(run, lens.session)

@@ -22,15 +22,6 @@ class StatusRoom(QObject):
 
     First they get no wider than they are, which lets them move as they count; then the least
     important ones are hidden, until the sentence fits.
-
-    Parameters
-    ----------
-    bar : QStatusBar
-        Holds all of them.
-    figures : sequence of QLabel
-        Each with a minimum width that keeps it from moving.
-    least_important : sequence of QLabel
-        Those of them that may be hidden, in this order.
     """
 
     def __init__(
@@ -248,7 +239,6 @@ class RunStatus:
 
 
 def _progress(bar: QStatusBar) -> QProgressBar:
-    """A bar without a text, hidden at first."""
     progress = QProgressBar()
     progress.setFixedWidth(150)
     progress.setTextVisible(False)
@@ -267,7 +257,6 @@ def _figure(bar: QStatusBar, tip: str, longest: str) -> QLabel:
 
 
 def _passing(bar: QStatusBar, tip: str, text: str = "") -> QLabel:
-    """A figure that is there only sometimes."""
     label = _label(bar, f"<p>{tip}</p>")
     label.setText(text)
     label.hide()
@@ -283,7 +272,6 @@ def _label(bar: QStatusBar, tip: str) -> QLabel:
 
 
 def _landed(frame: "Frame") -> list[str]:
-    """How much light each image gets: a part of all, and lumen where the source has any."""
     from workbench.measured.lamps import light_unit  # late: takes long to import
 
     unit = light_unit(frame.session.scene)
@@ -293,7 +281,6 @@ def _landed(frame: "Frame") -> list[str]:
 
 
 def _errors(frame: "Frame") -> list[str]:
-    """How far each image is from its target."""
     from workbench.design.loss import relative_error  # late: takes long to import
     from workbench.extended.bound import percent
 

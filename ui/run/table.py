@@ -54,32 +54,13 @@ _VERIFIED = list(_COLUMNS).index("Verified")
 
 
 class RunTable(QWidget):
-    """Shows runs and tells what a person wants with them.
-
-    Parameters
-    ----------
-    verified : Callable
-        What checks said of a run's lens; empty for nothing.
-
-    Attributes
-    ----------
-    compared : Signal()
-        Other runs shall be drawn: see `marked`.
-    renamed : Signal(KeptRun, str)
-        A run shall have another name.
-    restored : Signal(KeptRun)
-        The design shall have a run's task and lens.
-    deleted : Signal(tuple of KeptRun)
-        Runs shall be forgotten.
-    pair_chosen : Signal(tuple of KeptRun)
-        Two runs shall be shown beside each other.
-    """
+    """Shows runs and tells what a person wants with them."""
 
     compared = Signal()
-    renamed = Signal(object, str)
-    restored = Signal(object)
-    deleted = Signal(object)
-    pair_chosen = Signal(object)
+    renamed = Signal(object, str)  # KeptRun, str
+    restored = Signal(object)  # KeptRun
+    deleted = Signal(object)  # tuple of KeptRun
+    pair_chosen = Signal(object)  # tuple of KeptRun
 
     def __init__(self, verified: Callable[[KeptRun], str]) -> None:
         super().__init__()
@@ -222,14 +203,12 @@ class RunTable(QWidget):
             self.table.setItem(row, column, item)
 
     def _picture(self, run: KeptRun) -> QIcon:
-        """The light of a run, drawn once."""
         result = id(run.result)
         if result not in self._pictures:
             self._pictures[result] = QIcon(thumbnail_of(run, _PICTURE))
         return self._pictures[result]
 
     def _take_change(self, item: QTableWidgetItem) -> None:
-        """A check mark or the name of a run is another one."""
         run = self._runs[item.row()]
         result = id(run.result)
         marked = item.checkState() is Qt.CheckState.Checked
@@ -247,8 +226,6 @@ class RunTable(QWidget):
 
 
 class _NameDelegate(QStyledItemDelegate):
-    """Takes names that a session can keep, and says where one would become too long."""
-
     def createEditor(
         self,
         parent: QWidget,

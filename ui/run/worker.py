@@ -109,25 +109,7 @@ class Gate:
 
 @dataclass(eq=False)
 class RunJob:
-    """One task for the worker.
-
-    Attributes
-    ----------
-    session : Session
-        What to design, or to show.
-    preview : bool
-        Show the lens as it stands and stop there.
-    continue_run : bool
-        Go on from the session's lens: its result, or the one that it starts from.
-    generate : callable, optional
-        Makes the snapshots of a run; `workbench.design.run.run` by default.
-    gate : Gate
-        Holds and stops it.
-    mailbox, best : Mailbox
-        For the latest frame, and for the best lens of the run up to it.
-    history : History
-        What the run has led to so far; the worker's alone until it is done.
-    """
+    """One task for the worker."""
 
     session: "Session"
     preview: bool = False
@@ -216,7 +198,6 @@ def _post(job: RunJob, snapshot: Snapshot) -> None:
 
 
 def _ready() -> bool:
-    """Whether a run would begin at once, as far as kernels go."""
     from workbench.optics.ready import is_compiled
 
     return is_compiled()

@@ -24,23 +24,7 @@ RAYS = 45
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """A snapshot of a run and what has to be computed to draw it.
-
-    Attributes
-    ----------
-    session : Session
-        What is designed: scene and target of the snapshot.
-    snapshot : Snapshot
-        The lens and its image.
-    surfaces : dict of str to ndarray, shape (m_u, m_v, 3)
-        Points of each freeform face on a regular grid including its rim.
-    source : Source
-        What lights the lens in the snapshot's stage.
-    paths : RayPaths
-        `RAYS` × `RAYS` rays from before the lens to the screen.
-    result : Result
-        The run as if it had ended with this snapshot.
-    """
+    """A snapshot of a run and what has to be computed to draw it."""
 
     session: "Session"
     snapshot: "Snapshot"

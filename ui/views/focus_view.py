@@ -39,17 +39,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class FocusRequest:
-    """What the light of a lens is like on screens elsewhere.
-
-    Attributes
-    ----------
-    session : Session
-        Its task.
-    heights : ControlHeights
-        Its control heights.
-    traces : tuple of (float, int)
-        One after the other: z of the screen, and rays.
-    """
+    """What the light of a lens is like on screens elsewhere."""
 
     session: "Session"
     heights: "ControlHeights"
@@ -70,7 +60,6 @@ def trace_through_focus(request: FocusRequest, task: Task) -> None:
 
 
 def _light_at(request: FocusRequest, z: float, rays: int, task: Task) -> "Validation | None":
-    """The light on a screen; None if there is none, or nobody wants to know any more."""
     # Late: what it stands on is slow to import.
     from workbench.analysis.validation import validating
 

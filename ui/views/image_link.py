@@ -18,27 +18,13 @@ Line = tuple[Place, Place]
 
 
 class ImageLink(QObject):
-    """Keeps images of the same screen in step.
-
-    Attributes
-    ----------
-    changed : Signal()
-        Another part is seen, or in other colours, or another place or line is marked.
-    pointed : Signal(tuple[float, float] or None)
-        Where the mouse is, scene units; None beside all images.
-    pinned : Signal(tuple[float, float])
-        A place was clicked.
-    drawn : Signal(tuple)
-        A line was drawn, from one place to another.
-    regions_drawn : Signal(tuple of AnyRegion, str)
-        The scene shall have these regions; and what has led to them.
-    """
+    """Keeps images of the same screen in step."""
 
     changed = Signal()
-    pointed = Signal(object)
-    pinned = Signal(object)
-    drawn = Signal(object)
-    regions_drawn = Signal(object, str)
+    pointed = Signal(object)  # tuple[float, float] or None
+    pinned = Signal(object)  # tuple[float, float]
+    drawn = Signal(object)  # tuple
+    regions_drawn = Signal(object, str)  # tuple of AnyRegion, str
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -119,13 +119,6 @@ class CarriedLens(QObject):
 
     A lens that another control net cannot hold is carried over nearly: the message says how far
     off it is, and offers the nearest net on which it would stay as it is.
-
-    Attributes
-    ----------
-    followed : callable
-        Whether an edit that leads to a session is followed by another lens: then nothing is said.
-    noted : Signal(str)
-        What is good to know.
     """
 
     noted = Signal(str)
@@ -208,7 +201,6 @@ class CarriedLens(QObject):
             self.noted.emit(text)
 
     def _say_of(self, after: Session, text: str) -> None:
-        """Say something of the session after an edit."""
         self._before, self._after = None, after
         self._say(text)
 
@@ -220,14 +212,11 @@ class CarriedLens(QObject):
         return tr(text, optic=self._document.session.scene.optic.called)
 
     def _withdraw(self, session: Session) -> None:
-        """What was said is about the session that it was said of."""
         if session is not self._after:
             self._messages.withdraw(self._text)
 
 
 class _ChangedNet(NamedTuple):
-    """The net of a face, before and after an edit."""
-
     face: str
     old: ControlNet
     new: ControlNet

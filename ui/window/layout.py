@@ -19,17 +19,7 @@ _GEOMETRY, _DOCKS = "window/geometry", "window/result-first"
 
 
 class Layout:
-    """As at first, as it was when a window was last closed, or as a design brings it.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        With all its docks; it is given a size here.
-    workspace : DockWorkspace
-        Shares the window out among the docks.
-    settings : QSettings
-        Where size, place and docks outlive the window.
-    """
+    """As at first, as it was when a window was last closed, or as a design brings it."""
 
     def __init__(self, window: QMainWindow, workspace: DockWorkspace, settings: QSettings) -> None:
         self._window, self._workspace, self._settings = window, workspace, settings
@@ -63,13 +53,7 @@ class Layout:
         return base64.b64encode(self._window.saveState().data()).decode("ascii")
 
     def restore(self, text: str) -> None:
-        """Lay the docks out as `to_text` describes.
-
-        Raises
-        ------
-        ValueError
-            If the text is none of its.
-        """
+        """Lay the docks out as `to_text` describes."""
         try:
             state = base64.b64decode(text, validate=True)
         except binascii.Error as error:
@@ -92,17 +76,7 @@ class CameraView(Protocol):
 
 
 class ViewState:
-    """Written as a JSON object, and restored from one.
-
-    Parameters
-    ----------
-    commands : Commands
-        Those of `LOOK` that are on are part of it.
-    layout : Layout
-        The docks.
-    tell : Callable
-        Gets a sentence about what could not be restored.
-    """
+    """Written as a JSON object, and restored from one."""
 
     def __init__(self, commands: Commands, layout: Layout, tell: Callable[[str], None]) -> None:
         self._commands, self._layout, self._tell = commands, layout, tell

@@ -40,13 +40,7 @@ if TYPE_CHECKING:
 
 
 class ProductionPanes(QObject):
-    """Makes both panes and tells them of the lens on show.
-
-    Attributes
-    ----------
-    panes : dict of str to QWidget
-        By the names of their docks.
-    """
+    """Makes both panes and tells them of the lens on show."""
 
     def __init__(self, settings: QSettings, parent: QObject) -> None:
         super().__init__(parent)
@@ -78,20 +72,7 @@ FOLLOW = "run/follow"
 
 
 class LoadedParts(QObject):
-    """Makes these things and connects them with each other and with the window's early parts.
-
-    Parameters
-    ----------
-    early : EarlyParts
-        Its docks get the views, and its commands something to do.
-    settings : QSettings
-        Where choices are kept for the next start.
-
-    Attributes
-    ----------
-    state_changed : Signal()
-        The run has begun, halted or ended.
-    """
+    """Makes these things and connects them with each other and with the window's early parts."""
 
     state_changed = Signal()
 
@@ -243,7 +224,6 @@ class LoadedParts(QObject):
         commands.connect_choices(self.views.choices())
 
     def _mark_regions(self, on: bool) -> None:
-        """Let the mouse mark regions on images of light; the irradiance gets the keyboard."""
         link = self.views.link
         if on and not link.marking:
             self._early.workspace.show_dock("irradiance")
@@ -262,7 +242,6 @@ class LoadedParts(QObject):
         self._early.forms.edit(edit)
 
     def _tell_of_reflection(self, sentence: str) -> None:
-        """In the message bar, unless something else is to be read there; it is logged anyway."""
         if self._early.messages.taken:
             self._early.log.add(sentence)
         else:

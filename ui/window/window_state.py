@@ -39,27 +39,7 @@ _RUN_FIRST = later(
 
 @dataclass(frozen=True)
 class Situation:
-    """What decides about it.
-
-    Attributes
-    ----------
-    optic : Element
-        What is designed.
-    state : str
-        Of the run: "idle", "running", "paused" or "stopping"; "loading" while there cannot be one.
-    has_lens : bool
-        Whether the design has a lens, if only to start from.
-    lens : str
-        What the lens on show is; empty where there is none.
-    can_undo, can_redo : bool
-        Whether the undo stack has a step in that direction.
-    can_revert : bool
-        Whether the design has a file and differs from it.
-    following : bool
-        Whether live update designs a lens just now.
-    has_refused : bool
-        Whether a field has an entry that was refused, which undo takes back first.
-    """
+    """What decides about it."""
 
     optic: "Element"
     state: str
@@ -154,20 +134,7 @@ _STATES = later(
 
 
 class WindowState:
-    """Allows what can be done now, and says what is being done, whenever the window calls it.
-
-    Parameters
-    ----------
-    early : EarlyParts
-        Its commands, forms and status bar show the state.
-    lens : LensOnShow
-        What would be exported.
-
-    Attributes
-    ----------
-    loaded : LoadedParts, optional
-        Runner and views, while the window has them.
-    """
+    """Allows what can be done now, and says what is being done, whenever the window calls it."""
 
     def __init__(self, early: EarlyParts, lens: LensOnShow) -> None:
         self._early, self._document, self._lens = early, early.document, lens
@@ -235,7 +202,6 @@ class WindowState:
             self._early.status.show_state(tr(_STATES[now.state]))
 
     def _stopped(self, called: str) -> str:
-        """Of a lens that can still get better, and by what."""
         go_on = self._early.commands["continue"]
         return tr("Stopped: {command} ({keys}) can make the {optic} better", optic=called).format(
             command=go_on.text().replace("&", ""),

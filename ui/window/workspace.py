@@ -43,21 +43,7 @@ _IMAGES = ("irradiance", "target", "error")
 
 
 class DockWorkspace:
-    """Docks around the 3D scene; the views come later, because their libraries load slowly.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Gets docks and a central widget.
-    forms : Forms
-        Stands at the left.
-    messages : MessageBar
-        Lies over the 3D scene, at its top.
-    steps : QUndoStack
-        What was done, listed in a dock; a click goes back or forth to that step.
-    log : LogView
-        Stands behind the loss.
-    """
+    """Docks around the 3D scene; the views come later, because their libraries load slowly."""
 
     def __init__(
         self,
@@ -118,20 +104,7 @@ class DockWorkspace:
         self._window.resizeDocks([docks[name] for name in _IMAGES], [1, 1, 1], across)
 
     def put_views(self, scene_view: QWidget, others: Mapping[str, QWidget]) -> None:
-        """Put the views where the placeholders stand.
-
-        Parameters
-        ----------
-        scene_view : QWidget
-            For the middle.
-        others : mapping of str to QWidget
-            For each dock that has but a placeholder, by name.
-
-        Raises
-        ------
-        ValueError
-            If these docks and the names are not the same.
-        """
+        """Put the views where the placeholders stand."""
         if self._waiting != others.keys():
             wrong = sorted(self._waiting ^ others.keys())
             raise ValueError(f"no dock, or nothing for it: {wrong}")
@@ -205,8 +178,6 @@ class _Dock(QDockWidget):
 
 
 class _Capitalised(QStyledItemDelegate):
-    """Begins each line with a capital; the undo menu has the same texts amid a sentence."""
-
     def initStyleOption(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
