@@ -125,9 +125,9 @@ def begin(scene: Scene, folder: File = ".") -> Session:
 
     A lens to start from, heights (n_u, n_v) of the control points of its exit face:
 
-    >>> plate = FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)})
+    >>> plate = FaceArrays({"lens.back": np.full(scene.optic.net_shape, 0.5)})
     >>> session = Session(scene, session.target, start=plate)
-    >>> session.heights["exit"].shape
+    >>> session.heights["lens.back"].shape
     (64, 64)
     """
     return begin_in(scene, Path(folder))

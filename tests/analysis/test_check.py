@@ -62,7 +62,7 @@ def lens(make_scene):
     def make(source):
         scene = make_scene({"source": source, "screen.half_width": [1.4, 1.1]})
         heights = net_of(scene, lambda x, y: 0.5 - 0.08 * x**2 + 0.03 * np.sin(x + 2 * y))
-        return scene, {"exit": heights}
+        return scene, {"lens.back": heights}
 
     return make
 

@@ -45,7 +45,7 @@ EXTENDED = {
 def test_the_extra_is_named_where_it_is_missing(make_scene, monkeypatch):
     monkeypatch.setitem(sys.modules, "mitsuba", None)
     with pytest.raises(Refused, match=r"freeform-lens-workbench\[mitsuba\]"):
-        other.MitsubaScene(make_scene(), {"exit": np.full((12, 10), 0.5)})
+        other.MitsubaScene(make_scene(), {"lens.back": np.full((12, 10), 0.5)})
 
 
 class TestBareAndClear:
@@ -80,7 +80,7 @@ class TestWithMitsuba:
         changes = {"lens.half_width": [1.0, 0.8], "source": source, "screen": screen}
         scene = make_scene(changes | {"lens.outline": outline})
         lens = self.lopsided(scene)
-        found = cross_check(scene, np.ones((24, 32)), {"exit": lens}, 200_000)
+        found = cross_check(scene, np.ones((24, 32)), {"lens.back": lens}, 200_000)
         assert found.difference == pytest.approx(found.noise, rel=0.15)
         low, high = found.difference_corrected_interval
         assert 3 * low**2 < high**2  # less than 4 standard deviations above nothing
@@ -113,7 +113,7 @@ class TestWithMitsuba:
         }
         scene = make_scene(changes[receiver])
         target = np.ones(scene.receiver.pixels[::-1])
-        found = cross_check(scene, target, {"exit": self.lopsided(scene)}, 1_000_000)
+        found = cross_check(scene, target, {"lens.back": self.lopsided(scene)}, 1_000_000)
         assert found.difference == pytest.approx(found.noise, rel=0.15)
         low, high = found.difference_corrected_interval
         assert 3 * low**2 < high**2
@@ -127,7 +127,7 @@ class TestWithMitsuba:
         source = {"kind": "point", "position": [6.0, 0.0, -3.0]}
         screen = {"z": 4.0, "half_width": [12.0, 12.0], "pixels": [8, 8]}
         changes = {"source": source, "screen": screen}
-        plate, target = {"exit": np.full((12, 10), 0.5)}, np.ones((8, 8))
+        plate, target = {"lens.back": np.full((12, 10), 0.5)}, np.ones((8, 8))
         found = {
             reflection: cross_check(
                 make_scene(changes | {"lens.reflection": reflection}), target, plate, 400_000
@@ -142,9 +142,9 @@ class TestWithMitsuba:
     def test_another_lens_differs_beyond_the_noise(self, make_scene, monkeypatch):
         scene, dense = make_scene(), make_scene({"lens.refractive_index": 1.6})
         lens, target = self.lopsided(scene), np.ones((32, 32))
-        trace = other.MitsubaScene(dense, {"exit": lens})
+        trace = other.MitsubaScene(dense, {"lens.back": lens})
         monkeypatch.setattr("workbench.analysis.cross_check.MitsubaScene", lambda *task: trace)
-        found = cross_check(scene, target, {"exit": lens}, 100_000)
+        found = cross_check(scene, target, {"lens.back": lens}, 100_000)
         assert found.difference > 2 * found.noise
         assert found.difference_corrected_interval[0] > found.noise
 
@@ -153,4 +153,4 @@ class TestWithMitsuba:
         with pytest.raises(
             Refused, match=r"receiver.pixels: \[32, 31\] on \[1, 1\] are not square"
         ):
-            other.MitsubaScene(scene, {"exit": np.full((12, 10), 0.5)})
+            other.MitsubaScene(scene, {"lens.back": np.full((12, 10), 0.5)})

@@ -49,7 +49,7 @@ def wavy(scene, rng):
 def derivative_of(scene, heights, weights, index):
     """Reverse mode: derivative of the weighted sum of the image, at one control height."""
     leaf = torch.tensor(heights, requires_grad=True)
-    flux = Plan(scene, dtype=torch.float64).flux({"exit": leaf})
+    flux = Plan(scene, dtype=torch.float64).flux({"lens.back": leaf})
     (flux * torch.as_tensor(weights)).sum().backward()
     return leaf.grad[index].item() / scene.receiver.pixel_measure
 
@@ -57,7 +57,7 @@ def derivative_of(scene, heights, weights, index):
 @pytest.mark.parametrize("case", ["a", "b"])
 def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
     scene = make(case)
-    found = irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
+    found = irradiance_derivative(scene, {"lens.back": flat(scene)}, MIDDLE)
     border = np.ones(found.map.shape, dtype=bool)
     border[1:-1, 1:-1] = False
     assert not found.map[border].any()
@@ -69,7 +69,7 @@ def test_light_is_conserved_where_no_border_pixel_is_reached(make, case):
 def test_forward_mode_is_reverse_mode(make, rng, case):
     scene = make(case)
     heights, index = wavy(scene, rng), (3, 5)
-    found = irradiance_derivative(scene, {"exit": heights}, index)
+    found = irradiance_derivative(scene, {"lens.back": heights}, index)
     scale = np.abs(found.map).max()
     for _ in range(3):
         weights = rng.normal(size=found.map.shape)
@@ -89,12 +89,12 @@ def test_differences_of_images_agree(make, rng, case, source):
     scene = make(case) if source is None else make(case, source=source)
     heights, index, step = wavy(scene, rng), (4, 3), 1e-8
     plan = Plan(scene, dtype=torch.float64)
-    found = irradiance_derivative(scene, {"exit": heights}, index)
+    found = irradiance_derivative(scene, {"lens.back": heights}, index)
     images = []
     for sign in (1, -1):
         moved = torch.tensor(heights)
         moved[index] += sign * step
-        images.append(plan.flux({"exit": moved}).numpy())
+        images.append(plan.flux({"lens.back": moved}).numpy())
     differences = (images[0] - images[1]) / (2 * step * scene.receiver.pixel_measure)
     # The truncated filter has kinks, and few rays within a step of one make all the difference.
     error = np.linalg.norm(found.map - differences) / np.linalg.norm(differences)
@@ -105,7 +105,7 @@ def test_differences_of_images_agree(make, rng, case, source):
 def test_a_point_that_is_not_there_is_refused(make, index, field):
     scene = make()
     with pytest.raises(Refused, match="no control point; 0 to 8") as caught:
-        irradiance_derivative(scene, {"exit": flat(scene)}, index)
+        irradiance_derivative(scene, {"lens.back": flat(scene)}, index)
     assert caught.value.path == field
 
 
@@ -116,7 +116,7 @@ def test_a_point_that_is_not_there_is_refused(make, index, field):
 def test_filters_that_count_rays_by_pixel_are_refused(make_scene, changes, field):
     scene = make_scene(changes)
     with pytest.raises(Refused, match="no derivative") as caught:
-        irradiance_derivative(scene, {"exit": flat(scene)}, MIDDLE)
+        irradiance_derivative(scene, {"lens.back": flat(scene)}, MIDDLE)
     assert caught.value.path == field
 
 
@@ -131,7 +131,7 @@ def test_each_face_has_derivatives_of_its_own(make_scene, rng):
     leaves = {face: torch.tensor(each, requires_grad=True) for face, each in heights.items()}
     flux = Plan(scene, dtype=torch.float64).flux(leaves)
     (flux * torch.as_tensor(weights)).sum().backward()
-    for face, index in [("entrance", (2, 3)), ("exit", (6, 5))]:
+    for face, index in [("lens.front", (2, 3)), ("lens.back", (6, 5))]:
         found = irradiance_derivative(scene, heights, index, face=face)
         wanted = leaves[face].grad[index].item() / scene.receiver.pixel_measure
         assert (found.map * weights).sum() == pytest.approx(wanted, rel=1e-9)
@@ -139,4 +139,4 @@ def test_each_face_has_derivatives_of_its_own(make_scene, rng):
             [at[i] for at, i in zip(freeform_nets(scene.optic)[face].positions, index, strict=True)]
         )
     with pytest.raises(Refused, match="0 to 5"):
-        irradiance_derivative(scene, heights, (6, 5), face="entrance")
+        irradiance_derivative(scene, heights, (6, 5), face="lens.front")

@@ -28,7 +28,7 @@ def scene(make_scene):
 
 
 def raster_of(scene, heights, radius, scallop):
-    face = CutFace(freeform_nets(scene.optic)["exit"], heights, outline_of(scene.optic))
+    face = CutFace(freeform_nets(scene.optic)["lens.back"], heights, outline_of(scene.optic))
     return finished(face.plan_raster(radius, scallop, 10**6))
 
 
@@ -39,7 +39,7 @@ def test_a_fine_cut_leaves_the_image_and_a_coarse_one_does_not(scene):
     wanted, even = target / target.sum(), 1 / target.size
     error = np.linalg.norm(wanted - even) / np.linalg.norm(wanted)
     fine, coarse = (
-        finished(tracing_cut(scene, {"exit": heights}, target, raster, 100_000))
+        finished(tracing_cut(scene, {"lens.back": heights}, target, raster, 100_000))
         for raster in (raster_of(scene, heights, 0.5, scallop) for scallop in (1e-4, 0.05))
     )
     assert fine.designed.distance == pytest.approx(error, abs=3 * fine.designed.off + 1e-9)
@@ -62,7 +62,7 @@ def test_ridges_turn_light_by_their_slope(scene):
 @pytest.fixture
 def lens(make_scene, rng):
     scene = make_scene({"screen.pixels": [16, 12], "screen.half_width": [0.8, 0.9]})
-    return scene, np.ones((12, 16)), {"exit": 0.5 + 0.05 * rng.random((12, 10))}
+    return scene, np.ones((12, 16)), {"lens.back": 0.5 + 0.05 * rng.random((12, 10))}
 
 
 def test_each_distance_as_if_the_screen_stood_there(lens):
@@ -83,13 +83,13 @@ def test_within_the_lens(lens):
 def test_parts_of_the_way_to_the_screen_clear_the_lens(make_scene):
     scene, flat = make_scene(), np.full((12, 10), 0.5)
     top = scene.optic.highest
-    assert screen_at(scene, {"exit": flat}, 1) == scene.receiver.z
-    assert screen_at(scene, {"exit": flat}, 0.5) - top == pytest.approx(
+    assert screen_at(scene, {"lens.back": flat}, 1) == scene.receiver.z
+    assert screen_at(scene, {"lens.back": flat}, 0.5) - top == pytest.approx(
         (scene.receiver.z - top) / 2
     )
-    with_screen_at(scene, screen_at(scene, {"exit": flat}, 1e-6))
+    with_screen_at(scene, screen_at(scene, {"lens.back": flat}, 1e-6))
     with pytest.raises(Refused, match="may touch the lens"):
-        with_screen_at(scene, screen_at(scene, {"exit": flat}, 0))
+        with_screen_at(scene, screen_at(scene, {"lens.back": flat}, 0))
 
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -3.0]}
@@ -99,7 +99,7 @@ ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
 
 
 def wavy(scene):
-    return {"exit": net_of(scene, lambda x, y: 0.5 - 0.1 * x**2 + 0.04 * np.sin(x + 2 * y))}
+    return {"lens.back": net_of(scene, lambda x, y: 0.5 - 0.1 * x**2 + 0.04 * np.sin(x + 2 * y))}
 
 
 @pytest.mark.parametrize("source", [{"kind": "collimated"}, POINT], ids=["collimated", "point"])
@@ -111,7 +111,7 @@ def test_cells_rays_and_the_design_see_the_same_light(make_scene, source):
     assert found.by_cells.difference_over_noise == pytest.approx(1, abs=0.15)
     assert found.by_cells.bound < 1e-3
     plan = BeamPlan(scene, (400, 400), dtype=torch.float64)
-    image, account = plan.trace({"exit": torch.tensor(lens["exit"])})
+    image, account = plan.trace({"lens.back": torch.tensor(lens["lens.back"])})
     irradiance = image.numpy() / scene.receiver.pixel_measure
     exact = found.by_cells.irradiance
     assert np.linalg.norm(irradiance - exact) < 3e-3 * np.linalg.norm(exact)

@@ -24,7 +24,7 @@ def lens(make_scene):
     scene = make_scene({"source": LED, "lens.control_points": [50, 50]} | settings)
     waves = net_of(scene, lambda x, y: 0.01 * np.sin(25 * x + y) * np.cos(22 * y))
     heights = waves + net_of(scene, lambda x, y: 0.5 - 0.1 * x**2 - 0.05 * y**2)
-    return scene, {"exit": heights}
+    return scene, {"lens.back": heights}
 
 
 @pytest.fixture
@@ -78,7 +78,7 @@ def test_rays_of_a_file_tell_how_far_they_may_be_from_their_lamp(make_scene, tmp
     for name, count in (("few", 60_000), ("many", 1_200_000)):
         (tmp_path / name).mkdir()
         scene = make_scene(PLATE | {"source": led(tmp_path / name, count)})
-        plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+        plate = {"lens.back": np.full(scene.optic.net_shape, 0.5)}
         wanted = np.ones((40, 40))
         found.append(validate(scene, wanted, plate, 4_000_000, accuracy=1e-3))
     few, many = found

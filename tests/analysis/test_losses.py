@@ -11,7 +11,7 @@ from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.plan import Plan
 
-PLATE = {"exit": np.full((12, 10), 0.5)}
+PLATE = {"lens.back": np.full((12, 10), 0.5)}
 LOSSES = {
     "fresnel": {"lens.reflection": "fresnel"},
     "schlick": {"lens.reflection": "schlick"},
@@ -72,7 +72,7 @@ def test_design_and_check_lose_the_same_light_and_all_adds_up(make_scene, source
     screen = {"screen.half_width": [4.0, 4.0]}
     scene = make_scene({"source": source, "lens.refractive_index": 1.8} | screen | losses)
     x, y = ControlNet.of(scene.optic).positions
-    heights = {"exit": 0.5 - 0.1 * x[:, None] ** 2 + 0.06 * x[:, None] * y[None, :]}
+    heights = {"lens.back": 0.5 - 0.1 * x[:, None] ** 2 + 0.06 * x[:, None] * y[None, :]}
     check, design = checked(scene, heights), planned(scene, heights)
     for account in (check, design):
         assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)

@@ -16,7 +16,7 @@ def lens_of(make_scene, height, changes=None):
     (x, y), (p, q) = net.positions, net.degree
     knots = [(2 * k - 1) * r for k, r in zip(net.knots, net.half_width, strict=True)]
     values = make_interp_spline(x, height(x[:, None], y), p, t=knots[0], axis=0).c
-    return lens, {"exit": make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T}
+    return lens, {"lens.back": make_interp_spline(y, values.T, q, t=knots[1], axis=0).c.T}
 
 
 def ball(radius, sign):
@@ -50,7 +50,7 @@ class TestSpheres:
 def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     changes = {"lens.control_points": [9, 8], "lens.degree": list(degree)}
     lens = make_scene(changes).optic
-    heights = {"exit": 0.5 + 0.1 * rng.random((9, 8))}
+    heights = {"lens.back": 0.5 + 0.1 * rng.random((9, 8))}
     found = manufacture(lens, heights)
     maps = surface_maps(lens, heights, (1237, 1171))
     slack = 1e-12
@@ -62,7 +62,7 @@ def test_nothing_is_beyond_the_bounds(make_scene, rng, degree):
     assert found.tightest_convex.value == pytest.approx(1 / maps.convex.max(), rel=1e-3)
     # Within its places, the extreme is where it is said to be.
     u = (np.array(found.thickest.place) / lens.half_width + 1) / 2
-    there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights["exit"])[0]
+    there = ControlNet.of(lens).points(u[:1], u[1:]).evaluate(heights["lens.back"])[0]
     assert there.item() == pytest.approx(found.thickest.value)
 
 
@@ -72,8 +72,8 @@ def test_an_elliptic_lens_is_judged_inside_its_outline_alone(make_scene):
     heights = np.full((32, 32), 0.5)
     heights[:4, :4] = 3.0
     heights[-3:, -3:] = -2.0
-    assert manufacture(flat, {"exit": heights}).thickest.value > 2
-    found = manufacture(flat.model_copy(update={"outline": "ellipse"}), {"exit": heights})
+    assert manufacture(flat, {"lens.back": heights}).thickest.value > 2
+    found = manufacture(flat.model_copy(update={"outline": "ellipse"}), {"lens.back": heights})
     for extreme in (found.thinnest, found.thickest):
         assert extreme.value == pytest.approx(0.5)
         assert extreme.bound == pytest.approx(0.5)

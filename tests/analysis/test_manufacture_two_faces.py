@@ -80,11 +80,11 @@ def test_nothing_is_beyond_the_bounds(lens_of, rng, degree, outline):
     heights = {face: z + 0.02 * rng.normal(size=z.shape) for face, z in heights.items()}
     found = manufacture(lens, heights)
     maps = {face: surface_maps(lens, heights, (811, 733), face) for face in heights}
-    thickness = maps["exit"].thickness
+    thickness = maps["lens.back"].thickness
     assert found.thinnest.bound <= np.nanmin(thickness) + 1e-12
     assert found.thickest.bound >= np.nanmax(thickness) - 1e-12
     assert found.thinnest.value - found.thinnest.bound < (0.02 if "ellipse" in outline else 2e-3)
-    for face, each in (("exit", found), ("entrance", found.entrance)):
+    for face, each in (("lens.back", found), ("lens.front", found.entrance)):
         assert each.steepest.bound >= np.nanmax(maps[face].slope) - 1e-9
         for extreme, curvature in (
             (each.tightest_concave, maps[face].concave),

@@ -112,7 +112,7 @@ def test_flux_per_solid_angle_counts_by_the_solid_angle_of_pixels():
 
 def test_a_check_tells_the_light_of_the_regions_of_its_scene():
     scene = Scene.from_data(changed({"regions": [{"name": "All", "size": [1, 1]}]}))
-    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    plate = {"lens.back": np.full(scene.optic.net_shape, 0.5)}
     found = validate(scene, np.ones((32, 32)), plate, rays=10_000)
     (light,) = found.regions
     assert light.name == "All"

@@ -22,7 +22,7 @@ def scene():
 
 
 def test_a_screen_that_is_too_far_has_a_smaller_z(scene):
-    moved, _ = Perturbation(distance=0.25).applied(scene, {"mirror": np.zeros((4, 4))})
+    moved, _ = Perturbation(distance=0.25).applied(scene, {"mirror.face": np.zeros((4, 4))})
     assert moved.receiver.z == pytest.approx(-5.25)
 
 

@@ -55,7 +55,7 @@ class TestWithMitsuba:
     def test_the_disc_lights_a_plate(self, make_scene):
         """Its light is nearly straight, so that faces reflect 4 % each."""
         changes = {"source": {"kind": "collimated", "angular_diameter": 2.0}}
-        plate = {"exit": np.full((12, 10), 0.5)}
+        plate = {"lens.back": np.full((12, 10), 0.5)}
         screen = {"z": 4.0, "half_width": [2.0, 2.0], "pixels": [32, 32]}
         flux = MitsubaScene(make_scene(changes | {"screen": screen}), plate).flux(50_000, 1)
         assert flux.sum() == pytest.approx(0.96**2, rel=0.01)

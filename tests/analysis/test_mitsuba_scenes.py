@@ -34,7 +34,7 @@ def test_mitsuba_finds_the_same_light_of_a_mirror(source):
     x, y = ControlNet.of(scene.optic).positions
     # It leans towards the screen, and is bent more along x than along y.
     heights = 0.28 * x[:, None] - 0.05 * np.square(x[:, None]) - 0.02 * np.square(y)
-    found = cross_check(scene, np.ones((16, 16)), {"mirror": heights}, rays=200_000)
+    found = cross_check(scene, np.ones((16, 16)), {"mirror.face": heights}, rays=200_000)
     assert found.ours.efficiency > 0.3
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.01)
     assert found.difference < 1.3 * found.noise
@@ -69,8 +69,8 @@ def test_mitsuba_finds_the_same_light_of_two_faces(make_scene, monkeypatch, sour
     for (name, net), z in zip(freeform_nets(scene.optic).items(), (0.0, 0.6), strict=True):
         x, y = net.positions[0][:, None], net.positions[1]
         heights[name] = z + 0.01 * np.sin(2 * x + len(name)) * np.cos(3 * y)
-    x, y = freeform_nets(scene.optic)["entrance"].positions
-    heights["entrance"] += 0.12 * (x[:, None] ** 2 + y**2)
+    x, y = freeform_nets(scene.optic)["lens.front"].positions
+    heights["lens.front"] += 0.12 * (x[:, None] ** 2 + y**2)
     found = cross_check(scene, np.ones((16, 16)), heights, rays=100_000)
     assert found.ours.efficiency > 0.3
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.015)
@@ -112,7 +112,7 @@ def test_mitsuba_finds_the_same_light_of_a_train(monkeypatch):
     ).with_net((8, 8))
     x, y = ControlNet.of(scene.optic).positions
     heights = 0.5 - 0.12 * np.square(x[:, None]) - 0.08 * np.square(y) + 0.03 * x[:, None]
-    found = cross_check(scene, np.ones((16, 16)), {"exit": heights}, rays=200_000)
+    found = cross_check(scene, np.ones((16, 16)), {"lens.back": heights}, rays=200_000)
     assert found.ours.efficiency > 0.1
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
     assert found.difference < 1.3 * found.noise

@@ -29,7 +29,7 @@ def mirror(changes=None, **fields):
 def trough(scene, slope):
     """Two planes that meet at x = 0 and lean towards each other: its light side is inside."""
     x, _ = ControlNet.of(scene.optic).positions
-    return {"mirror": np.repeat(-slope * np.abs(x)[:, None], 4, axis=1)}
+    return {"mirror.face": np.repeat(-slope * np.abs(x)[:, None], 4, axis=1)}
 
 
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
@@ -47,7 +47,7 @@ def test_light_comes_back_where_the_check_says():
 
     def walled(slope):
         wall = np.repeat(-slope * (x - 0.5).clip(min=0)[:, None], 4, axis=1)
-        return shading_of(scene, {"mirror": wall}, seed=1)
+        return shading_of(scene, {"mirror.face": wall}, seed=1)
 
     found = walled(1.5)
     assert found.meets_again == pytest.approx(0.25, rel=2e-2)

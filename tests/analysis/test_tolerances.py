@@ -28,7 +28,7 @@ def prism(scene, slope_x, slope_y):
 
 def middle(scene, heights, perturbation):
     """Centre of the light of a lens that is off, x and y."""
-    off, moved = perturbation.applied(scene, {"exit": heights})
+    off, moved = perturbation.applied(scene, {"lens.back": heights})
     image = validate(off, np.ones((64, 64)), moved, RAYS, pose=perturbation.pose).irradiance
     place = (np.arange(64) + 0.5) / 16 - 2
     return np.array([(image * place).sum(), (image * -place[:, None]).sum()]) / image.sum()
@@ -42,7 +42,7 @@ class TestDecentre:
         moved = {"kind": "point", "position": [0.3 - shift[0], 0.1 - shift[1], -2.0]}
         images = [
             validate(
-                make_scene({"source": each}), target, {"exit": heights}, RAYS, pose=pose
+                make_scene({"source": each}), target, {"lens.back": heights}, RAYS, pose=pose
             ).irradiance
             for each, pose in ((source, Pose(decentre=shift)), (moved, Pose()))
         ]
@@ -74,7 +74,7 @@ class TestTilt:
         account = validate(
             scene,
             np.ones((32, 32)),
-            {"exit": np.full((12, 10), 0.5)},
+            {"lens.back": np.full((12, 10), 0.5)},
             RAYS,
             pose=Pose(tilt=(angle, 0.0)),
         ).account
@@ -130,13 +130,13 @@ class TestDraw:
 class TestPerturbed:
     def test_the_nominal_lens_comes_first_and_larger_shifts_err_more(self, wide, rng):
         heights = 0.5 + 0.02 * rng.random((12, 10))
-        target = validate(wide, np.ones((64, 64)), {"exit": heights}, RAYS).irradiance
+        target = validate(wide, np.ones((64, 64)), {"lens.back": heights}, RAYS).irradiance
         within = Tolerances(decentre=0.2, surface=(1e-3, 0.5))
-        nominal, *others = perturbed(wide, target, {"exit": heights}, within, 6, 20_000)
+        nominal, *others = perturbed(wide, target, {"lens.back": heights}, within, 6, 20_000)
         assert len(others) == 6
         assert nominal.perturbation == Perturbation()
         assert nominal.relative_l2 < 0.1 < min(each.relative_l2 for each in others)
-        again = list(perturbed(wide, target, {"exit": heights}, within, 6, 20_000))
+        again = list(perturbed(wide, target, {"lens.back": heights}, within, 6, 20_000))
         assert again == [nominal, *others]
         # What moves the lens further makes more of an error.
         moved = [math.hypot(*each.perturbation.pose.decentre) for each in others]
@@ -185,7 +185,7 @@ class TestSource:
     ):
         shift = (2 / 16, -3 / 16)
         scene = make_scene({"source": source_of(name, tmp_path), "lens.outline": outline})
-        heights = {"exit": 0.5 + 0.05 * rng.random((12, 10))}
+        heights = {"lens.back": 0.5 + 0.05 * rng.random((12, 10))}
         target = np.ones((32, 32))
         moved = Pose(source_shift=(*shift, 0.0))
         other = Pose(decentre=(-shift[0], -shift[1]))
@@ -210,7 +210,7 @@ class TestSource:
         together = Pose(
             tilt=(0.0, angle), source_tilt=(0.0, angle), source_shift=tuple(map(float, swung))
         )
-        heights = {"exit": np.full((12, 10), 0.5)}
+        heights = {"lens.back": np.full((12, 10), 0.5)}
         here, there = (
             validate(scene, np.ones((32, 32)), heights, RAYS, pose=pose).irradiance
             for pose in (Pose(), together)

@@ -32,7 +32,7 @@ def leaving(scene, heights, pose, x=0.0, y=0.0):
 
 @pytest.mark.parametrize("tilt", [(0.02, 0.0), (0.0, -0.05), (0.03, 0.04)])
 def test_light_through_a_plate_with_a_tilted_face_is_bent_as_by_a_prism(make_scene, tilt):
-    plate = {"exit": np.full((12, 10), 0.5)}
+    plate = {"lens.back": np.full((12, 10), 0.5)}
     direction, _ = leaving(make_scene(), plate, Pose(exit_tilt=tilt))
     angle = math.hypot(*tilt)
     away = math.asin(INDEX * math.sin(angle)) - angle
@@ -45,7 +45,7 @@ def test_an_afocal_pair_bends_by_what_one_face_is_tilted(make_scene):
     """Two alike wedges undo each other; the exit face then deviates as a thin prism does."""
     scene = make_scene({"version": 2, "lens.entrance": FREEFORM})
     heights = {}
-    for face, shape, z in (("entrance", (6, 6), 0.0), ("exit", (12, 10), 0.5)):
+    for face, shape, z in (("lens.front", (6, 6), 0.0), ("lens.back", (12, 10), 0.5)):
         x, _ = ControlNet(shape, (3, 3), scene.optic.half_width).positions
         heights[face] = np.tile(z + 0.1 * x[:, None], (1, shape[1]))
     straight, _ = leaving(scene, heights, Pose())
@@ -71,7 +71,7 @@ def lens_of(scene):
     for (name, net), z in zip(freeform_nets(scene.optic).items(), (0.0, 0.6), strict=True):
         x, y = net.positions[0][:, None], net.positions[1]
         heights[name] = z + 0.01 * np.sin(2 * x + len(name)) * np.cos(3 * y)
-        if name == "entrance":
+        if name == "lens.front":
             heights[name] += 0.12 * (x**2 + y**2)
     return heights
 

@@ -16,7 +16,7 @@ RAYS = 20_000
 def lens(make_scene):
     scene = make_scene()
     n_x, n_y = scene.receiver.pixels
-    return scene, np.ones((n_y, n_x)), {"exit": np.full(scene.optic.net_shape, 0.5)}
+    return scene, np.ones((n_y, n_x)), {"lens.back": np.full(scene.optic.net_shape, 0.5)}
 
 
 def driven(steps):

@@ -29,7 +29,7 @@ def parts(account):
 class TestFlatLens:
     def test_uniform_image(self, make_scene):
         scene = make_scene()
-        found = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED)
+        found = validate(scene, uniform(scene), {"lens.back": np.full((12, 10), 0.5)}, ALIGNED)
         assert found.rays == ALIGNED
         assert found.relative_l2 < 1e-12
         assert found.loss < 1e-12
@@ -38,7 +38,9 @@ class TestFlatLens:
 
     def test_account(self, make_scene):
         scene = make_scene()
-        account = validate(scene, uniform(scene), {"exit": np.full((12, 10), 0.5)}, ALIGNED).account
+        account = validate(
+            scene, uniform(scene), {"lens.back": np.full((12, 10), 0.5)}, ALIGNED
+        ).account
         assert account.on_screen == pytest.approx((1 - HEAD_ON) ** 2, rel=1e-12)
         assert account.lost["fresnel_entrance"] == pytest.approx(HEAD_ON, rel=1e-12)
         assert account.lost["fresnel_exit"] == pytest.approx(HEAD_ON * (1 - HEAD_ON), rel=1e-12)
@@ -56,7 +58,7 @@ class TestPrism:
         )
         x, y = ControlNet.of(scene.optic).positions
         heights = 0.5 + slope_x * x[:, None] + slope_y * y[None, :]
-        return validate(scene, uniform(scene), {"exit": heights}, ALIGNED)
+        return validate(scene, uniform(scene), {"lens.back": heights}, ALIGNED)
 
     @pytest.mark.parametrize("slope", [(0.2, 0.0), (-0.2, 0.0), (0.0, 0.2), (0.0, -0.2)])
     def test_side_and_shift(self, make_scene, degree, slope):
@@ -101,7 +103,7 @@ class TestPlanoHyperbolicLens:
             }
         )
         heights = net_of(scene, lambda x, y: 0.5 - self.sag(x, y))
-        return validate(scene, uniform(scene), {"exit": heights}, ALIGNED)
+        return validate(scene, uniform(scene), {"lens.back": heights}, ALIGNED)
 
     def test_all_light_in_the_focus(self, make_scene):
         found = self.trace(make_scene, 5.0, 3e-6, [3, 3])
@@ -132,7 +134,7 @@ def rough(make_scene, rng):
 
 def test_the_account_adds_up(rough):
     scene, heights = rough
-    emitted, where = parts(validate(scene, uniform(scene), {"exit": heights}, 100_000).account)
+    emitted, where = parts(validate(scene, uniform(scene), {"lens.back": heights}, 100_000).account)
     assert sum(where.values()) == pytest.approx(emitted, abs=1e-12)
     assert where.pop("missed_lens") == where.pop("left_side") == 0
     assert min(where.values()) > 1e-3
@@ -140,12 +142,12 @@ def test_the_account_adds_up(rough):
 
 def test_the_optimisers_trace_agrees(rough):
     scene, heights = rough
-    found = validate(scene, uniform(scene), {"exit": heights}, 1_000_000)
+    found = validate(scene, uniform(scene), {"lens.back": heights}, 1_000_000)
     source = scene.source.model_copy(update={"rays": (1000, 1000)})
     plan = Plan(
         scene.model_copy(update={"source": source}), filter=BoxFilter(), dtype=torch.float64
     )
-    traced = plan.trace({"exit": torch.tensor(heights)})
+    traced = plan.trace({"lens.back": torch.tensor(heights)})
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=2e-4)
     expected = traced.flux.numpy() / scene.receiver.pixel_measure
@@ -157,7 +159,8 @@ class TestRays:
     def test_noise_is_an_upper_estimate_of_the_scatter_between_seeds(self, rough):
         scene, heights = rough
         runs = [
-            validate(scene, uniform(scene), {"exit": heights}, 8_000, seed) for seed in range(30)
+            validate(scene, uniform(scene), {"lens.back": heights}, 8_000, seed)
+            for seed in range(30)
         ]
         scatter = np.std([run.relative_l2 for run in runs], ddof=1)
         noise = np.mean([run.noise for run in runs])

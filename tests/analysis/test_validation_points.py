@@ -35,9 +35,9 @@ def test_the_optimisers_trace_agrees(make_scene, heights, source, emission):
             "screen.pixels": [4, 3],
         }
     )
-    found = validate(scene, uniform(scene), {"exit": heights}, 1 << 16)
+    found = validate(scene, uniform(scene), {"lens.back": heights}, 1 << 16)
     traced = Plan(scene, filter=BoxFilter(), dtype=torch.float64).trace(
-        {"exit": torch.tensor(heights)}
+        {"lens.back": torch.tensor(heights)}
     )
     for name, value in found.account.to_data().items():
         assert value == pytest.approx(traced.account.to_data()[name], abs=5e-3)
@@ -54,12 +54,12 @@ def test_a_grid_is_the_sum_of_its_points_with_equal_intensity(make_scene, emissi
     view = {"screen.half_width": [16.0, 16.0], "screen.pixels": [4, 4]}
     heights = np.full((12, 10), 0.5)
     scene = make_scene(view | {"source": grid | {"emission": emission}})
-    both = validate(scene, uniform(scene), {"exit": heights}, 1 << 18)
+    both = validate(scene, uniform(scene), {"lens.back": heights}, 1 << 18)
     light, irradiance = 0.0, 0.0
     for x in (-0.7, 1.7):
         point = {"kind": "point", "position": [x, 0, -0.6], "emission": emission}
         one = make_scene(view | {"source": point})
-        found = validate(one, uniform(one), {"exit": heights}, 1 << 18)
+        found = validate(one, uniform(one), {"lens.back": heights}, 1 << 18)
         # What enters by the face as the point sees it: by numbers, not by the cone.
         t = (np.arange(400) + 0.5) / 200 - 1
         away2 = (t[:, None] - x) ** 2 + t**2 + 0.36

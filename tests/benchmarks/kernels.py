@@ -74,7 +74,7 @@ class Descent:
         torch.set_num_threads(self._threads or usual)
         try:
             heights = self._lenses[0]
-            flux = self._plan.trace({"exit": heights}).flux
+            flux = self._plan.trace({"lens.back": heights}).flux
             loss = paper_loss(flux, self._wanted)
             (gradient,) = torch.autograd.grad(loss, [heights])
             self._lenses.reverse()
@@ -168,7 +168,7 @@ def _images(
     examples = {label: BenchmarkTask.of(name, changes=each) for label, each in changes.items()}
     first = next(iter(examples.values()))
     heights = wavy(first.scene)
-    true = validate(first.scene, first.target, {"exit": heights}, _TRUE_RAYS).irradiance
+    true = validate(first.scene, first.target, {"lens.back": heights}, _TRUE_RAYS).irradiance
     ways = [
         (label, Descent(each, heights), rays_of(each.scene)) for label, each in examples.items()
     ]

@@ -57,7 +57,7 @@ def fake_run(monkeypatch, rng):
                 yield Snapshot(
                     LensState(
                         loss=1 / (i + 1),
-                        heights=FaceArrays({"exit": rng.random(scene.optic.net_shape)}),
+                        heights=FaceArrays({"lens.back": rng.random(scene.optic.net_shape)}),
                         irradiance=rng.random((n_y, n_x)),
                         account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
                     ),

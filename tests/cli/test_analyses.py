@@ -54,7 +54,10 @@ def bowl(make_scene, tmp_path):
             image,
             Result(
                 LensState(
-                    heights=FaceArrays({"exit": heights}), irradiance=image, loss=1, account=account
+                    heights=FaceArrays({"lens.back": heights}),
+                    irradiance=image,
+                    loss=1,
+                    account=account,
                 ),
                 losses=np.ones(1),
                 seconds=1,

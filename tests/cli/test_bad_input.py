@@ -110,7 +110,7 @@ def test_commands_say_that_the_task_was_edited_after_the_run(refusal, tmp_path, 
     scene = Scene.from_data(changed({"target.blur": 1.0}))
     path = tmp_path / "edited.freeform"
     start = np.full(scene.optic.net_shape, 0.5)
-    write_session(Session(scene, np.ones((32, 32)), start=FaceArrays({"exit": start})), path)
+    write_session(Session(scene, np.ones((32, 32)), start=FaceArrays({"lens.back": start})), path)
     verb, *tail = command
     said = refusal(verb, path, *tail)
     assert "its lens was designed for another task" in said

@@ -65,13 +65,13 @@ class TestDone:
     def test_locked_control_points_of_a_session_stay(self, freeform, scene_file, out):
         assert freeform("design", scene_file, "-o", out)[0] == 0
         first = read_session(out)
-        locked = np.zeros(first.result.state.heights["exit"].shape, bool)
+        locked = np.zeros(first.result.state.heights["lens.back"].shape, bool)
         locked[:6] = True
-        write_session(replace(first, locked=FaceArrays({"exit": locked})), out)
+        write_session(replace(first, locked=FaceArrays({"lens.back": locked})), out)
         assert freeform("design", out, "-o", out, "--iterations", "2")[0] == 0
         again = read_session(out)
-        np.testing.assert_array_equal(again.locked["exit"], locked)
-        moved = again.result.state.heights["exit"] != first.result.state.heights["exit"]
+        np.testing.assert_array_equal(again.locked["lens.back"], locked)
+        moved = again.result.state.heights["lens.back"] != first.result.state.heights["lens.back"]
         assert not moved[locked].any()
         assert moved[~locked].any()
 

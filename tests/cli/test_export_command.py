@@ -15,7 +15,7 @@ def lens(make_scene, rng, tmp_path):
     scene = make_scene()
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": 0.5 + 0.02 * rng.random((12, 10))}),
+            heights=FaceArrays({"lens.back": 0.5 + 0.02 * rng.random((12, 10))}),
             irradiance=rng.random((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

@@ -47,7 +47,9 @@ def wavy(tmp_path_factory):
     target = load_target(scene, folder)
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)}),
+            heights=FaceArrays(
+                {"lens.back": 0.5 + 0.01 * np.sin(np.arange(120.0)).reshape(12, 10)}
+            ),
             irradiance=np.ones((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

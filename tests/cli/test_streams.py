@@ -34,7 +34,7 @@ def lens(make_scene, tmp_path):
     """A session with a flat lens."""
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": np.full((12, 10), 0.5)}),
+            heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}),
             irradiance=np.ones((32, 32)),
             loss=0.1,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

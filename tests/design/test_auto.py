@@ -35,7 +35,7 @@ def test_symmetric_tasks_have_symmetric_lenses(make_scene):
     scene = make_scene({"run.iterations": 20})
     across = np.linspace(-1, 1, 32)
     disc = (np.hypot(*np.meshgrid(across, across)) < 0.6).astype(float)
-    heights = best(scene, disc).state.heights["exit"]
+    heights = best(scene, disc).state.heights["lens.back"]
     for axis in (0, 1):
         assert heights == pytest.approx(np.flip(heights, axis), abs=1e-12)
 
@@ -100,7 +100,7 @@ def test_the_paper_method_shapes_a_mirror(bar, source, parametrisation, start):
     )
     shots = list(run(scene, bar))
     assert shots[-1].state.loss < 0.9 * shots[0].state.loss
-    assert np.abs(shots[-1].state.heights["mirror"]).max() < 0.3
+    assert np.abs(shots[-1].state.heights["mirror.face"]).max() < 0.3
 
 
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
@@ -148,7 +148,7 @@ def test_a_lens_is_judged_as_by_its_run(make_scene, target, changes):
     parts = found.state.account.to_data()
     assert sum(parts.values()) == pytest.approx(2 * parts["emitted"], rel=1e-5)
     assert found.state.heights is not last.state.heights
-    assert not found.state.heights["exit"].flags.writeable
+    assert not found.state.heights["lens.back"].flags.writeable
 
 
 @pytest.fixture
@@ -179,7 +179,7 @@ def test_the_bump_is_the_formula_and_nothing_beyond_the_radius(lens):
 )
 def test_heights_stay_in_their_range(index, by, radius):
     lens = Scene.from_data(changed({"lens.min_thickness": 0.3})).optic
-    heights = Stroke(lens, "exit", np.full((12, 10), 0.5), None, index, radius).raised(by)
+    heights = Stroke(lens, "lens.back", np.full((12, 10), 0.5), None, index, radius).raised(by)
     assert heights.min() >= 0.3  # the minimal thickness ends before the height range
     assert heights.max() <= 0.8
 
@@ -187,8 +187,8 @@ def test_heights_stay_in_their_range(index, by, radius):
 def test_locked_points_stay(lens, flat):
     locked = np.zeros((12, 10), dtype=bool)
     locked[4:6] = True
-    raised = Stroke(lens, "exit", flat, locked, (4, 4), 0.8).raised(0.2)
+    raised = Stroke(lens, "lens.back", flat, locked, (4, 4), 0.8).raised(0.2)
     np.testing.assert_array_equal(raised[locked], 0.5)
     assert raised[3, 4] > 0.55
-    assert not Stroke(lens, "exit", flat, locked, (4, 4), 0.0).moves
-    assert Stroke(lens, "exit", flat, locked, (3, 4), 0.0).moves
+    assert not Stroke(lens, "lens.back", flat, locked, (4, 4), 0.0).moves
+    assert Stroke(lens, "lens.back", flat, locked, (3, 4), 0.0).moves

@@ -40,7 +40,7 @@ def test_first_lens_with_an_extended_source_is_nearer_than_that_for_the_target_i
     sharp, aimed = (
         validate(scene, target, FaceArrays(heights), 400_000).relative_l2_corrected
         for heights in (
-            {"exit": transport_start(scene, target)},
+            {"lens.back": transport_start(scene, target)},
             first_lens(scene, target).heights,
         )
     )
@@ -110,7 +110,7 @@ def sun(make_scene):
 def heights(sun, rng):
     """A lens that is not mirrored and sends some light beside the screen."""
     shape = ControlNet.of(sun.optic).shape
-    return {"exit": torch.as_tensor(sun.optic.base.height + 0.01 * rng.random(shape))}
+    return {"lens.back": torch.as_tensor(sun.optic.base.height + 0.01 * rng.random(shape))}
 
 
 def blurred(scene, cells=(256, 256)):
@@ -138,12 +138,12 @@ def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights
     weight = torch.as_tensor(rng.random((32, 40)))
 
     def value(heights):
-        return (plan.trace({"exit": heights}).flux.double() * weight).sum()
+        return (plan.trace({"lens.back": heights}).flux.double() * weight).sum()
 
-    free = heights["exit"].clone().requires_grad_()
+    free = heights["lens.back"].clone().requires_grad_()
     (gradient,) = torch.autograd.grad(value(free), [free])
     step = 1e-4
     with torch.no_grad():
-        ahead, back = (value(heights["exit"] + s * step * way) for s in (1, -1))
+        ahead, back = (value(heights["lens.back"] + s * step * way) for s in (1, -1))
     slope = ((ahead - back) / (2 * step)).item()
     assert (gradient * way).sum().item() == pytest.approx(slope, rel=0.01)

@@ -32,15 +32,15 @@ def _descended(wanted, *descents, left=200):
     """Nets of all steps from zeros to a wanted net, and why they ended."""
 
     def evaluated(x, nets):
-        off = nets["exit"] - wanted
+        off = nets["lens.back"] - wanted
         value = off.square().sum() / wanted.square().sum()
-        seen = nets["exit"].detach().numpy().copy()
+        seen = nets["lens.back"].detach().numpy().copy()
         return Evaluation(value.item(), lambda: torch.autograd.grad(value, [x])[0], seen)
 
-    begin = {"exit": torch.zeros_like(wanted)}
+    begin = {"lens.back": torch.zeros_like(wanted)}
 
     def waves_of(descent):
-        widths = {"exit": 1.0}
+        widths = {"lens.back": 1.0}
         return FaceWaves(begin, descent.power, (False, False), widths, longest=descent.longest)
 
     # It costs so much that few steps tell whether they gain something.
@@ -81,7 +81,7 @@ class _Unbalanced:
 
     def __call__(self, x, nets):
         self.count += 1
-        net = nets["exit"]
+        net = nets["lens.back"]
         if self.count == self.at or net.detach().abs().max() > self.most:
             self.refused += 1
             raise UnbalancedAccount(Account(1.2, {"left_side": -0.2}))
@@ -90,8 +90,8 @@ class _Unbalanced:
 
 
 def _run(wanted, objective, left=40):
-    begin = {"exit": torch.zeros_like(wanted)}
-    waves = FaceWaves(begin, ALL.power, (False, False), {"exit": 1.0})
+    begin = {"lens.back": torch.zeros_like(wanted)}
+    waves = FaceWaves(begin, ALL.power, (False, False), {"lens.back": 1.0})
     return list(
         descend(SimpleNamespace(effort=768**2), objective, begin, lambda _: waves, [ALL], left)
     )

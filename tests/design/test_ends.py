@@ -108,7 +108,7 @@ def test_a_run_ends_with_its_best_lens_in_other_light(shown):
 def test_that_light_is_nearer_to_what_the_lens_does(shown, make_scene, bars):
     *steps, last = shown[0]
     best = [step for step in steps if step.best][-1]
-    lens = {"exit": torch.as_tensor(last.state.heights["exit"].copy())}
+    lens = {"lens.back": torch.as_tensor(last.state.heights["lens.back"].copy())}
     image = BeamPlan(make_scene(FINE_NET), (901, 901), dtype=torch.float64).trace(lens).flux.numpy()
     loss = np.linalg.norm(image / image.sum() - bars / bars.sum()) / 32
     exact = replace(last.state, loss=float(loss))

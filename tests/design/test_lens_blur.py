@@ -32,7 +32,9 @@ def lens_of(scene, power, noise=0.0, rng=None):
     """A bowl or a dome: places bend light by more the farther they are from the axis."""
     x, y = ControlNet.of(scene.optic).positions
     bowl = scene.optic.base.height + power * (x[:, None] ** 2 + y**2)
-    return {"exit": torch.as_tensor(bowl if rng is None else bowl + noise * rng.random(bowl.shape))}
+    return {
+        "lens.back": torch.as_tensor(bowl if rng is None else bowl + noise * rng.random(bowl.shape))
+    }
 
 
 def test_widths_change_as_rays_of_the_source_say(sun):
@@ -40,7 +42,7 @@ def test_widths_change_as_rays_of_the_source_say(sun):
     heights, net, n = lens_of(sun, 0.1), ControlNet.of(sun.optic), sun.optic.index
 
     def hit(x, angle):
-        z, slope, _ = (each.item() for each in net.at(x, np.zeros(1), heights["exit"].numpy()))
+        z, slope, _ = (each.item() for each in net.at(x, np.zeros(1), heights["lens.back"].numpy()))
         lean = math.atan(slope)
         leaves = math.asin(n * math.sin(math.asin(math.sin(angle) / n) + lean)) - lean
         return x.item() + (sun.receiver.z - z) * math.tan(leaves)
@@ -70,12 +72,12 @@ def test_image_with_a_changing_blur_is_nearer_to_that_of_many_origins(sun, rng):
 
 
 def test_gradient_of_a_changing_blur_is_that_of_central_differences(sun, rng):
-    heights = lens_of(sun, 0.1, 0.004, rng)["exit"]
-    plan = BlurredPlan(sun, (64, 64), lens_blur_of(sun, {"exit": heights}))
+    heights = lens_of(sun, 0.1, 0.004, rng)["lens.back"]
+    plan = BlurredPlan(sun, (64, 64), lens_blur_of(sun, {"lens.back": heights}))
     way, weight = (torch.as_tensor(rng.random(shape) - 0.5) for shape in ((12, 12), (40, 50)))
 
     def value(heights):
-        return (plan.trace({"exit": heights}).flux.double() * weight).sum()
+        return (plan.trace({"lens.back": heights}).flux.double() * weight).sum()
 
     free = heights.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(value(free), [free])

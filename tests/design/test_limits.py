@@ -34,7 +34,7 @@ def test_the_undesigned_lens_is_the_base_plus_the_middle_of_the_range(base):
     free = HeightRange.of(lens, net)
     x, y = net.positions
     expected = lens.base.height_at(x[:, None], y[None, :]) + 0.05
-    assert free.heights(free.rest)["exit"].numpy() == pytest.approx(expected, abs=1e-14)
+    assert free.heights(free.rest)["lens.back"].numpy() == pytest.approx(expected, abs=1e-14)
 
 
 @given(
@@ -48,13 +48,13 @@ def test_no_parameters_leave_the_range_or_make_the_lens_too_thin(seed, size, bas
     net = ControlNet.of(lens)
     free = HeightRange.of(lens, net)
     parameters = torch.as_tensor(np.random.default_rng(seed).normal(0, size, net.shape))
-    heights = free.heights(parameters)["exit"].numpy()
+    heights = free.heights(parameters)["lens.back"].numpy()
     x, y = net.positions
     offset = heights - lens.base.height_at(x[:, None], y[None, :])
     assert offset.max() <= 0.3 + 1e-12
     assert (offset.min() >= -0.2 - 1e-12) or heights.min() >= thickness
     assert heights.min() >= lens.entrance_z + thickness - 1e-12
-    surface = sample_faces(lens, {"exit": heights}, (40, 40))["exit"][..., 2]
+    surface = sample_faces(lens, {"lens.back": heights}, (40, 40))["lens.back"][..., 2]
     assert surface.min() >= lens.entrance_z + thickness - 1e-12
 
 
@@ -127,7 +127,7 @@ def test_a_design_of_an_elliptic_lens_comes_near_the_target(make_scene, tmp_path
         image = last.state.irradiance / last.state.irradiance.sum()
         wanted = target / target.sum()
         errors[outline] = np.linalg.norm(image - wanted) / np.linalg.norm(wanted)
-        heights = last.state.heights["exit"]
+        heights = last.state.heights["lens.back"]
     assert errors["ellipse"] < 1.5 * errors["rectangle"] + 0.01
     assert last.state.account.lost["missed_lens"] == pytest.approx(1 - np.pi / 4, abs=1e-6)
     second_differences = np.abs(np.diff(heights, 2, axis=0))

@@ -83,9 +83,9 @@ def test_a_large_edit_sends_the_light_anew_by_transport(designed):
 def test_locked_control_points_stay_however_large_the_edit_is(designed):
     locked = np.zeros((16, 16), dtype=bool)
     locked[:3] = True
-    edited = replace(moved(designed, 9), locked=FaceArrays({"exit": locked}))
+    edited = replace(moved(designed, 9), locked=FaceArrays({"lens.back": locked}))
     *_, last = lenses(LiveDesign(), edited, 3)
-    before, after = edited.heights["exit"], last.state.heights["exit"]
+    before, after = edited.heights["lens.back"], last.state.heights["lens.back"]
     assert np.array_equal(before[locked], after[locked])
     assert not np.array_equal(before, after)
 

@@ -47,11 +47,11 @@ def lens(rng):
 @pytest.mark.parametrize("source", [{}, {"source": POINT}], ids=["collimated", "point"])
 def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method, source):
     scene = small({"run": method | {"iterations": 4}, **source})
-    snapshots = list(run(scene, disc, {"exit": lens}, {"exit": locked}))
+    snapshots = list(run(scene, disc, {"lens.back": lens}, {"lens.back": locked}))
     assert len(snapshots) == 5
     for snapshot in snapshots:
-        np.testing.assert_array_equal(snapshot.state.heights["exit"][locked], lens[locked])
-    moved = snapshots[-1].state.heights["exit"] - snapshots[0].state.heights["exit"]
+        np.testing.assert_array_equal(snapshot.state.heights["lens.back"][locked], lens[locked])
+    moved = snapshots[-1].state.heights["lens.back"] - snapshots[0].state.heights["lens.back"]
     assert (moved[~locked] != 0).mean() > 0.5  # light of a point leaves out some corners
 
 
@@ -59,11 +59,11 @@ def test_heights_of_a_given_lens_stay_exactly(small, disc, locked, lens, method,
 @pytest.mark.parametrize("stages", [(), ({"iterations": 2, "control_points": [6, 6]},)])
 def test_all_locked_ends_at_once_with_the_lens_as_it_is(small, disc, lens, method, stages):
     scene = small({"run": method | {"iterations": 9, "stages": list(stages)}})
-    for start in (None, {"exit": lens}):
-        (only,) = run(scene, disc, start, {"exit": np.ones((12, 10), bool)})
+    for start in (None, {"lens.back": lens}):
+        (only,) = run(scene, disc, start, {"lens.back": np.ones((12, 10), bool)})
         assert (only.iteration, only.best, only.stage) == (0, True, len(stages))
         np.testing.assert_allclose(
-            only.state.heights["exit"], 0.5 if start is None else lens, atol=1e-15
+            only.state.heights["lens.back"], 0.5 if start is None else lens, atol=1e-15
         )
 
 
@@ -72,19 +72,19 @@ class TestStages:
 
     def test_on_the_same_net_keep_them(self, small, disc, locked):
         scene = small({"run": {"iterations": 5, "stages": list(self.STAGES)}})
-        snapshots = list(run(scene, disc, None, {"exit": locked}))
+        snapshots = list(run(scene, disc, None, {"lens.back": locked}))
         assert [snapshot.stage for snapshot in snapshots] == [0, 0, 0, 1, 1, 1]
         for snapshot in snapshots:
-            np.testing.assert_allclose(snapshot.state.heights["exit"][locked], 0.5, atol=1e-15)
+            np.testing.assert_allclose(snapshot.state.heights["lens.back"][locked], 0.5, atol=1e-15)
 
     def test_on_another_net_are_refused(self, small, disc, locked, lens):
         stages = [*self.STAGES, {"iterations": 1, "control_points": [6, 6]}]
         scene = small({"run": {"iterations": 5, "stages": stages}})
         with pytest.raises(Refused) as caught:
-            next(run(scene, disc, None, {"exit": locked}))
+            next(run(scene, disc, None, {"lens.back": locked}))
         assert str(caught.value) == (
             "run.stages[1].control_points: [6, 6] are not the control points of the finished lens "
             "that are locked; leave the stage's net out or unlock them"
         )
         # A lens that is there already goes through the last stage alone.
-        assert len(list(run(scene, disc, {"exit": lens}, {"exit": locked}))) == 3
+        assert len(list(run(scene, disc, {"lens.back": lens}, {"lens.back": locked}))) == 3

@@ -75,9 +75,9 @@ def test_a_session_has_a_net_and_keeps_that_it_was_left_to_the_program(make_scen
 
 
 def test_more_pixels_get_a_finer_net_and_the_lens_is_carried(make_scene, rng):
-    lens = FaceArrays({"exit": np.full((48, 48), 0.45)})
+    lens = FaceArrays({"lens.back": np.full((48, 48), 0.45)})
     session = _session(make_scene, rng, start=lens)
     finer = make_scene({"lens.control_points": "auto", "screen.pixels": [64, 64]})
     after = session.with_scene(finer, 3 + rng.random((64, 64)))
-    assert after.scene.optic.net_shape == after.start["exit"].shape == (120, 120)
-    np.testing.assert_allclose(after.start["exit"], 0.45, atol=1e-9)
+    assert after.scene.optic.net_shape == after.start["lens.back"].shape == (120, 120)
+    np.testing.assert_allclose(after.start["lens.back"], 0.45, atol=1e-9)

@@ -27,7 +27,7 @@ def scene(request, make_scene):
 def test_the_first_snapshot_is_the_lens_before_any_step(scene, disc):
     first = next(run(scene, disc))
     assert first.iteration == 0 and first.iterations == 30
-    assert first.state.heights["exit"] == pytest.approx(0.5, abs=1e-14)
+    assert first.state.heights["lens.back"] == pytest.approx(0.5, abs=1e-14)
     assert first.state.account.efficiency == pytest.approx(0.96**2, rel=0.1)
     assert first.best
 
@@ -56,8 +56,8 @@ def test_every_lens_of_a_run_is_possible(make_scene, disc):
             }
         )
         for snapshot in run(scene, disc):
-            assert snapshot.state.heights["exit"].min() >= 0.49
-            assert snapshot.state.heights["exit"].max() <= 0.51
+            assert snapshot.state.heights["lens.back"].min() >= 0.49
+            assert snapshot.state.heights["lens.back"].max() <= 0.51
             assert np.isfinite(snapshot.state.irradiance).all()
             emitted, *parts = snapshot.state.account.to_data().values()
             assert sum(parts) == pytest.approx(emitted, abs=2e-6)

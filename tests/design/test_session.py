@@ -22,7 +22,7 @@ def session(make_scene, rng):
     n_x, n_y = scene.receiver.pixels
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": 0.5 + 0.01 * rng.normal(size=scene.optic.net_shape)}),
+            heights=FaceArrays({"lens.back": 0.5 + 0.01 * rng.normal(size=scene.optic.net_shape)}),
             irradiance=np.ones((n_y, n_x)),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -45,7 +45,7 @@ def off(session, other):
     """How far apart the lenses of two sessions are."""
     nets = (ControlNet.of(each.scene.optic) for each in (session, other))
     one, two = nets
-    return deviation(one, session.heights["exit"], two, other.heights["exit"])
+    return deviation(one, session.heights["lens.back"], two, other.heights["lens.back"])
 
 
 def finer(lens, factor):
@@ -55,7 +55,7 @@ def finer(lens, factor):
 def test_a_net_that_holds_the_surface_keeps_the_result(session):
     other = edited(session, {NET: finer(session.scene.optic, 3)})
     result = other.result
-    assert result.state.heights["exit"].shape == other.scene.optic.control_points
+    assert result.state.heights["lens.back"].shape == other.scene.optic.control_points
     assert off(session, other) < 1e-15 * 10
     assert (result.state.loss, result.losses, result.state.irradiance) == (
         session.result.state.loss,
@@ -68,10 +68,10 @@ def test_a_net_that_holds_the_surface_keeps_the_result(session):
 def test_another_net_makes_the_nearest_lens_a_start(session):
     other = edited(session, {NET: [20, 20]})
     assert other.result is None
-    assert other.start["exit"].shape == (20, 20)
+    assert other.start["lens.back"].shape == (20, 20)
     assert 1e-6 < off(session, other) < 0.01
     again = edited(other, {NET: [9, 9]})
-    assert again.start["exit"].shape == (9, 9)
+    assert again.start["lens.back"].shape == (9, 9)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +111,7 @@ def test_limits_that_the_lens_is_within_keep_the_result(session, values):
 
 
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
-    locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
+    locked = FaceArrays({"lens.back": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     session = replace(session, locked=locked)
     assert edited(session, {"lens.half_width": [2.0, 2.0]}).locked is locked
     assert edited(session, {"images[0].receiver.position[2]": 7.0}).locked is locked
@@ -124,13 +124,15 @@ def test_another_unit_keeps_the_lens_and_its_light(session):
     assert (found.scene.unit, found.scene.receiver.z) == ("mm", 50)
     before, after = session.result, found.result
     np.testing.assert_allclose(
-        after.state.heights["exit"], 10 * before.state.heights["exit"], rtol=1e-15
+        after.state.heights["lens.back"], 10 * before.state.heights["lens.back"], rtol=1e-15
     )
     pixels = [each.scene.receiver.pixel_measure for each in (session, found)]
     np.testing.assert_allclose(
         after.state.irradiance * pixels[1], before.state.irradiance * pixels[0], rtol=1e-14
     )
     assert (after.state.loss, after.state.account) == (before.state.loss, before.state.account)
-    assert not after.state.heights["exit"].flags.writeable
+    assert not after.state.heights["lens.back"].flags.writeable
     start = replace(session, result=None, start=before.state.heights).in_unit("inch").start
-    np.testing.assert_allclose(start["exit"], before.state.heights["exit"] / 2.54, rtol=1e-15)
+    np.testing.assert_allclose(
+        start["lens.back"], before.state.heights["lens.back"] / 2.54, rtol=1e-15
+    )

@@ -77,8 +77,8 @@ def test_the_gradient_is_that_of_the_weighted_sum_of_images(make_scene, tmp_path
 
     def gradient(scene, target):
         z = torch.tensor(heights, requires_grad=True)
-        image = finest_image(scene, target, {"exit": torch.tensor(heights)})
-        error, _ = image.compare({"exit": z})
+        image = finest_image(scene, target, {"lens.back": torch.tensor(heights)})
+        error, _ = image.compare({"lens.back": z})
         error.square().sum().backward()
         return z.grad.numpy()
 

@@ -24,7 +24,7 @@ def best(scene):
 
 
 def tightest(scene, heights):
-    found = manufacture(scene.optic, {"exit": heights})
+    found = manufacture(scene.optic, {"lens.back": heights})
     return min(found.tightest_concave.value, found.tightest_convex.value)
 
 
@@ -49,7 +49,7 @@ def test_bending_energy_of_a_quadratic_face(make_scene, degree):
     changes = {"lens.half_width": [1.0, 0.7], "lens.degree": list(degree)}
     scene = make_scene(changes | {"run.smoothness": 1.0})
     r, s, t = 0.03, -0.02, 0.05
-    energy = smoothness_of(scene).faces["exit"].bending(quadratic(scene, r, s, t))
+    energy = smoothness_of(scene).faces["lens.back"].bending(quadratic(scene, r, s, t))
     assert energy.item() == pytest.approx((r**2 + 2 * s**2 + t**2) * 4 * 1.0 * 0.7, rel=1e-10)
 
 
@@ -59,25 +59,25 @@ def test_curvature_violation_of_a_quadratic_face(make_scene):
     scene = make_scene(size | {"run.min_radius": 2.0})
     heights = quadratic(scene, 0.5, 0.5, 0.5)  # principal curvatures 1 and 0
     found = smoothness_of(scene)
-    assert found.faces["exit"].curvature_violation(heights, 2.0).item() == pytest.approx(
+    assert found.faces["lens.back"].curvature_violation(heights, 2.0).item() == pytest.approx(
         1.0, rel=1e-4
     )
-    assert found.faces["exit"].curvature_violation(
+    assert found.faces["lens.back"].curvature_violation(
         2 * scene.optic.base.height - heights, 2.0
     ).item() == pytest.approx(1.0, rel=1e-4)
-    assert found.faces["exit"].curvature_violation(heights, 0.99).item() == 0
+    assert found.faces["lens.back"].curvature_violation(heights, 0.99).item() == 0
 
 
 def test_gradient_is_that_of_finite_differences(make_scene, rng):
     scene = make_scene({"run.smoothness": 0.01, "run.min_radius": 0.5})
     found = smoothness_of(scene)
     heights = torch.as_tensor(0.5 + 0.05 * rng.random((12, 10))).requires_grad_()
-    assert found.faces["exit"].curvature_violation(heights, 0.5).item() > 0
-    (gradient,) = torch.autograd.grad(found.penalty({"exit": heights}), [heights])
+    assert found.faces["lens.back"].curvature_violation(heights, 0.5).item() > 0
+    (gradient,) = torch.autograd.grad(found.penalty({"lens.back": heights}), [heights])
     ahead, step = torch.as_tensor(rng.normal(size=(12, 10))), 1e-6
     with torch.no_grad():
-        change = found.penalty({"exit": heights + step * ahead}) - found.penalty(
-            {"exit": heights - step * ahead}
+        change = found.penalty({"lens.back": heights + step * ahead}) - found.penalty(
+            {"lens.back": heights - step * ahead}
         )
     assert (gradient * ahead).sum().item() == pytest.approx(change.item() / (2 * step), rel=1e-6)
 
@@ -86,7 +86,7 @@ def test_penalty_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
     settings = {"run.smoothness": 0.01, "run.min_radius": 0.5}
     scene = make_scene(settings)
     heights = 0.5 + 0.05 * rng.random((12, 10))
-    penalty = smoothness_of(scene).penalty({"exit": torch.as_tensor(heights)}).item()
+    penalty = smoothness_of(scene).penalty({"lens.back": torch.as_tensor(heights)}).item()
     scaled = make_scene(
         {
             "lens.half_width": [10.0, 10.0],
@@ -98,14 +98,14 @@ def test_penalty_is_the_same_in_any_unit_and_on_any_net(make_scene, rng):
         }
     )
     assert smoothness_of(scaled).penalty(
-        {"exit": torch.as_tensor(10 * heights)}
+        {"lens.back": torch.as_tensor(10 * heights)}
     ).item() == pytest.approx(penalty, rel=1e-9)
     finer = make_scene(settings | {"lens.control_points": [21, 17]})  # twice as many spans
     refined = ControlNet.of(scene.optic).refine(heights, ControlNet.of(finer.optic))
-    assert smoothness_of(finer).faces["exit"].bending(
+    assert smoothness_of(finer).faces["lens.back"].bending(
         torch.as_tensor(refined)
     ).item() == pytest.approx(
-        smoothness_of(scene).faces["exit"].bending(torch.as_tensor(heights)).item(), rel=1e-9
+        smoothness_of(scene).faces["lens.back"].bending(torch.as_tensor(heights)).item(), rel=1e-9
     )
 
 
@@ -116,10 +116,10 @@ class TestRuns:
     def test_a_lens_keeps_to_the_smallest_radius(self, make_scene, method, iterations):
         task = self.NET | {"run": {"method": method, "iterations": iterations}}
         free = make_scene(task)
-        sharp = tightest(free, best(free).state.heights["exit"])
+        sharp = tightest(free, best(free).state.heights["lens.back"])
         limit = 1.5 * sharp
         task["run"]["min_radius"] = limit
         scene = make_scene(task)
         found = best(scene)
-        assert tightest(scene, found.state.heights["exit"]) >= 0.99 * limit
+        assert tightest(scene, found.state.heights["lens.back"]) >= 0.99 * limit
         assert found.state.loss < 0.7 * next(run(scene, DISC)).state.loss

@@ -61,5 +61,7 @@ def test_each_stage_begins_with_the_best_lens_before(make_scene, disc):
         handed = [s for s in snapshots if s.stage == before and s.best][-1]
         taken = next(s for s in snapshots if s.stage == before + 1)
         assert taken.best
-        assert taken.state.heights["exit"] == pytest.approx(handed.state.heights["exit"], abs=1e-9)
-    assert all(s.state.heights["exit"].shape == (9, 9) for s in snapshots)
+        assert taken.state.heights["lens.back"] == pytest.approx(
+            handed.state.heights["lens.back"], abs=1e-9
+        )
+    assert all(s.state.heights["lens.back"].shape == (9, 9) for s in snapshots)

@@ -86,7 +86,7 @@ def designed(task):
     """A design whose lens is that of its only kept run."""
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.5)}),
+            heights=FaceArrays({"lens.back": np.full(task.scene.optic.net_shape, 0.5)}),
             irradiance=task.target,
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),

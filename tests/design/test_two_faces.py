@@ -29,7 +29,10 @@ def uneven():
 
 def assert_apart(scene, heights):
     """The minimal thickness holds everywhere: each face is in the hull of its control points."""
-    assert heights["exit"].min() - heights["entrance"].max() >= scene.optic.min_thickness - 1e-12
+    assert (
+        heights["lens.back"].min() - heights["lens.front"].max()
+        >= scene.optic.min_thickness - 1e-12
+    )
     limits = HeightLimits.of_faces(bounded(scene))
     assert all(limits[face].hold(z) for face, z in heights.items())
 
@@ -41,7 +44,7 @@ def test_auto_shapes_both_faces_and_keeps_them_apart(make_scene, uneven):
     for shot in shots:
         assert_apart(scene, shot.state.heights)
     first, last = shots[1].state.heights, shots[-1].state.heights
-    assert list(last) == ["entrance", "exit"]
+    assert list(last) == ["lens.front", "lens.back"]
     assert all(np.abs(last[face] - first[face]).max() > 1e-5 for face in last)
 
 
@@ -49,7 +52,7 @@ def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, un
     scene = make_scene(FREEFORM)
     first = first_of(scene, uneven)
     flat = first_of(make_scene({"lens.height_range": None}), uneven)
-    alone = np.ptp(flat.heights["exit"])
+    alone = np.ptp(flat.heights["lens.back"])
     for z in first.heights.values():
         assert np.ptp(z) == pytest.approx(alone / 2, rel=0.1)
     assert "% by both faces, " in first.notes[0]
@@ -59,13 +62,13 @@ def test_the_first_lens_bends_parallel_light_by_half_at_each_face(make_scene, un
 def test_locked_control_points_of_the_entrance_face_stay(make_scene, uneven):
     scene = make_scene({**FREEFORM, "run.iterations": 2})
     start = {
-        "entrance": np.full(scene.optic.net_shape, 0.1),
-        "exit": np.full(scene.optic.net_shape, 0.5),
+        "lens.front": np.full(scene.optic.net_shape, 0.1),
+        "lens.back": np.full(scene.optic.net_shape, 0.5),
     }
     mask = np.zeros(scene.optic.net_shape, dtype=bool)
     mask[:, :4] = True
-    *_, last = run(scene, uneven, start, {"entrance": mask})
-    moved = last.state.heights["entrance"] != 0.1
+    *_, last = run(scene, uneven, start, {"lens.front": mask})
+    moved = last.state.heights["lens.front"] != 0.1
     assert not moved[mask].any()
     assert moved[~mask].all()
 
@@ -76,7 +79,7 @@ def test_sessions_keep_the_entrance_face_and_its_locks(make_scene, uneven, tmp_p
     )
     start = undesigned(scene.optic)
     mask = np.arange(63).reshape(7, 9) % 5 == 0
-    session = Session(scene, uneven, start=start, locked=FaceArrays({"entrance": mask}))
+    session = Session(scene, uneven, start=start, locked=FaceArrays({"lens.front": mask}))
     write_session(session, tmp_path / "two.freeform")
     again = read_session(tmp_path / "two.freeform")
     assert again.start == start

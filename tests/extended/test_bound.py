@@ -60,7 +60,7 @@ def test_no_lens_of_some_shapes_is_below_the_bound(make_scene, rng):
         0.5 - 0.1 * (u**2 + v**2),
         0.5 - 0.2 * u**2 + 0.002 * rng.normal(size=(n_u, n_v)),
     ):
-        image = validate(scene, target, FaceArrays({"exit": heights}), 200_000).irradiance
+        image = validate(scene, target, FaceArrays({"lens.back": heights}), 200_000).irradiance
         assert relative_l2(image, target) > found.relative_l2
 
 
@@ -75,7 +75,7 @@ def test_bound_of_a_disc_of_parallel_light_holds_for_a_lens_that_is_traced(make_
     n_x, r_x = scene.receiver.pixels[0], scene.receiver.half_width[0]
     assert found.blur.widths[0] == pytest.approx(np.radians(4) * away * n_x / (2 * r_x))
     assert found.relative_l2 > 0.05
-    plate = FaceArrays({"exit": np.full(scene.optic.net_shape, 0.5)})
+    plate = FaceArrays({"lens.back": np.full(scene.optic.net_shape, 0.5)})
     image = validate(scene, target, plate, 200_000).irradiance
     assert relative_l2(image, target) > found.relative_l2
 

@@ -26,7 +26,7 @@ def make_session(make_scene, rng):
         scene = make_scene({"lens.control_points": [net, net], "screen.pixels": [pixels, pixels]})
         result = Result(
             LensState(
-                heights=FaceArrays({"exit": 0.5 + 0.01 * rng.random((net, net))}),
+                heights=FaceArrays({"lens.back": 0.5 + 0.01 * rng.random((net, net))}),
                 irradiance=rng.random((pixels, pixels)),
                 loss=0.25,
                 account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
@@ -104,7 +104,9 @@ def check(write, first, tmp_path, kills):
 
 
 def moved(result):
-    return result.with_state(heights=FaceArrays({"exit": result.state.heights["exit"][::-1]}))
+    return result.with_state(
+        heights=FaceArrays({"lens.back": result.state.heights["lens.back"][::-1]})
+    )
 
 
 def test_a_session(make_session, tmp_path):

@@ -26,7 +26,7 @@ def session(rng):
         }
     )
     state = LensState(
-        heights=FaceArrays({"mirror": 0.05 * rng.normal(size=(7, 6))}),
+        heights=FaceArrays({"mirror.face": 0.05 * rng.normal(size=(7, 6))}),
         irradiance=0.01 * rng.random((4, 4)),
         loss=0.1,
         account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
@@ -42,7 +42,7 @@ def test_a_mirror_comes_back_from_its_session(session, tmp_path):
         header = json.loads(archive.read("session.json"))
         heights = np.load(io.BytesIO(archive.read("faces/mirror.face.npy")))
     assert [element["kind"] for element in header["scene"]["elements"]] == ["mirror"]
-    np.testing.assert_array_equal(heights, session.heights["mirror"])
+    np.testing.assert_array_equal(heights, session.heights["mirror.face"])
     again = read_session(path)
     assert again.scene == session.scene
-    np.testing.assert_array_equal(again.heights["mirror"], heights)
+    np.testing.assert_array_equal(again.heights["mirror.face"], heights)

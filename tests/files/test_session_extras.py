@@ -24,7 +24,7 @@ def make_run(make_scene, rng):
         scene = make_scene({"lens.control_points": list(net), "screen.pixels": list(pixels)})
         result = Result(
             LensState(
-                heights=FaceArrays({"exit": rng.random(net)}),
+                heights=FaceArrays({"lens.back": rng.random(net)}),
                 irradiance=rng.random(pixels[::-1]),
                 loss=0.25,
                 account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),
@@ -45,7 +45,7 @@ def session(make_run, rng):
         replace(make_run("coarse", (4, 4), (3, 2)), verified=checked),
         make_run("fein gemäß α = 4", losses=0),
     )
-    locked = FaceArrays({"exit": rng.random((5, 4)) < 0.5})
+    locked = FaceArrays({"lens.back": rng.random((5, 4)) < 0.5})
     return Session(design.scene, design.target, design.result, locked, runs, VIEW)
 
 
@@ -96,8 +96,8 @@ def test_everything_comes_back(session, path):
     write_session(session, path)
     found = read_session(path)
     assert_same(found, session)
-    assert found.locked["exit"].dtype == np.bool_
-    assert not found.locked["exit"].flags.writeable
+    assert found.locked["lens.back"].dtype == np.bool_
+    assert not found.locked["lens.back"].flags.writeable
     assert found.locked == session.locked
     assert [run.name for run in found.runs] == ["coarse", "fein gemäß α = 4"]
     for run, expected in zip(found.runs, session.runs, strict=True):
@@ -111,8 +111,8 @@ def test_a_lens_to_start_from_is_kept_until_there_is_a_result(session, path):
     write_session(replace(session, result=None, start=start), path)
     found = read_session(path)
     assert found.start == start
-    assert found.result is None and not found.start["exit"].flags.writeable
-    write_session(replace(session, start=FaceArrays({"exit": start["exit"] + 1})), path)
+    assert found.result is None and not found.start["lens.back"].flags.writeable
+    write_session(replace(session, start=FaceArrays({"lens.back": start["lens.back"] + 1})), path)
     assert read_session(path).start is None
 
 

@@ -29,7 +29,7 @@ def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": rng.random((5, 4))}),
+            heights=FaceArrays({"lens.back": rng.random((5, 4))}),
             irradiance=rng.random((6, 7)) / 3,
             loss=1 / 3,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1 - 1e-17),
@@ -103,7 +103,9 @@ class TestRoundTrip:
         again = read_session(path)
         assert again.scene == session.scene
         assert same(again.target, session.target)
-        assert same(again.result.state.heights["exit"], session.result.state.heights["exit"])
+        assert same(
+            again.result.state.heights["lens.back"], session.result.state.heights["lens.back"]
+        )
         assert same(again.result.state.irradiance, session.result.state.irradiance)
         assert same(again.result.losses, session.result.losses)
         assert again.result.state.loss == session.result.state.loss
@@ -123,7 +125,9 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
                 array = arrays[name.removesuffix(".npy")]
                 assert array.dtype == np.float64
                 assert array.flags.c_contiguous
-            assert np.array_equal(arrays["faces/lens.back"], session.result.state.heights["exit"])
+            assert np.array_equal(
+                arrays["faces/lens.back"], session.result.state.heights["lens.back"]
+            )
     assert header["format"] == "freeform-session"
     assert header["version"] == 3
     assert header["program"] == f"freeform-lens-workbench {__version__}"
@@ -140,8 +144,8 @@ def test_the_format_is_the_one_that_others_rely_on(session, path):
 class TestOpenDesign:
     def test_a_session(self, session, path):
         write_session(session, path)
-        found = open_design(path).result.state.heights["exit"]
-        assert same(found, session.result.state.heights["exit"])
+        found = open_design(path).result.state.heights["lens.back"]
+        assert same(found, session.result.state.heights["lens.back"])
 
 
 class TestRefused:
@@ -222,4 +226,6 @@ def test_no_damage_gets_past_the_refusals(session, path, data):
         assert "\n" not in str(refusal)
     else:
         assert same(again.target, session.target)
-        assert same(again.result.state.heights["exit"], session.result.state.heights["exit"])
+        assert same(
+            again.result.state.heights["lens.back"], session.result.state.heights["lens.back"]
+        )

@@ -20,7 +20,7 @@ def session(make_scene, rng):
     scene = make_scene({"lens.control_points": [5, 4], "screen.pixels": [7, 6]})
     result = Result(
         LensState(
-            heights=FaceArrays({"exit": rng.random((5, 4))}),
+            heights=FaceArrays({"lens.back": rng.random((5, 4))}),
             irradiance=rng.random((6, 7)),
             loss=0.25,
             account=account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1),

@@ -19,14 +19,14 @@ from workbench.geometry.faces import FaceArrays
 from workbench.scene import DrawnTarget, Scene
 
 PLACE = 1.75  # z of the front face
-NETS = {"exit": (5, 4), "entrance": (4, 6)}
+NETS = {"lens.back": (5, 4), "lens.front": (4, 6)}
 OLD = changed(
     {
         "version": 2,
         "lens.entrance_z": PLACE,
         "lens.base": {"shape": "flat", "height": 2.25},
-        "lens.control_points": list(NETS["exit"]),
-        "lens.entrance": {"shape": "freeform", "control_points": list(NETS["entrance"])},
+        "lens.control_points": list(NETS["lens.back"]),
+        "lens.entrance": {"shape": "freeform", "control_points": list(NETS["lens.front"])},
         "screen.pixels": [7, 6],
         "further_images": [
             {
@@ -48,7 +48,9 @@ def session(rng):
     account = account_of(1.0, 0.7, 0.1, 0.0, 0.0, 0.06, 0.04, 0.1)
 
     def result():
-        heights = {face: z + rng.random(NETS[face]) for face, z in (("exit", 2), ("entrance", 1.5))}
+        heights = {
+            face: z + rng.random(NETS[face]) for face, z in (("lens.back", 2), ("lens.front", 1.5))
+        }
         light = FurtherLight(rng.random((2, 3)), 0.5, account)
         state = LensState(FaceArrays(heights), rng.random((6, 7)), 0.25, account, further=(light,))
         return Result(state, losses=rng.random(3), seconds=2.0)
@@ -64,8 +66,8 @@ def old_entries(design):
     return {
         "target.npy": design.target,
         "further_target_1.npy": design.scene.images[1].wanted,
-        "control_points.npy": state.heights["exit"],
-        "entrance_points.npy": state.heights["entrance"],
+        "control_points.npy": state.heights["lens.back"],
+        "entrance_points.npy": state.heights["lens.front"],
         "irradiance.npy": state.irradiance,
         "further_irradiance_1.npy": state.further[0].irradiance,
         "loss.npy": design.result.losses,
@@ -84,8 +86,8 @@ def write_version_2(session, path):
     kept = Figures.of(run.result).model_dump(mode="json", exclude_none=True)
     header["runs"] = [{"name": run.name, "scene": OLD, "result": kept}]
     arrays = old_entries(session) | {
-        "locked.npy": session.locked["exit"],
-        "entrance_locked.npy": session.locked["entrance"],
+        "locked.npy": session.locked["lens.back"],
+        "entrance_locked.npy": session.locked["lens.front"],
     }
     arrays |= {f"runs/0/{name}": array for name, array in old_entries(run).items()}
     with zipfile.ZipFile(path, "w") as archive:
@@ -133,9 +135,9 @@ def test_heights_of_a_file_are_counted_from_the_front_vertex(session, tmp_path):
     path, heights = tmp_path / "lens.freeform", session.result.state.heights
     write_session(session, path)
     arrays = arrays_of(path)
-    np.testing.assert_array_equal(arrays["faces/lens.front.npy"], heights["entrance"] - PLACE)
-    np.testing.assert_array_equal(arrays["faces/lens.back.npy"], heights["exit"] - PLACE)
+    np.testing.assert_array_equal(arrays["faces/lens.front.npy"], heights["lens.front"] - PLACE)
+    np.testing.assert_array_equal(arrays["faces/lens.back.npy"], heights["lens.back"] - PLACE)
     write_session(replace(session, result=None, start=heights), path)
     start = arrays_of(path)["faces/lens.back.start.npy"]
-    np.testing.assert_array_equal(start, heights["exit"] - PLACE)
+    np.testing.assert_array_equal(start, heights["lens.back"] - PLACE)
     assert read_session(path).start == heights

@@ -26,14 +26,14 @@ def plate():
 @pytest.mark.parametrize("height", [-9.8, 0.0, 1e-12, 5.0, 4000.0])
 def test_a_face_that_touches_or_passes_another_is_refused(make_scene, plate, height):
     with pytest.raises(Refused, match="no body of glass") as refused:
-        check_body(make_scene(), {"exit": np.full_like(plate, height)})
+        check_body(make_scene(), {"lens.back": np.full_like(plate, height)})
     assert f"z = {height:.5g} cm at x = " in str(refused.value)
 
 
 def test_the_refusal_names_the_place(make_scene, plate):
     plate[11, 9] = -0.2  # the face passes through its corners
     with pytest.raises(Refused) as refused:
-        check_body(make_scene(), {"exit": plate})
+        check_body(make_scene(), {"lens.back": plate})
     assert str(refused.value) == (
         "lens: its exit face is at z = -0.2 cm at x = 1, y = 1, not above the entrance face at "
         "z = 0: that is no body of glass"
@@ -42,10 +42,10 @@ def test_the_refusal_names_the_place(make_scene, plate):
 
 def test_the_face_counts_and_not_its_control_points(make_scene, plate):
     plate[5, 5] = -0.2  # which the face does not come near
-    check_body(make_scene(), {"exit": plate})
+    check_body(make_scene(), {"lens.back": plate})
     plate[5, 5] = -2.0
     with pytest.raises(Refused, match="no body"):
-        check_body(make_scene(), {"exit": plate})
+        check_body(make_scene(), {"lens.back": plate})
 
 
 HALF = (1.0, 0.8)
@@ -98,30 +98,30 @@ def test_a_cylinder_across_the_axes():
 
 def test_arrays_of_faces_are_read_only():
     given = np.zeros((4, 5))
-    arrays = FaceArrays({"exit": given})
+    arrays = FaceArrays({"lens.back": given})
     given[0, 0] = 1
-    assert arrays["exit"][0, 0] == 0
+    assert arrays["lens.back"][0, 0] == 0
     with pytest.raises(ValueError, match="read-only"):
-        arrays["exit"][0, 0] = 1
+        arrays["lens.back"][0, 0] = 1
     with pytest.raises(TypeError):
-        arrays["exit"] = given
+        arrays["lens.back"] = given
 
 
 def test_equal_are_those_of_the_same_faces_and_values():
-    one = FaceArrays({"exit": np.zeros((4, 5)), "entrance": np.ones((3, 3))})
-    same = FaceArrays({"entrance": np.ones((3, 3)), "exit": np.zeros((4, 5))})
+    one = FaceArrays({"lens.back": np.zeros((4, 5)), "lens.front": np.ones((3, 3))})
+    same = FaceArrays({"lens.front": np.ones((3, 3)), "lens.back": np.zeros((4, 5))})
     assert one == same and hash(one) == hash(same)
-    assert one != FaceArrays({"exit": np.zeros((4, 5))})
-    assert one != FaceArrays({**one, "entrance": np.zeros((3, 3))})
-    assert one != FaceArrays({**one, "exit": np.zeros((5, 4))})
-    assert one != {"exit": np.zeros((4, 5))}
+    assert one != FaceArrays({"lens.back": np.zeros((4, 5))})
+    assert one != FaceArrays({**one, "lens.front": np.zeros((3, 3))})
+    assert one != FaceArrays({**one, "lens.back": np.zeros((5, 4))})
+    assert one != {"lens.back": np.zeros((4, 5))}
     assert not FaceArrays({})
 
 
 def test_other_processes_get_the_same_arrays():
-    arrays = FaceArrays({"exit": np.arange(20.0).reshape(4, 5)})
+    arrays = FaceArrays({"lens.back": np.arange(20.0).reshape(4, 5)})
     again = pickle.loads(pickle.dumps(arrays))
-    assert again == arrays and not again["exit"].flags.writeable
+    assert again == arrays and not again["lens.back"].flags.writeable
 
 
 RADIUS = 4.0
@@ -142,7 +142,7 @@ def test_each_face_is_seen_from_outside(make_scene):
     """The same height function is a hollow of the exit face and a hump of the entrance face."""
     changes = {"version": 2, "lens.entrance": {"shape": "freeform", "control_points": [40, 36]}}
     lens, heights = lens_of(make_scene, ball(RADIUS, 1), changes)
-    found = manufacture(lens, heights | {"entrance": heights["exit"] - 0.4})
+    found = manufacture(lens, heights | {"lens.front": heights["lens.back"] - 0.4})
     assert found.tool_radius.value == pytest.approx(RADIUS, rel=1e-3)
     assert found.entrance.tool_radius.value == math.inf
 

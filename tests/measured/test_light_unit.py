@@ -25,7 +25,7 @@ WAY = (DISTANCE + SCREEN - THICKNESS + THICKNESS / 1.5) / 100
 def middle(scene):
     """What is told of the light in the middle of the screen behind a plate."""
     net = ControlNet.of(scene.optic)
-    flat = {"exit": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
+    flat = {"lens.back": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
     count = 64 if scene.source.continuous else 1
     light = BeamPlan(scene, Corners(160, 160, count), dtype=torch.float64).trace(flat)
     density = (light.flux.numpy() / scene.receiver.pixel_measure)[19:21, 19:21].mean()

@@ -27,7 +27,7 @@ def test_a_plate_has_all_its_light_on_a_screen_that_just_holds_it(
     changes = {"source": source, "screen.half_width": [1.14, 1.14], "screen.pixels": [1, 8]}
     scene = make_scene(changes | {"filter": WIDE})
     heights = torch.full((12, 10), 0.5, dtype=torch.float64)
-    traced = Plan(scene, dtype=dtype, fused=fused, samples=samples).trace({"exit": heights})
+    traced = Plan(scene, dtype=dtype, fused=fused, samples=samples).trace({"lens.back": heights})
     account = traced.account
     assert account.lost["off_screen"] == 0
     met = (1 - account.lost["missed_lens"]) * 0.96 - account.lost["left_side"]
@@ -45,7 +45,7 @@ def test_the_account_does_not_depend_on_the_filter(make_scene, rng, source, samp
     for filter in ({"kind": "box"}, WIDE):
         scene = make_scene({"source": source, "filter": filter})
         plan = Plan(scene, dtype=torch.float64, fused=fused, samples=samples)
-        accounts.append(plan.trace({"exit": heights}).account.to_data())
+        accounts.append(plan.trace({"lens.back": heights}).account.to_data())
     assert accounts[0]["off_screen"] > 0.01
     assert accounts[1] == pytest.approx(accounts[0], abs=1e-12)
 

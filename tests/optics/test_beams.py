@@ -78,7 +78,7 @@ def test_compiled_beams_equal_the_reference(lit, wavy, rng):
     found = []
     for plan in tracers(lit, dtype=torch.float64):
         heights = wavy.clone().requires_grad_()
-        image, account = plan.trace({"exit": heights}, (4, 3))
+        image, account = plan.trace({"lens.back": heights}, (4, 3))
         (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
         found.append((image.detach(), gradient, account))
     (image, gradient, account), (twin, twins, other) = found
@@ -89,13 +89,15 @@ def test_compiled_beams_equal_the_reference(lit, wavy, rng):
 
 
 def test_the_account_of_beams_adds_up(lit, wavy):
-    _, account = BeamPlan(lit, (36, 28)).trace({"exit": wavy})
+    _, account = BeamPlan(lit, (36, 28)).trace({"lens.back": wavy})
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-12)
 
 
 def test_beams_and_many_rays_give_the_same_image(lit, wavy):
-    image, account = BeamPlan(lit, (400, 400), dtype=torch.float64).trace({"exit": wavy})
-    rays, others = Plan(lit, filter=BoxFilter(), samples=Corners(2400, 2400)).trace({"exit": wavy})
+    image, account = BeamPlan(lit, (400, 400), dtype=torch.float64).trace({"lens.back": wavy})
+    rays, others = Plan(lit, filter=BoxFilter(), samples=Corners(2400, 2400)).trace(
+        {"lens.back": wavy}
+    )
     assert (image - rays).norm() < 0.01 * rays.norm()
     assert account.on_screen == pytest.approx(others.on_screen, abs=1e-4)
 
@@ -136,7 +138,7 @@ def test_a_part_of_a_mirrored_lens_gives_the_whole_image(
     for promise in (mirrored, (False, False)):
         plan = BeamPlan(scene, (36, 28), dtype=torch.float64, mirrored=promise)
         heights = wavy.clone().requires_grad_()
-        image, account = plan.trace({"exit": heights}, (4, 3))
+        image, account = plan.trace({"lens.back": heights}, (4, 3))
         (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
         found.append((image.detach(), gradient, account.to_data()))
     (image, gradient, account), (whole, gradients, accounts) = found
@@ -154,6 +156,6 @@ def test_totally_reflected_light_is_in_the_account(make_scene):
         scene.optic.base.height + np.maximum(0.4 - ramp, 0)[:, None] * np.ones(8) * 5
     )
     for plan in tracers(scene):
-        _, account = plan.trace({"exit": heights})
+        _, account = plan.trace({"lens.back": heights})
         assert 0.2 < account.lost["total_reflection"] < 0.6
         assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-6)

@@ -63,10 +63,10 @@ def test_the_gradient_of_heights_is_that_of_the_image(lit, rng):
     plan = BeamPlan(scene, Corners(20, 24, 8), dtype=torch.float64)
     cotangent = torch.tensor(rng.standard_normal((14, 16)))
     heights = curved.clone().requires_grad_()
-    image = plan.trace({"exit": heights}).flux
+    image = plan.trace({"lens.back": heights}).flux
     (gradient,) = torch.autograd.grad((image * cotangent).sum(), [heights])
     way, step = torch.tensor(rng.standard_normal(curved.shape)), 1e-6
-    ahead, back = (plan.trace({"exit": curved + s * way}).flux for s in (step, -step))
+    ahead, back = (plan.trace({"lens.back": curved + s * way}).flux for s in (step, -step))
     rise = ((ahead - back) * cotangent).sum().item() / (2 * step)
     assert (gradient * way).sum().item() == pytest.approx(rise, rel=1e-5)
 

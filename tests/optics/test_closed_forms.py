@@ -35,7 +35,9 @@ def radii(scene):
 
 
 def irradiance(scene, heights, cells):
-    light = BeamPlan(scene, cells, dtype=torch.float64).trace({"exit": torch.as_tensor(heights)})
+    light = BeamPlan(scene, cells, dtype=torch.float64).trace(
+        {"lens.back": torch.as_tensor(heights)}
+    )
     return light.flux.numpy() / scene.receiver.pixel_measure
 
 
@@ -131,7 +133,7 @@ def test_a_hyperboloid_sends_parallel_light_through_one_point(make_scene):
 
     heights = interpolating(ControlNet.of(scene.optic), height)
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
-    arrival = path.walk({"exit": torch.as_tensor(heights)})
+    arrival = path.walk({"lens.back": torch.as_tensor(heights)})
     x, y = ((2 * (np.arange(n) + 0.5) / n - 1) for n in (50, 40))
     ahead = middle + focal - height(x[:, None], y)
     h = np.degrees(np.arctan2(-x[:, None], ahead))

@@ -25,7 +25,7 @@ def wavy(scene, rng, amplitude=0.02):
 @pytest.mark.parametrize("dtype", DTYPES)
 def test_a_flat_plate_does_not_deviate(make_scene, dtype):
     scene = make_scene()
-    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk({"exit": flat(scene)})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk({"lens.back": flat(scene)})
     x, y = places_of(arrival, scene.receiver)
     centres = (np.arange(64) + 0.5) / 32 - 1
     assert np.abs(x.numpy() - centres[:, None]).max() < 1e-6
@@ -47,7 +47,7 @@ def test_a_plano_hyperbolic_lens_focuses_to_one_point(make_scene):
     sites = (x + 1) / 2, (y + 1) / 2
     basis = net.grid(*sites)
     heights = np.linalg.solve(basis.along_x, np.linalg.solve(basis.along_y.T, (0.6 + w).T).T)
-    arrival = Path.of(scene, net, torch.float64).walk({"exit": torch.as_tensor(heights)})
+    arrival = Path.of(scene, net, torch.float64).walk({"lens.back": torch.as_tensor(heights)})
     assert arrival.rays.alive.all()
     assert all(place.abs().max() < 1e-7 for place in places_of(arrival, scene.receiver))
 
@@ -56,7 +56,7 @@ def test_the_walk_follows_snells_law(make_scene, rng):
     scene = make_scene({"lens.refractive_index": 1.7})
     heights = wavy(scene, rng)
     net = ControlNet.of(scene.optic)
-    arrival = Path.of(scene, net, torch.float64).walk({"exit": heights})
+    arrival = Path.of(scene, net, torch.float64).walk({"lens.back": heights})
     t = (np.arange(64) + 0.5) / 64
     z, slope_x, slope_y = (torch.as_tensor(a) for a in net.grid(t, t).evaluate(heights.numpy()))
     length = (1 + slope_x**2 + slope_y**2).sqrt()
@@ -76,7 +76,7 @@ def test_the_walk_follows_snells_law(make_scene, rng):
 def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, amplitude, kind, dtype):
     scene = make_scene({"filter": {"kind": kind}, "source.rays": [128, 100]})
     heights = wavy(scene, rng, amplitude).requires_grad_()
-    traced = Plan(scene, dtype=dtype).trace({"exit": heights})
+    traced = Plan(scene, dtype=dtype).trace({"lens.back": heights})
     emitted, *parts = traced.account.to_data().values()
     assert emitted == 1
     assert min(parts) >= -1e-6
@@ -94,7 +94,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng):
     heights = wavy(scene, rng).requires_grad_()
 
     def value(h):
-        return (plan.trace({"exit": h}).flux * cotangent).sum()
+        return (plan.trace({"lens.back": h}).flux * cotangent).sum()
 
     (gradient,) = torch.autograd.grad(value(heights), heights)
     direction = torch.as_tensor(rng.normal(size=(6, 7)))
@@ -107,8 +107,8 @@ def test_gradient_is_that_of_central_differences(make_scene, rng):
 def test_paths_end_where_the_trace_does(make_scene, rng):
     scene = make_scene({"source.rays": [5, 4]})
     heights = wavy(scene, rng)
-    paths = ray_paths(scene, {"exit": heights.numpy()}, (5, 4))
-    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"exit": heights})
+    paths = ray_paths(scene, {"lens.back": heights.numpy()}, (5, 4))
+    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"lens.back": heights})
     assert paths.points.shape == (20, 4, 3)
     assert paths.points[:, 3, 0] == pytest.approx(
         places_of(arrival, scene.receiver)[0].numpy().ravel()

@@ -32,7 +32,7 @@ SOURCES = pytest.mark.parametrize("source", ALL.values(), ids=ALL.keys())
 def light_of(scene, heights, samples=None, dtype=torch.float64):
     """The light of a lens before it becomes an image, by samples or by rays that search."""
     path = Path.of(scene, ControlNet.of(scene.optic), dtype, samples=samples)
-    return Reference(path).arrival({"exit": heights})
+    return Reference(path).arrival({"lens.back": heights})
 
 
 def image_of(arrival, scene):
@@ -66,7 +66,9 @@ def test_irradiance_behind_a_thin_plate_falls_with_a_power_of_the_cosine(
     scene = make_scene({"source": source, **THIN_PLATE})
     heights = torch.full(scene.optic.net_shape, 1e-6, dtype=torch.float64)
     # 50 rows and columns of samples light a pixel; its edges cut one off, or do not.
-    traced = Plan(scene, samples=Corners(1001, 1003), dtype=torch.float64).trace({"exit": heights})
+    traced = Plan(scene, samples=Corners(1001, 1003), dtype=torch.float64).trace(
+        {"lens.back": heights}
+    )
     expected = behind_thin_plate(scene, emission, power)
     assert traced.flux.numpy() == pytest.approx(expected, rel=0.045)
     assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=2e-3)
@@ -105,7 +107,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitu
     heights = (3.0 + amplitude * noise).requires_grad_()
     for fused in (False, True):
         plan = Plan(scene, samples=Corners(60, 50), dtype=dtype, fused=fused)
-        traced = plan.trace({"exit": heights})
+        traced = plan.trace({"lens.back": heights})
         emitted, *where = traced.account.to_data().values()
         assert sum(where) == pytest.approx(emitted, abs=1e-9 if dtype == torch.float64 else 3e-6)
         (gradient,) = torch.autograd.grad(traced.flux.square().sum(), heights)
@@ -132,7 +134,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, position, degr
     wanted = torch.as_tensor(rng.random((7, 7)))
 
     def loss(h):
-        flux = plan.trace({"exit": h}).flux
+        flux = plan.trace({"lens.back": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 7
 
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)

@@ -37,7 +37,7 @@ def squares(net, axis):
 
 def walked(scene, heights):
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
-    return path.walk({"mirror": torch.as_tensor(heights)})
+    return path.walk({"mirror.face": torch.as_tensor(heights)})
 
 
 def total(arrival):
@@ -151,11 +151,11 @@ def test_slopes_of_hits_are_those_of_central_differences(source):
         return (torch.where(arrival.rays.alive, arrival.column, 0.0) * weight).sum()
 
     at = torch.tensor(heights, requires_grad=True)
-    arrival = path.walk({"mirror": at})
+    arrival = path.walk({"mirror.face": at})
     (torch.where(arrival.rays.alive, arrival.column, 0.0) * weight).sum().backward()
     slope = (value(1e-5) - value(-1e-5)).item() / 2e-5
     assert (at.grad.numpy() * change).sum() == pytest.approx(slope, rel=1e-6)
 
 
 def _at(heights):
-    return {"mirror": torch.as_tensor(heights)}
+    return {"mirror.face": torch.as_tensor(heights)}

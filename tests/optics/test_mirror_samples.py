@@ -38,7 +38,7 @@ def sampled(scene, heights, corners):
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=corners)
     train = SampledTrain.of(path)
     assert train is not None
-    return SampledWalk(train, path).walk({"mirror": torch.as_tensor(heights)})
+    return SampledWalk(train, path).walk({"mirror.face": torch.as_tensor(heights)})
 
 
 @pytest.mark.parametrize("source", SOURCES)
@@ -48,7 +48,7 @@ def test_light_goes_on_as_that_of_rays_that_search(source):
     heights = np.zeros((9, 7))
     corners = Corners(20, 16, 1)
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=corners)
-    walked = path.walk({"mirror": torch.as_tensor(heights)})
+    walked = path.walk({"mirror.face": torch.as_tensor(heights)})
     arrival = sampled(scene, heights, corners)
     assert torch.allclose(arrival.column, walked.column, rtol=0, atol=1e-9)
     assert torch.allclose(arrival.row, walked.row, rtol=0, atol=1e-9)

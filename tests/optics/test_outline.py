@@ -17,7 +17,7 @@ ROUND = {"lens.outline": "ellipse", "lens.half_width": [1.0, 0.8]}
 
 
 def plate(scene):
-    return {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    return {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
 
 
 def test_the_image_of_a_plate_is_the_ellipse(make_scene):
@@ -51,7 +51,7 @@ def test_the_gradient_at_the_rim_is_that_of_differences(make_scene, source, rng)
     cotangent = torch.tensor(rng.standard_normal((32, 32)))
 
     def value(heights):
-        return (plan.trace({"exit": heights}).flux * cotangent).sum()
+        return (plan.trace({"lens.back": heights}).flux * cotangent).sum()
 
     leaf = heights.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(value(leaf), leaf)
@@ -71,7 +71,7 @@ def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
     screen = {"z": focus, "half_width": [0.4, 0.4], "pixels": [64, 64]}
     changes |= {"lens.outline": "ellipse", "lens.height_range": [-0.5, 0.5], "screen": screen}
     scene = make_scene(changes)
-    lens = {"exit": net_of(scene, scene.optic.base.height_at)}
+    lens = {"lens.back": net_of(scene, scene.optic.base.height_at)}
     paths = ray_paths(scene, lens, (15, 15))
     _, _, exits, hits = paths.points.transpose(1, 0, 2)
     h = np.hypot(exits[:, 0], exits[:, 1])
@@ -84,7 +84,7 @@ def test_a_round_plano_convex_lens_focuses_like_its_closed_form(make_scene):
         math.asin(n / radius) - math.asin(1 / radius)
     ) - 1
     image, account = BeamPlan(scene, (200, 200), dtype=torch.float64).trace(
-        {"exit": torch.tensor(lens["exit"])}
+        {"lens.back": torch.tensor(lens["lens.back"])}
     )
     x = (np.arange(64) + 0.5) / 64 * 0.8 - 0.4
     lit = image.numpy() > 1e-9

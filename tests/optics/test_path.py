@@ -35,7 +35,9 @@ def total(arrival):
 @pytest.mark.parametrize("dtype", [torch.float32, torch.float64])
 def test_arrived_and_lost_light_add_up_to_all_light(make_scene, source, dtype):
     scene = make_scene({"source": source})
-    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk({"exit": smooth(scene, 0.2)})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), dtype).walk(
+        {"lens.back": smooth(scene, 0.2)}
+    )
     assert total(arrival) == pytest.approx(1, abs=1e-12 if dtype == torch.float64 else 1e-6)
     assert min(flux.item() for flux in arrival.lost.values()) >= -1e-6
 
@@ -60,7 +62,7 @@ def test_a_plate_in_pieces_is_the_plate(make_scene, source):
         seed=0,
         dtype=torch.float64,
     )
-    heights = {"exit": smooth(scene)}
+    heights = {"lens.back": smooth(scene)}
     one, other = whole.walk(heights), pieces.walk(heights)
     for here, there in zip(
         (one.column, one.row, one.rays.flux),

@@ -41,7 +41,7 @@ def towards(scene, origin, count=40):
 def walked(scene, rays, heights, dtype=torch.float64):
     """Given rays at the receiver."""
     return with_rays(Path.of(scene, ControlNet.of(scene.optic), dtype), rays).walk(
-        {"exit": heights}
+        {"lens.back": heights}
     )
 
 
@@ -70,7 +70,7 @@ class TestFlatPlate:
         source = {"kind": "point", "position": [0, 0, -1.0], "rays": 1 << 20}
         scene = make_scene({"source": source | {"emission": emission}, **THIN_PLATE})
         heights = torch.full(scene.optic.net_shape, 1e-6, dtype=torch.float64)
-        traced = Plan(scene, dtype=torch.float64).trace({"exit": heights})
+        traced = Plan(scene, dtype=torch.float64).trace({"lens.back": heights})
         expected = behind_thin_plate(scene, emission, power)
         assert traced.flux.numpy() == pytest.approx(expected, rel=0.02)
         assert traced.flux.sum().item() == pytest.approx(expected.sum(), rel=1e-3)
@@ -98,7 +98,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
     for aperture in (0.01, 0.02, 0.4):
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
         rays = bundle([[aperture, 0, 0]], direction, [1])
-        (_, (start, _, depth)), hits = path.follow(rays, {"exit": control})
+        (_, (start, _, depth)), hits = path.follow(rays, {"lens.back": control})
         slope = (places_of(hits, scene.receiver)[0] - start) / (60.0 - depth)
         crossings.append((depth - start / slope).item())
     paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order
@@ -114,7 +114,7 @@ def test_the_account_adds_up_and_nothing_is_nan(make_scene, rng, source, amplitu
     scene = make_scene({"filter": {"kind": kind}, "source": source, "lens.degree": [2, 3]})
     noise = torch.as_tensor(rng.uniform(-1, 1, size=scene.optic.net_shape))
     heights = (3.5 + amplitude * noise).requires_grad_()
-    traced = Plan(scene, dtype=dtype).trace({"exit": heights})
+    traced = Plan(scene, dtype=dtype).trace({"lens.back": heights})
     emitted, where = parts(traced.account)
     assert emitted == 1
     assert min(where) >= -1e-6
@@ -143,7 +143,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree
     wanted = torch.as_tensor(rng.random((8, 8)))
 
     def loss(h):
-        flux = plan.trace({"exit": h}).flux
+        flux = plan.trace({"lens.back": h}).flux
         return (flux / flux.sum() - wanted / wanted.sum()).norm() / 8
 
     x, y = (torch.as_tensor(c) for c in ControlNet.of(scene.optic).positions)
@@ -156,7 +156,7 @@ def test_gradient_is_that_of_central_differences(make_scene, rng, source, degree
 class TestHardCases:
     def gradient_of(self, plan, heights):
         heights = heights.clone().requires_grad_()
-        traced = plan.trace({"exit": heights})
+        traced = plan.trace({"lens.back": heights})
         (gradient,) = torch.autograd.grad(traced.flux.sum(), heights)
         assert torch.isfinite(traced.flux).all()
         assert torch.isfinite(gradient).all()

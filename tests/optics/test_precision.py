@@ -19,7 +19,7 @@ def images(scene):
     waves = 1e-7 * rng.normal(size=net)
     heights = torch.tensor(scene.optic.base.height + 0.019 + waves)
     return [
-        Plan(scene, dtype=t).trace({"exit": heights}).flux
+        Plan(scene, dtype=t).trace({"lens.back": heights}).flux
         for t in (torch.float32, torch.float64, None)
     ]
 
@@ -48,7 +48,9 @@ def test_light_of_a_source_that_nearly_touches_the_lens_is_traced_in_float64(mak
     assert precision_of(common) is torch.float32
 
     def account(scene, dtype):
-        heights = {"exit": torch.full(scene.optic.control_points, scene.optic.base.height).double()}
+        heights = {
+            "lens.back": torch.full(scene.optic.control_points, scene.optic.base.height).double()
+        }
         corners = Corners(16, 16, 16)
         lost = BeamPlan(scene, corners, dtype=dtype).trace(heights).account.to_data()
         return np.array(list(lost.values()))

@@ -88,7 +88,7 @@ def dome():
     )
     x, y = ControlNet.of(scene.optic).positions
     heights = 1.5 + np.sqrt(RADIUS**2 - x[:, None] ** 2 - y**2)
-    return scene, {"exit": torch.as_tensor(heights)}
+    return scene, {"lens.back": torch.as_tensor(heights)}
 
 
 @pytest.mark.parametrize("mirrored", [(False, False), (True, False), (True, True)])
@@ -113,7 +113,7 @@ def steep(scene):
     x, y = ControlNet.of(scene.optic).positions
     rise = 1.2 * np.clip(x - 0.3, 0, None)[:, None] * (y > 0.1)
     heights = {face: np.zeros(net.shape) for face, net in freeform_nets(scene.optic).items()}
-    return heights | {"exit": 0.5 + rise}
+    return heights | {"lens.back": 0.5 + rise}
 
 
 POINT = {"source": {"kind": "point", "position": [0, 0, -2.0], "rays": 60_000}}
@@ -135,7 +135,7 @@ def test_totally_reflected_rays_lie_on_the_steep_part_and_carry_the_flux_of_the_
     assert found.share == pytest.approx(account.lost["total_reflection"], rel=0.05)
     x, y, z = found.places.T
     assert x.min() > 0.2 and y.min() > -0.1
-    exact, *_ = ControlNet.of(scene.optic).at(x, y, heights["exit"])
+    exact, *_ = ControlNet.of(scene.optic).at(x, y, heights["lens.back"])
     np.testing.assert_allclose(z, exact, atol=1e-9)
     x, y = found.middle
     assert x > 0.3 and y > (0.0 if source else 0.1)  # near light is brightest about the axis

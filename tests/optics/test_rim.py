@@ -91,8 +91,8 @@ def spreading(make_scene, outline):
     u, v = np.linspace(-1, 1, n_u)[:, None], np.linspace(-1, 1, n_v)
     dome = -0.1 * (u**2 + v**2)  # a hollow, which spreads light
     return scene, {
-        "entrance": torch.tensor(dome),
-        "exit": torch.tensor(scene.optic.base.height + 0 * dome),
+        "lens.front": torch.tensor(dome),
+        "lens.back": torch.tensor(scene.optic.base.height + 0 * dome),
     }
 
 

@@ -26,11 +26,11 @@ def lit(make_scene, lens, outline="rectangle"):
     source = LED | {"outline": outline}
     net = {"lens.control_points": [7, 6], "version": 2}
     scene = make_scene({**net, **SCREEN, **lens, "source": source})
-    levels = {"entrance": 0.0, "exit": scene.optic.base.height}
+    levels = {"lens.front": 0.0, "lens.back": scene.optic.base.height}
     heights = {}
     for face, net in freeform_nets(scene.optic).items():
         along = (np.linspace(-1, 1, count) ** 2 for count in net.shape)
-        curved = levels[face] - 0.1 * np.add.outer(*along) * (1 if face == "exit" else -1)
+        curved = levels[face] - 0.1 * np.add.outer(*along) * (1 if face == "lens.back" else -1)
         heights[face] = torch.as_tensor(curved)
     return scene, heights
 

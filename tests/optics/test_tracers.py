@@ -73,7 +73,7 @@ def test_no_kernel_stands_for_an_interface_that_it_does_not_know(make_scene, sou
     window = changed(path, steps=[entrance, exit_face._replace(interface=Unchanged())])
     assert not is_compiled(window)
     # Without refraction at the exit, light keeps its direction: more of it passes the screen by.
-    light = Reference(window).image({"exit": smooth(scene)}, scene.filter)
+    light = Reference(window).image({"lens.back": smooth(scene)}, scene.filter)
     assert light.account.lost["fresnel_exit"] == 0
     assert sum(account(light).values()) == pytest.approx(2, abs=1e-12)  # and once as emitted
 
@@ -94,7 +94,7 @@ def test_samples_of_the_face_come_from_where_their_light_entered(make_scene):
     entrance, exit_face = path.steps
     steps = [entrance, exit_face._replace(interface=measuring)]
     Reference(changed(path, steps=steps)).arrival(
-        {"exit": torch.full((12, 10), 0.5, dtype=torch.float64)}
+        {"lens.back": torch.full((12, 10), 0.5, dtype=torch.float64)}
     )
     # Straight on the axis, and refracted where light enters at the radius e: e + d tan = ρ.
     assert measuring.way[15, 15].item() == pytest.approx(0.5)

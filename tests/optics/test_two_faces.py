@@ -35,7 +35,7 @@ EACH = pytest.mark.parametrize("source", SOURCES.values(), ids=SOURCES)
 
 def wavy(scene, rng, size=0.03):
     """Both faces of a lens, bent a little at random."""
-    levels = {"entrance": 0.0, "exit": 0.6}
+    levels = {"lens.front": 0.0, "lens.back": 0.6}
     return {
         face: torch.as_tensor(levels[face] + size * rng.uniform(-1, 1, net.shape))
         for face, net in freeform_nets(scene.optic).items()
@@ -66,7 +66,7 @@ def test_all_light_is_accounted_for_behind_two_faces(make_scene, rng, source):
 
 
 @EACH
-@pytest.mark.parametrize("face", ["entrance", "exit"])
+@pytest.mark.parametrize("face", ["lens.front", "lens.back"])
 def test_the_gradient_of_each_face_is_that_of_differences(make_scene, rng, source, face):
     scene = make_scene({**LENS, "version": 2, "source": source})
     heights = wavy(scene, rng, 0.01)
@@ -103,10 +103,10 @@ def test_two_hyperboloids_image_a_point_into_a_point(make_scene):
     )
     nets = freeform_nets(scene.optic)
     heights = {
-        "entrance": round_face(nets["entrance"], lambda r: rise(r, before)),
-        "exit": round_face(nets["exit"], lambda r: thickness - rise(r, behind)),
+        "lens.front": round_face(nets["lens.front"], lambda r: rise(r, before)),
+        "lens.back": round_face(nets["lens.back"], lambda r: thickness - rise(r, behind)),
     }
-    path = Path.of(scene, nets["exit"], torch.float64)
+    path = Path.of(scene, nets["lens.back"], torch.float64)
     arrival = path.walk(heights)
     assert arrival.rays.alive.sum() > 900
     at = torch.stack(places_of(arrival, scene.receiver))[:, arrival.rays.alive]
@@ -126,12 +126,12 @@ def test_an_afocal_pair_makes_a_parallel_beam_narrower(make_scene):
     scene = fine(make_scene, {"source": source, "screen.z": 30.0})
     nets = freeform_nets(scene.optic)
     heights = {
-        "entrance": round_face(nets["entrance"], rise),
-        "exit": round_face(
-            nets["exit"], lambda r: distance + factor * (rise(r / factor) - distance)
+        "lens.front": round_face(nets["lens.front"], rise),
+        "lens.back": round_face(
+            nets["lens.back"], lambda r: distance + factor * (rise(r / factor) - distance)
         ),
     }
-    path = Path.of(scene, nets["exit"], torch.float64)
+    path = Path.of(scene, nets["lens.back"], torch.float64)
     arrival = path.walk(heights)
     assert arrival.rays.alive.all()
     d_x, d_y, _ = arrival.rays.direction

@@ -18,8 +18,8 @@ def state():
     def make(scene, offset=0.0, rays=(5, 5)):
         heights = np.full(scene.optic.net_shape, 0.5 + offset)
         return (
-            sample_faces(scene.optic, {"exit": heights}, (17, 17)),
-            ray_paths(scene, {"exit": heights}, rays),
+            sample_faces(scene.optic, {"lens.back": heights}, (17, 17)),
+            ray_paths(scene, {"lens.back": heights}, rays),
             np.zeros(scene.receiver.pixels[::-1]),
         )
 
@@ -129,7 +129,7 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
     scene = make_scene({"version": 2, "lens.entrance": {"shape": "freeform"}})
     entrance, exit_face = np.full((12, 10), 0.1), np.full((12, 10), 0.5)
     entrance[5:7, 4:6] = -0.4
-    heights = {"entrance": entrance, "exit": exit_face}
+    heights = {"lens.front": entrance, "lens.back": exit_face}
     picture = LensPicture(plotter, scene, np.ones((32, 32)))
     faces = sample_faces(scene.optic, heights, (33, 33))
     picture.update(faces, ray_paths(scene, heights, (3, 3)), np.zeros((32, 32)))
@@ -139,7 +139,7 @@ def test_both_faces_are_drawn_where_they_are(make_scene, plotter):
         if actor.GetPickable() and hasattr(actor, "mapper")
     ]
     (dented,) = (mesh for mesh in meshes if mesh.points[:, 2].min() < 0)
-    assert dented.points[:, 2].min() == pytest.approx(faces["entrance"][..., 2].min())
+    assert dented.points[:, 2].min() == pytest.approx(faces["lens.front"][..., 2].min())
     (walls,) = (mesh for mesh in meshes if mesh.faces.size == 4 * 32 * 5)
     assert np.unique(walls.points[:, 2].round(6)).tolist() == pytest.approx([0.1, 0.5])
 

@@ -51,7 +51,7 @@ def maps(make_scene):
     """A bowl that is deeper along x: thickest at the rim, bent most along x."""
     lens = make_scene({"lens.half_width": [1.0, 0.8]}).optic
     x, y = ControlNet.of(lens).positions
-    return surface_maps(lens, {"exit": 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2}, (41, 33))
+    return surface_maps(lens, {"lens.back": 0.5 + 0.2 * x[:, None] ** 2 + 0.1 * y**2}, (41, 33))
 
 
 def drawn(maps, limits):

@@ -14,7 +14,7 @@ def net(make_scene, plotter):
     """The net of 12 × 10 control points, seen as the default view has it; one of them marked."""
     scene = make_scene()
     LensPicture(plotter, scene, np.ones((32, 32))).fit()
-    net = ControlNetPicture(plotter, scene.optic, "exit")
+    net = ControlNetPicture(plotter, scene.optic, "lens.back")
     net.update(np.full((12, 10), 0.5))
     net.mark((0, 0))
     plotter.render()
@@ -35,7 +35,7 @@ def test_nothing_is_picked_beside_the_lens(net, plotter):
 def test_points_of_the_entrance_face_lie_outside_the_glass(make_scene, plotter):
     scene = make_scene({"lens.entrance": {"shape": "freeform", "control_points": [6, 7]}})
     LensPicture(plotter, scene, np.ones((32, 32))).fit("entrance")
-    net = ControlNetPicture(plotter, scene.optic, "entrance")
+    net = ControlNetPicture(plotter, scene.optic, "lens.front")
     net.update(np.zeros((6, 7)))
     net.show(True)
     assert shown(net._points) == 42 and (net._points._mesh.points[:, 2] < 0).all()
@@ -52,7 +52,7 @@ def shown(dots):
 def test_points_of_a_fine_net_are_picked_where_they_are_seen(make_scene, plotter, view, rng):
     scene = make_scene({"lens.control_points": [64, 50]})
     LensPicture(plotter, scene, np.ones((32, 32))).fit(view)
-    net = ControlNetPicture(plotter, scene.optic, "exit")
+    net = ControlNetPicture(plotter, scene.optic, "lens.back")
     # Tilted, so that none hides another when seen from the side or from above.
     tilt = np.linspace(-0.2, 0.2, 64)[:, None] + np.linspace(-0.1, 0.1, 50)
     net.update(0.5 + tilt)

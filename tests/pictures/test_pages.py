@@ -111,7 +111,7 @@ def kept(make_scene):
         session = begin(make_scene(changes), Path())
         n_x, n_y = session.scene.receiver.pixels
         state = LensState(
-            heights=FaceArrays({"exit": np.full(session.scene.optic.net_shape, 0.5)}),
+            heights=FaceArrays({"lens.back": np.full(session.scene.optic.net_shape, 0.5)}),
             irradiance=np.broadcast_to(light, (n_y, n_x)).copy(),
             loss=0.1,
             account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),

@@ -49,6 +49,6 @@ def test_slope_is_an_angle_on_a_scale_from_zero(scene, axes):
 def test_the_entrance_face_is_shown_from_its_own_place(make_scene, axes):
     entrance = {"shape": "freeform", "control_points": [6, 7], "height_range": [-0.1, 0.1]}
     scene = make_scene({"lens.entrance": entrance, "lens.entrance_z": -0.2})
-    image = SurfaceImage(axes, scene, NAMED["height"], "entrance")
+    image = SurfaceImage(axes, scene, NAMED["height"], "lens.front")
     image.update(np.full((6, 7), -0.15))
     np.testing.assert_allclose(image.values, 0.05, rtol=1e-12)

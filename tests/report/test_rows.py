@@ -31,7 +31,7 @@ def test_report_says_what_no_lens_is_below(make_scene, rng):
 def checked(make_scene, tmp_path):
     """A flat plate before 4,000 rays of a file, on an image that their number makes rough."""
     scene = make_scene({**PLATE, "source": led(tmp_path, 4000), "screen.half_width": [1.0, 1.0]})
-    heights = {"exit": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
+    heights = {"lens.back": net_of(scene, lambda x, y: np.full_like(x + y, 0.5))}
     even = validate(scene, np.ones((40, 40)), heights, 4000, accuracy=1e-3)
     return validate(scene, even.by_cells.irradiance, heights, 4000, accuracy=1e-3)
 

@@ -118,7 +118,7 @@ def _named(name):
 def test_derivative_examples_are_the_cases_of_the_paper(name, sum_below, reaches_border):
     scene = Scene.from_json(_named(name).file.read_bytes())
     flat = np.full(scene.optic.net_shape, scene.optic.base.height)
-    found = irradiance_derivative(scene, {"exit": flat}, (4, 4))
+    found = irradiance_derivative(scene, {"lens.back": flat}, (4, 4))
     inside = np.count_nonzero(found.map[1:-1, 1:-1])
     assert (np.count_nonzero(found.map) > inside) == reaches_border
     assert abs(found.sum) < sum_below * found.flux

@@ -15,7 +15,7 @@ FREEFORM = {"shape": "freeform"}
 def test_a_lens_has_a_plane_entrance_face(make_scene):
     scene = make_scene()
     assert scene.optic.entrance == PlaneFace()
-    assert list(freeform_nets(scene.optic)) == ["exit"]
+    assert list(freeform_nets(scene.optic)) == ["lens.back"]
     assert scene.optic.entrance_range == (0.0, 0.0)
 
 
@@ -23,7 +23,7 @@ def test_a_freeform_entrance_face_comes_back(make_scene):
     given = {"shape": "freeform", "control_points": [7, 9], "degree": [2, 4]}
     scene = make_scene({"lens.entrance": {**given, "height_range": [-0.1, 0.2]}})
     assert Scene.from_json(scene.to_json()) == scene
-    net = freeform_nets(scene.optic)["entrance"]
+    net = freeform_nets(scene.optic)["lens.front"]
     assert (net.shape, net.degree, net.half_width) == ((7, 9), (2, 4), (1.0, 1.0))
 
 
@@ -31,8 +31,8 @@ def test_an_entrance_net_follows_the_exit_net_unless_it_is_given(make_scene):
     lens = make_scene({"lens.entrance": FREEFORM}).optic
     assert lens.entrance == SplineFace()
     nets = freeform_nets(lens)
-    assert nets["entrance"] == nets["exit"]
-    assert list(nets) == ["entrance", "exit"]  # as light meets them
+    assert nets["lens.front"] == nets["lens.back"]
+    assert list(nets) == ["lens.front", "lens.back"]  # as light meets them
 
 
 def test_sources_are_judged_at_the_lowest_place_of_the_entrance_face(make_scene):
@@ -84,14 +84,14 @@ def test_an_automatic_entrance_face_has_half_of_thick_glass_for_several_images(m
 def test_limits_keep_both_faces_apart_by_the_minimal_thickness(make_scene, entrance):
     lens = make_scene({"lens.entrance": entrance}).optic
     limits = HeightLimits.of_faces(lens)
-    assert limits["exit"].lower.min() - limits["entrance"].upper.max() >= 0.05 - 1e-15
+    assert limits["lens.back"].lower.min() - limits["lens.front"].upper.max() >= 0.05 - 1e-15
     heights = undesigned(lens)
     assert all(limits[face].hold(each) for face, each in heights.items())
 
 
 def test_an_undesigned_entrance_face_is_in_the_middle_of_its_own_range(make_scene):
     lens = make_scene({"lens.entrance": {**FREEFORM, "height_range": [-0.2, 0.1]}}).optic
-    np.testing.assert_allclose(undesigned(lens)["entrance"], -0.05)
+    np.testing.assert_allclose(undesigned(lens)["lens.front"], -0.05)
 
 
 @pytest.mark.parametrize(

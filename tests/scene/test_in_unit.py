@@ -96,5 +96,5 @@ def test_the_converted_lens_sends_the_same_flux_to_each_pixel(
 
 
 def flux(scene, heights, seed):
-    batches = Trace(scene, {"exit": heights}, 20_000, seed).batches(threads=1)
+    batches = Trace(scene, {"lens.back": heights}, 20_000, seed).batches(threads=1)
     return sum(tally.flux[0] for tally in batches if tally is not None)

@@ -103,11 +103,13 @@ def test_at_the_limits_the_account_adds_up(make_scene, scale, distance, aside, i
     )
     heights = torch.full((12, 10), 0.5 * scale, dtype=torch.float64)
     accounts = [
-        Plan(scene, samples=samples).trace({"exit": heights}).account
+        Plan(scene, samples=samples).trace({"lens.back": heights}).account
         for samples in (None, (64, 64))
     ]
     try:
-        accounts.append(validate(scene, np.ones((8, 8)), {"exit": heights.numpy()}, 4096).account)
+        accounts.append(
+            validate(scene, np.ones((8, 8)), {"lens.back": heights.numpy()}, 4096).account
+        )
     except RunFailed:  # light so flat that none comes to the screen
         assert aside > 0
     for account in accounts:

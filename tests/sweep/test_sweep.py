@@ -61,7 +61,7 @@ class Here:
             heights = np.full(task.scene.optic.net_shape, 0.5)
             result = Result(
                 LensState(
-                    heights=FaceArrays({"exit": heights}),
+                    heights=FaceArrays({"lens.back": heights}),
                     irradiance=np.ones((n_y, n_x)),
                     loss=0.1,
                     account=account,
@@ -180,7 +180,7 @@ class TestWorkers:
         here = attempt(task, 1)
         assert found[2].check == here.check
         assert np.array_equal(
-            found[2].result.state.heights["exit"], here.result.state.heights["exit"]
+            found[2].result.state.heights["lens.back"], here.result.state.heights["lens.back"]
         )
         assert found[3].reason.startswith("unexpected ")
 

@@ -128,7 +128,7 @@ def snapshots(session):
             LensState(
                 loss=1.0 / (1 + iteration),
                 heights=FaceArrays(
-                    {"exit": np.full(scene.optic.net_shape, 0.5 - 0.001 * iteration)}
+                    {"lens.back": np.full(scene.optic.net_shape, 0.5 - 0.001 * iteration)}
                 ),
                 irradiance=np.full((n_y, n_x), 0.25),
                 account=account_of(1.0, 0.92, 0.0, 0.0, 0.0, 0.0, 0.04, 0.04),

@@ -114,7 +114,7 @@ class Exporter(QObject):
         unit = mesh_unit_of(mesh_unit, session.scene.unit)
         return {
             _filter(each, unit if each.takes_unit else ""): each.endings[0]
-            for each in formats_for(session.heights or ())
+            for each in formats_for(session.scene.optic)
             if mesh_unit == MILLIMETRES or (each.takes_unit and unit != MILLIMETRES)
         }
 

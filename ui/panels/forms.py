@@ -182,7 +182,7 @@ class Forms(QScrollArea):
         scene = self._session.scene
         two_faces = scene.optic.entrance.shape == "bspline"
         shape = "plane" if two_faces else "bspline"
-        path = scene.face_path("entrance")
+        path = f"{scene.optic_path}.faces[0]"
         changes: dict[str, object] = {path: {"shape": shape}}
         text = tr("flat entrance face") if two_faces else tr("freeform entrance face")
         self.edit(Edit(f"{path}.shape", text, changes, alone=True))

@@ -155,7 +155,7 @@ class ShortfallNotice(QObject):
         if shortfall.cause == "height_range" and shortfall.needed is not None:
             return Edit(path, tr("wider height range"), {path: _wide(*shortfall.needed)})
         if shortfall.cause == "entrance_range" and (wider := wider_entrance(scene)) is not None:
-            path = f"{scene.face_path('entrance')}.height_range"
+            path = f"{scene.optic_path}.faces[0].height_range"
             return Edit(path, tr("wider entrance range"), {path: list(wider)})
         return None
 

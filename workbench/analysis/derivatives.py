@@ -60,7 +60,7 @@ def irradiance_derivative(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> scene = open_design(path("examples", "derivative-degree3-filter3.json")).scene
-    >>> plate = {"exit": np.full(scene.optic.net_shape, scene.optic.base.height)}
+    >>> plate = {"lens.back": np.full(scene.optic.net_shape, scene.optic.base.height)}
     >>> found = irradiance_derivative(scene, plate, (4, 4))
     >>> abs(found.sum) < 1e-12 < found.map.max().item()
     True

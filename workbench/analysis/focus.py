@@ -65,7 +65,7 @@ def focus_series(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = {"exit": np.full(task.scene.optic.net_shape, 0.5)}
+    >>> plate = {"lens.back": np.full(task.scene.optic.net_shape, 0.5)}
     >>> series = focus_series(task.scene, task.target, plate, (4.0, 5.0, 6.0), rays=10_000)
     >>> [focus.z for focus in series]
     [4.0, 5.0, 6.0]

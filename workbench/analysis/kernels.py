@@ -61,7 +61,7 @@ def compile_all(
         for source in _SOURCES:
             if goes_on():
                 scene = Scene.from_data({**_TINY, "source": source})
-                heights = {"exit": np.full((4, 4), 0.1)}
+                heights = {"lens.back": np.full((4, 4), 0.1)}
                 validate(scene, np.ones((1, 1)), heights, rays=1)
                 for _ in imaging(scene, heights, accuracy=math.inf):
                     pass

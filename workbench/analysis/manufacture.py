@@ -161,7 +161,7 @@ def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
     ...     faces=(plane, freeform),
     ... )
     >>> wedge = np.linspace(0.5, 0.7, 8)[:, None] * np.ones(8)
-    >>> found = manufacture(lens, {"exit": wedge})
+    >>> found = manufacture(lens, {"lens.back": wedge})
     >>> round(found.thinnest.value, 12), round(found.thickest.value, 12)
     (0.5, 0.7)
     """
@@ -172,7 +172,9 @@ def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
         **vars(own),
         thinnest=Extreme(-thinnest.value, -thinnest.bound, thinnest.place),
         thickest=_most(maps, maps.thickness, highest),
-        entrance=_figures(optic, heights, "entrance")[1] if "entrance" in heights else None,
+        entrance=_figures(optic, heights, optic.designed_front)[1]
+        if optic.designed_front
+        else None,
     )
 
 

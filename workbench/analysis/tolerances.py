@@ -45,7 +45,10 @@ class Perturbation:
             index = CustomIndex(index=optic.index + self.index)
             optic = optic.model_copy(update={"material": index})
         for number, (face, (amplitude, scale)) in enumerate(
-            ((optic.designed_face, self.surface), ("entrance", self.entrance_surface))
+            (
+                (optic.designed_face, self.surface),
+                (optic.placed_faces[0].name, self.entrance_surface),
+            )
         ):
             if amplitude > 0:
                 net, smooth = _net_of(optic, heights, face)
@@ -150,7 +153,7 @@ def perturbed(
     >>> from workbench.files.session import open_design
     >>> from workbench.geometry.faces import FaceArrays
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = FaceArrays({"exit": np.full(task.scene.optic.net_shape, 0.5)})
+    >>> plate = FaceArrays({"lens.back": np.full(task.scene.optic.net_shape, 0.5)})
     >>> within = Tolerances(decentre=0.01)
     >>> nominal, *others = perturbed(task.scene, task.target, plate, within, samples=3, rays=10_000)
     >>> len(others), round(nominal.efficiency, 4)

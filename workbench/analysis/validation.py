@@ -78,7 +78,7 @@ def validate(
     >>> from resources import path
     >>> from workbench.files.session import open_design
     >>> task = open_design(path("examples", "tophat.json"))
-    >>> plate = {"exit": np.full(task.scene.optic.net_shape, 0.5)}
+    >>> plate = {"lens.back": np.full(task.scene.optic.net_shape, 0.5)}
     >>> found = validate(task.scene, task.target, plate, rays=100_000)
     >>> round(found.account.lost["fresnel_entrance"], 12)
     0.04

@@ -38,7 +38,7 @@ class HeightRange:
     upper: Tensor
     rest: Tensor
     kept: Tensor | None = None
-    face: str = "exit"
+    face: str = "lens.back"
 
     @classmethod
     def of(
@@ -49,7 +49,7 @@ class HeightRange:
 
     @classmethod
     def within(
-        cls, limits: HeightLimits, device: torch.device | str = "cpu", face: str = "exit"
+        cls, limits: HeightLimits, device: torch.device | str = "cpu", face: str = "lens.back"
     ) -> "HeightRange":
         """The range between the limits of a face.
 

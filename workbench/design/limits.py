@@ -49,7 +49,7 @@ class HeightLimits:
         By the convex-hull property each face stays between its limits everywhere, and all of the
         entrance face's are below those of the exit face by the minimal thickness.
         """
-        laws = {"entrance": cls.at_entrance, optic.designed_face: cls.of}
+        laws = {optic.designed_front: cls.at_entrance, optic.designed_face: cls.of}
         return {face: laws[face](optic, net) for face, net in freeform_nets(optic).items()}
 
     @classmethod

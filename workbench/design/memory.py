@@ -118,7 +118,7 @@ def check_auto(scene: Scene) -> None:
 def _of_start(scene: Scene) -> float:
     """Bytes of a first lens by transport."""
     nets, far = freeform_nets(scene.optic), scene.source.place is None
-    both = "entrance" in nets
+    both = len(nets) > 1
     cells = both_faces.cells_for(nets) if both else start.cells_for(nets[scene.optic.designed_face])
     array = _REAL * cells**2
     arrays = _BOTH if both else _FAR if far else _NEAR
@@ -149,7 +149,7 @@ def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
     grids = cells.origins * scene.source.point_count
     nodes = (cells.x + 1) * (cells.y + 1) * grids
     traced = _OF_SAMPLES if cells.of_source else _TRACED
-    traced += _OF_TWO_FACES * ("entrance" in freeform_nets(scene.optic))
+    traced += _OF_TWO_FACES * (scene.optic.designed_front is not None)
     if not CompiledTrain.matches(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)):
         traced += _WITHOUT_KERNEL
     drawn = _DRAWN if grids == 1 else 0  # several grids are drawn one after the other

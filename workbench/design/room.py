@@ -172,11 +172,12 @@ class Room:
 
         An automatic range counts as well: what thickness and source leave may be too little.
         """
-        limits, allowed = self.limits.get("entrance"), self._lens.entrance_offsets
-        if limits is None:
+        front, allowed = self._lens.designed_front, self._lens.entrance_offsets
+        if front is None:
             return None
-        free = limits.shaping & ~self.locked.get("entrance", np.zeros_like(limits.shaping))
-        heights = lens["entrance"][free]
+        shaping = self.limits[front].shaping
+        free = shaping & ~self.locked.get(front, np.zeros_like(shaping))
+        heights = lens[front][free]
         share = float(np.ptp(heights)) / (allowed[1] - allowed[0]) if heights.size else 0.0
         return Shortfall("entrance_range", None, allowed, share) if share >= _FULL else None
 

@@ -77,7 +77,7 @@ def run(
     >>> for snapshot in run(task.scene, task.target):
     ...     if snapshot.iteration == 2:
     ...         break
-    >>> snapshot.state.heights["exit"].shape == task.scene.optic.net_shape
+    >>> snapshot.state.heights["lens.back"].shape == task.scene.optic.net_shape
     True
     """
     scene = definite(scene, target)

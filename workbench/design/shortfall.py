@@ -5,7 +5,6 @@ from typing import Literal
 
 from workbench.design.limits import bounded
 from workbench.errors import Refused
-from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -138,7 +137,7 @@ class Shortfall:
             case "height_range":
                 return f"{scene.face_path()}.height_range"
             case "entrance_range":
-                return f"{scene.face_path('entrance')}.height_range"
+                return f"{scene.optic_path}.faces[0].height_range"
             case "min_thickness":
                 return f"{scene.optic_path}.min_thickness"
             case "screen" if scene.receiver.at_distance:
@@ -178,14 +177,14 @@ def wider_entrance(scene: Scene) -> Interval | None:
         is flat, or source and exit face leave no room.
     """
     given = bounded(scene).entrance_offsets
-    if "entrance" not in freeform_nets(scene.optic):
+    if scene.optic.designed_front is None:
         return None
     middle, half = (given[1] + given[0]) / 2, (given[1] - given[0]) / 2
     for times in _WIDER:
         wider = middle - times * half, middle + times * half
         try:
             entrance = scene.optic.entrance.within(wider)
-            optic = scene.optic.with_face("entrance", entrance)
+            optic = scene.optic.with_front(entrance)
             scene.with_optic(optic).check()
         except Refused:
             continue

@@ -64,8 +64,8 @@ class Names(NamedTuple):
     def face(self, placed: PlacedFace, what: str = "") -> str:
         """The control heights of a face; or "start" heights, or which are "locked"."""
         if self.version >= 3:
-            return f"faces/{placed.id}{what and '.'}{what}.npy"
-        if placed.name == "entrance":
+            return f"faces/{placed.name}{what and '.'}{what}.npy"
+        if placed.name.endswith(".front"):
             return f"entrance_{what or 'points'}.npy"
         return f"{what or 'control_points'}.npy"
 

@@ -31,7 +31,8 @@ def check_body(
     """
     optic = scene.optic
     gap = _CONTACT * max(optic.half_width)
-    face, entrance = heights[optic.designed_face], heights.get("entrance")
+    front = optic.designed_front or ""
+    face, entrance = heights[optic.designed_face], heights.get(front)
     low, high, below, above = _free_range(scene, receivers or scene.receivers)
     top = low if entrance is None else float(entrance.max())
     # A face lies in the convex hull of its control points: usually these decide.
@@ -47,7 +48,7 @@ def check_body(
     x, y = ((2 * t - 1) * r for t, r in zip((u, v), optic.half_width, strict=True))
     height, lower = (
         np.full((len(u), len(v)), low) if each is None else nets[name].grid(u, v).evaluate(each)[0]
-        for name, each in ((optic.designed_face, face), ("entrance", entrance))
+        for name, each in ((optic.designed_face, face), (front, entrance))
     )
     # Samples outside the outline take the value of the middle.
     middle = len(u) // 2, len(v) // 2

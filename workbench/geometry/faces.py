@@ -15,10 +15,10 @@ class FaceArrays(Mapping[str, npt.NDArray[Kind]]):
 
     Examples
     --------
-    >>> plate = FaceArrays({"exit": np.full((4, 4), 0.5)})
-    >>> plate["exit"].shape
+    >>> plate = FaceArrays({"lens.back": np.full((4, 4), 0.5)})
+    >>> plate["lens.back"].shape
     (4, 4)
-    >>> plate == FaceArrays({"exit": np.full((4, 4), 0.5)})
+    >>> plate == FaceArrays({"lens.back": np.full((4, 4), 0.5)})
     True
     """
 

@@ -211,10 +211,10 @@ def freeform_nets(optic: Element) -> dict[str, ControlNet]:
     if not optic.designed:
         return {}
     nets = {optic.designed_face: ControlNet.of(optic)}
-    entrance = optic.entrance.net(optic.net_shape)
-    if entrance is None:
+    entrance, front = optic.entrance.net(optic.net_shape), optic.designed_front
+    if entrance is None or front is None:
         return nets
-    return {"entrance": ControlNet(*entrance, optic.half_width), **nets}
+    return {front: ControlNet(*entrance, optic.half_width), **nets}
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:

@@ -151,7 +151,7 @@ def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
 def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     whole = along.by_area and along.along_axis
     outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
-    face = along.spline("mirror", along.net, outline, mirror.base.height)
+    face = along.spline(mirror.designed_face, along.net, outline, mirror.base.height)
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 

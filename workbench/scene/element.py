@@ -72,22 +72,19 @@ class PlacedFace(NamedTuple):
     Attributes
     ----------
     name : str
-        Its name among the control heights of a design.
+        Its id: the name of the element, and "front", "back" or "face", as in ``lens.back``.
     path : str
         Its path from the element, as in ``faces[1]``.
     face : PlaneFace, ConicFace or SplineFace
         Its shape.
     z : float
         z of its vertex, scene units.
-    id : str
-        Its name in files: that of the element, and "front", "back" or "face".
     """
 
     name: str
     path: str
     face: Face
     z: float
-    id: str
 
 
 class Element(Part):
@@ -95,8 +92,6 @@ class Element(Part):
 
     called: ClassVar[str]
     """What it is called within a sentence."""
-    designed_face: ClassVar[str]
-    """Name of its last freeform face among the control heights."""
     most_faces: ClassVar[int]
     """How many of its faces can be freeform."""
     face_called: ClassVar[str]
@@ -122,6 +117,17 @@ class Element(Part):
     @abstractmethod
     def placed_faces(self) -> tuple[PlacedFace, ...]:
         """Its faces in the order in which light meets them."""
+
+    @property
+    def designed_face(self) -> str:
+        """Id of its last face, which is the one that is shaped if only one is."""
+        return self.placed_faces[-1].name
+
+    @property
+    def designed_front(self) -> str | None:
+        """Id of its front face where that is shaped together with the last one."""
+        first, *others = self.placed_faces
+        return first.name if others and first.face.designed else None
 
     @property
     def designed(self) -> bool:
@@ -153,7 +159,11 @@ class Element(Part):
 
     @abstractmethod
     def with_face(self, name: str, face: Face) -> Self:
-        """Return the element with another face in place of the one of a name."""
+        """Return the element with another face in place of the one with an id."""
+
+    def with_front(self, face: Face) -> Self:
+        """Return the element with another front face."""
+        return self.with_face(self.placed_faces[0].name, face)
 
     def shaped(self, name: str | None = None, **changes: Any) -> Self:
         """Return the element with changes of a B-spline face, by default `designed_face`."""

@@ -73,7 +73,6 @@ class Lens(Element):
     """
 
     called = "lens"
-    designed_face = "exit"
     most_faces = 2
     face_called = "exit face"
     body_called = "body of glass"
@@ -164,16 +163,14 @@ class Lens(Element):
         """Front face and back face."""
         front, back = self.faces
         return (
-            PlacedFace("entrance", "faces[0]", front, self.entrance_z, f"{self.name}.front"),
-            PlacedFace(
-                "exit", "faces[1]", back, self.entrance_z + self.thickness, f"{self.name}.back"
-            ),
+            PlacedFace(f"{self.name}.front", "faces[0]", front, self.entrance_z),
+            PlacedFace(f"{self.name}.back", "faces[1]", back, self.entrance_z + self.thickness),
         )
 
     def with_face(self, name: str, face: Face) -> Self:
         """See `Element.with_face`."""
         front, back = self.faces
-        faces = (face, back) if name == "entrance" else (front, face)
+        faces = (face, back) if name == f"{self.name}.front" else (front, face)
         return self.model_copy(update={"faces": faces})
 
     def lit(self, wavelength_um: float) -> Self:
@@ -356,7 +353,7 @@ class Lens(Element):
         if not several:
             rise = min(rise, _RISE * max(self.half_width))
         entrance = self.entrance.within(self.entrance.offsets(rise))
-        lens = self.with_face("entrance", entrance)
+        lens = self.with_front(entrance)
         if self.height_range is not None or self.max_thickness is not None:
             return lens
         if math.isinf(receiver_z):
@@ -368,7 +365,7 @@ class Lens(Element):
     def ranged(self, low: float, high: float) -> Self:
         """See `Element.ranged`: the entrance face keeps the room that it has now."""
         entrance = self.entrance.within(self.entrance_offsets)
-        return super().ranged(low, high).with_face("entrance", entrance)
+        return super().ranged(low, high).with_front(entrance)
 
     def flat_z(self, heights: Array) -> float:
         """The entrance face."""

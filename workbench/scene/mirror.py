@@ -39,7 +39,6 @@ class Mirror(Element):
     """
 
     called = "mirror"
-    designed_face = "mirror"
     most_faces = 1
     face_called = "mirror"
     body_called = "mirror"
@@ -86,7 +85,7 @@ class Mirror(Element):
     @property
     def placed_faces(self) -> tuple[PlacedFace, ...]:
         """The one face."""
-        return (PlacedFace("mirror", "face", self.face, self.position[2], f"{self.name}.face"),)
+        return (PlacedFace(f"{self.name}.face", "face", self.face, self.position[2]),)
 
     def with_face(self, name: str, face: Face) -> Self:
         """See `Element.with_face`."""

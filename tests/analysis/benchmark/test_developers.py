@@ -20,7 +20,7 @@ def test_a_descent_is_loss_and_gradient(make_example):
     heights = wavy(example.scene)
     image, loss, gradient = Descent(example, heights, torch.float64)()
     leaf = torch.tensor(heights, requires_grad=True)
-    flux = Plan(example.scene, dtype=torch.float64).trace({"exit": leaf}).flux
+    flux = Plan(example.scene, dtype=torch.float64).trace({"lens.back": leaf}).flux
     expected = paper_loss(flux, torch.as_tensor(share(example.target)))
     expected.backward()
     np.testing.assert_allclose(image, flux.detach().numpy(), atol=1e-15)

@@ -13,7 +13,7 @@ POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
 
 
 def found(scene, heights, **named):
-    steps, parts = imaging(scene, {"exit": heights}, **named), [0.0]
+    steps, parts = imaging(scene, {"lens.back": heights}, **named), [0.0]
     while True:
         try:
             parts.append(next(steps))
@@ -58,7 +58,9 @@ def test_a_lens_without_light_on_the_screen_fails(make_scene):
 
 
 def test_leaving_it_ends_its_threads(make_scene):
-    steps = imaging(make_scene({"source": POINT}), {"exit": waves(make_scene())}, accuracy=1e-9)
+    steps = imaging(
+        make_scene({"source": POINT}), {"lens.back": waves(make_scene())}, accuracy=1e-9
+    )
     next(steps)
     begun = time.monotonic()
     steps.close()

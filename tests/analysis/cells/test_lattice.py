@@ -18,7 +18,7 @@ PLATE = (1 - 0.04) ** 2
 
 def flux_of(scene, heights, cells, lifted=None, threads=None, pose=None):
     """Part of the emitted flux in each pixel."""
-    train = OpticalTrain.of(scene, {"exit": heights}, 1, 0, pose or Pose(), [scene.receiver])
+    train = OpticalTrain.of(scene, {"lens.back": heights}, 1, 0, pose or Pose(), [scene.receiver])
     steps = CellLattice(scene, train, cells, lifted).tracing(threads)
     while True:
         try:

@@ -18,7 +18,7 @@ WIDER = {"screen.half_width": [1.5, 1.3]}
 
 
 def train_of(scene, heights):
-    return OpticalTrain.of(scene, {"exit": heights}, 1, 0, Pose(), [scene.receiver])
+    return OpticalTrain.of(scene, {"lens.back": heights}, 1, 0, Pose(), [scene.receiver])
 
 
 def spots_of(scene, heights, cells):
@@ -57,7 +57,7 @@ def test_the_error_of_spots_is_within_its_bound(make_scene):
 def test_random_rays_see_no_difference(make_scene, rng):
     scene = make_scene({"source": TILTED} | WIDER)
     target = 1 + rng.random((32, 32))
-    both = validate(scene, target, {"exit": waves(scene)}, 1_000_000, seed=3, accuracy=2e-3)
+    both = validate(scene, target, {"lens.back": waves(scene)}, 1_000_000, seed=3, accuracy=2e-3)
     assert both.by_cells.less_exact is None
     assert both.by_cells.unscattered.interval[0] == 0
     low, high = both.by_cells.relative_l2_corrected_interval
@@ -70,6 +70,6 @@ def test_light_is_lost_where_it_is_in_truth(make_scene):
     scene = make_scene({"source": SUN, "screen.half_width": [3.0, 3.0]})
     # Waves so steep that they reflect much of the light totally, in many places.
     steep = net_of(scene, lambda x, y: 0.6 + 0.15 * np.sin(9 * x) * np.cos(8 * y))
-    by_rays = validate(scene, np.ones((32, 32)), {"exit": steep}, 1_000_000)
+    by_rays = validate(scene, np.ones((32, 32)), {"lens.back": steep}, 1_000_000)
     assert by_rays.account.lost["total_reflection"] > 0.01
     assert spots_of(scene, steep, (200, 200)).sum() == pytest.approx(by_rays.efficiency, abs=1e-3)

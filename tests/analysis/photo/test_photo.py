@@ -19,11 +19,11 @@ LEANS = 0.3
 
 
 def plate(scene):
-    return {"exit": np.full(scene.optic.net_shape, 0.5)}
+    return {"lens.back": np.full(scene.optic.net_shape, 0.5)}
 
 
 def prism(scene):
-    return {"exit": net_of(scene, lambda x, y: 0.5 + LEANS * x + 0 * y)}
+    return {"lens.back": net_of(scene, lambda x, y: 0.5 + LEANS * x + 0 * y)}
 
 
 def shift(index):

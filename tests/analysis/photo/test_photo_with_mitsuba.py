@@ -24,7 +24,7 @@ def test_mitsuba_finds_the_same_colours(make_scene, monkeypatch):
         "screen": {"z": 24.0, "center": [4.7, 0], "half_width": [2, 2], "pixels": [24, 24]},
     }
     scene = make_scene(changes)
-    bowl = {"exit": net_of(scene, lambda x, y: 0.5 + 0.3 * x + 0.02 * x * x - 0.01 * y * y)}
+    bowl = {"lens.back": net_of(scene, lambda x, y: 0.5 + 0.3 * x + 0.02 * x * x - 0.01 * y * y)}
     photo = photograph(scene, np.ones((24, 24)), bowl)
     x = np.arange(24) @ photo.rgb.sum(axis=0) / photo.rgb.sum(axis=(0, 1))
     assert abs(x[0] - x[2]) > 0.5  # pixels between red and blue

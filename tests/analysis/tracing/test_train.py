@@ -47,10 +47,10 @@ def scene_of(parts):
 @pytest.mark.parametrize("parts", SCENES.values(), ids=SCENES)
 def test_as_much_light_reaches_a_bent_mirror_in_each_trace(parts):
     scene = scene_of(parts)
-    x, y = freeform_nets(scene.optic)["mirror"].positions
-    heights = {"mirror": 0.15 * x[:, None] ** 2 - 0.1 * y**2 + 0.1 * x[:, None]}
+    x, y = freeform_nets(scene.optic)["mirror.face"].positions
+    heights = {"mirror.face": 0.15 * x[:, None] ** 2 - 0.1 * y**2 + 0.1 * x[:, None]}
     run = BeamPlan(scene, (64, 64), dtype=torch.float64)
-    account = run.trace({"mirror": torch.as_tensor(heights["mirror"])}).account
+    account = run.trace({"mirror.face": torch.as_tensor(heights["mirror.face"])}).account
     assert min(account.on_screen, *account.lost.values()) > -1e-4
     total = None
     for tally in Trace(scene, heights, 60_000, 0).batches(1):

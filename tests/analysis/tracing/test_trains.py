@@ -78,7 +78,7 @@ def scene_of(source, elements, z=9.0, half_width=4.0, pixels=16):
 
 def flat(scene):
     optic = scene.optic
-    return {"exit": np.full(optic.net_shape, optic.base.height)}
+    return {"lens.back": np.full(optic.net_shape, optic.base.height)}
 
 
 def account_of(scene, rays=4000):

@@ -38,7 +38,7 @@ def test_a_screen_beside_a_mirror_needs_one_and_its_first_lens_is_good(make_scen
     charted = _chart(scene, disc)
     assert charted is not None
     assert charted.chart.x.shape == (CELLS, CELLS)
-    rough = first_error(scene, disc, {"mirror": charted.heights})
+    rough = first_error(scene, disc, {"mirror.face": charted.heights})
     heights = transport_start(scene, disc)
     assert heights is not None
-    assert first_error(scene, disc, {"mirror": heights}) < min(0.08, rough)
+    assert first_error(scene, disc, {"mirror.face": heights}) < min(0.08, rough)

@@ -51,7 +51,7 @@ def test_the_first_lens_sends_light_near_its_target(make_scene, corner, source, 
         }
     )
     heights = transport_start(scene, corner)
-    seen = validate(scene, corner, {"exit": heights}, 200_000)
+    seen = validate(scene, corner, {"lens.back": heights}, 200_000)
     before = validate(scene, corner, undesigned(scene.optic), 200_000)
     assert seen.relative_l2 < 0.35 < before.relative_l2
     assert seen.account.lost["off_screen"] < 0.01 and seen.account.lost["total_reflection"] < 0.001
@@ -75,7 +75,7 @@ def test_the_light_of_a_lamp_that_shines_to_one_side_is_spread_as_wanted(make_sc
     )
     wanted = np.pad(np.ones((16, 16)), 8)
     heights = transport_start(scene, wanted)
-    assert validate(scene, wanted, {"exit": heights}, 200_000).relative_l2_corrected < 0.2
+    assert validate(scene, wanted, {"lens.back": heights}, 200_000).relative_l2_corrected < 0.2
 
 
 def test_a_base_with_total_reflection_is_replaced_by_a_plate(make_scene, corner):
@@ -91,7 +91,7 @@ def test_a_base_with_total_reflection_is_replaced_by_a_plate(make_scene, corner)
         }
     )
     heights = transport_start(scene, corner)
-    assert validate(scene, corner, {"exit": heights}, 200_000).relative_l2 < 0.5
+    assert validate(scene, corner, {"lens.back": heights}, 200_000).relative_l2 < 0.5
 
 
 def test_a_mirror_that_leans_sends_light_to_its_places(corner):
@@ -111,5 +111,5 @@ def test_a_mirror_that_leans_sends_light_to_its_places(corner):
         }
     )
     heights = transport_start(scene, corner)
-    found = validate(scene, corner, {"mirror": heights}, 200_000)
+    found = validate(scene, corner, {"mirror.face": heights}, 200_000)
     assert found.relative_l2 < 0.13

@@ -56,21 +56,21 @@ class TestOneFaceIsFixed:
 
         return heights
 
-    @pytest.mark.parametrize("face", ["entrance", "exit"])
+    @pytest.mark.parametrize("face", ["lens.front", "lens.back"])
     @pytest.mark.parametrize("wave", [0.0, 0.02])
     def test_the_other_one_sends_the_light_where_it_should_go(self, scene, disc, fixed, face, wave):
         given = fixed(face, wave)
         first = first_of(scene, disc, {face: given})
         np.testing.assert_array_equal(first.heights[face], given)
-        other = {"entrance": "exit", "exit": "entrance"}[face]
+        other = {"lens.front": "lens.back", "lens.back": "lens.front"}[face]
         level = np.full_like(first.heights[other], first.heights[other].mean())
         assert first_error(scene, disc, first.heights) < 0.35 * first_error(
             scene, disc, {face: given, other: level}
         )
 
-    @pytest.mark.parametrize("face", ["entrance", "exit"])
+    @pytest.mark.parametrize("face", ["lens.front", "lens.back"])
     def test_a_run_begins_with_it(self, scene, disc, fixed, face):
-        start = {each: fixed(each, 0.0) for each in ("entrance", "exit")}
+        start = {each: fixed(each, 0.0) for each in ("lens.front", "lens.back")}
         locked = {face: np.ones_like(start[face], dtype=bool)}
         undesigned, first, *_ = run(scene, disc, locked=locked)
         np.testing.assert_array_equal(first.state.heights[face], undesigned.state.heights[face])

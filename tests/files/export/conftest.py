@@ -33,7 +33,11 @@ def make_design(make_scene, rng):
         scene = make_scene(changes)
         if heights is None:
             heights = 0.5 + 0.05 * rng.normal(size=scene.optic.net_shape)
-        faces = {"exit": heights} if entrance is None else {"exit": heights, "entrance": entrance}
+        faces = (
+            {"lens.back": heights}
+            if entrance is None
+            else {"lens.back": heights, "lens.front": entrance}
+        )
         for name, net in freeform_nets(scene.optic).items():
             faces.setdefault(name, 0.05 * rng.normal(size=net.shape))
         return designed(scene, faces, rng, chord_error)
@@ -56,7 +60,7 @@ def make_mirror(rng):
         scene = Scene.from_data(changed(changes or {}, data))
         if heights is None:
             heights = 0.05 * rng.normal(size=scene.optic.net_shape)
-        return designed(scene, {"mirror": heights}, rng, 1e-4)
+        return designed(scene, {"mirror.face": heights}, rng, 1e-4)
 
     return make
 

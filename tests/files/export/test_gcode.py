@@ -128,7 +128,7 @@ def test_balls_along_the_written_moves_leave_the_face(make_design, make_mirror, 
     elif side == "entrance":
         changes["lens.entrance"] = {"shape": "freeform", "control_points": [7, 9]}
         small = 0.004 * rng.normal(size=(7, 9))
-        design = replace(make_design(changes, heights, entrance=small), face="entrance")
+        design = replace(make_design(changes, heights, entrance=small), face="lens.front")
     else:
         outline = {"lens.outline": "ellipse"} if side == "ellipse" else {}
         design = make_design(changes | outline, heights)

@@ -30,7 +30,7 @@ def nothing_compiled(monkeypatch):
 def test_a_plan_takes_the_kernel_and_gives_what_the_reference_gives(make_scene):
     scene = make_scene({"lens.base.height": 0.6})
     traced = [
-        Plan(scene, dtype=torch.float64, fused=fused).trace({"exit": lens(scene)})
+        Plan(scene, dtype=torch.float64, fused=fused).trace({"lens.back": lens(scene)})
         for fused in (1, 0)
     ]
     assert torch.allclose(traced[0].flux, traced[1].flux, rtol=0, atol=1e-13)
@@ -45,10 +45,10 @@ def test_a_preview_does_not_wait_for_a_kernel(make_scene, nothing_compiled):
     plan = Plan(scene)
     with ready.without_waiting():
         assert plan.notes[0].startswith("reference")
-        early = plan.trace({"exit": lens(scene)}).flux
+        early = plan.trace({"lens.back": lens(scene)}).flux
     assert not ready._ready
     assert plan.notes[0].startswith("fused")
-    assert torch.allclose(plan.trace({"exit": lens(scene)}).flux, early, atol=1e-6)
+    assert torch.allclose(plan.trace({"lens.back": lens(scene)}).flux, early, atol=1e-6)
     with ready.without_waiting():
         assert plan.notes[0].startswith("fused")
 
@@ -134,7 +134,8 @@ def test_a_kernel_that_cannot_be_compiled_is_tried_once_and_the_run_says_so(
     assert any(note.startswith(said) for note in plan.notes)
     reference = Plan(scene, fused=False)
     assert torch.equal(
-        plan.trace({"exit": lens(scene)}).flux, reference.trace({"exit": lens(scene)}).flux
+        plan.trace({"lens.back": lens(scene)}).flux,
+        reference.trace({"lens.back": lens(scene)}).flux,
     )
     assert not any("could not" in note for note in reference.notes)
     assert tried == [torch.float32]
@@ -158,10 +159,10 @@ def test_a_run_on_kernels_never_makes_the_reference(make_scene, monkeypatch, sou
     plan = Plan(scene, samples=samples)
     monkeypatch.setattr(tracers, "Reference", refuse)
     monkeypatch.setattr(BSplineSurface, "meet", refuse)
-    assert plan.trace({"exit": lens(scene)}).account.on_screen > 0
+    assert plan.trace({"lens.back": lens(scene)}).account.on_screen > 0
     plan.next_iteration()
     with pytest.raises(AssertionError, match="was made"), ready.held_back():
-        plan.trace({"exit": lens(scene)})
+        plan.trace({"lens.back": lens(scene)})
 
 
 def test_kernels_are_used_again_after_they_were_held_back(make_scene):
@@ -175,9 +176,9 @@ def test_samples_take_the_place_of_the_sources_rays(make_scene):
     few, many = make_scene({"source.rays": [20, 30]}), make_scene({"source.rays": [70, 80]})
     for fused in (True, False):
         plan = Plan(few, samples=(70, 80), dtype=torch.float64, fused=fused)
-        flux = plan.trace({"exit": lens(few)}).flux
+        flux = plan.trace({"lens.back": lens(few)}).flux
         assert torch.equal(
-            flux, Plan(many, dtype=torch.float64, fused=fused).trace({"exit": lens(few)}).flux
+            flux, Plan(many, dtype=torch.float64, fused=fused).trace({"lens.back": lens(few)}).flux
         )
 
 
@@ -188,13 +189,17 @@ def test_a_mirrored_plan_says_so_and_gives_the_same(make_scene):
     half = Plan(scene, mirrored=(True, False), dtype=torch.float64)
     whole = Plan(scene, dtype=torch.float64)
     assert torch.allclose(
-        half.trace({"exit": heights}).flux, whole.trace({"exit": heights}).flux, atol=1e-14
+        half.trace({"lens.back": heights}).flux,
+        whole.trace({"lens.back": heights}).flux,
+        atol=1e-14,
     )
     assert "mirror symmetry: half of the rays" in half.notes
     heights = (heights + heights.flip(1)) / 2
     quarter = Plan(scene, mirrored=(True, True), dtype=torch.float64)
     assert torch.allclose(
-        quarter.trace({"exit": heights}).flux, whole.trace({"exit": heights}).flux, atol=1e-14
+        quarter.trace({"lens.back": heights}).flux,
+        whole.trace({"lens.back": heights}).flux,
+        atol=1e-14,
     )
     assert "mirror symmetry: a quarter of the rays" in quarter.notes
     assert not any("mirror" in note for note in whole.notes)

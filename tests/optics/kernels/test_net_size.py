@@ -20,18 +20,18 @@ FAR, NEAR = ({"z": z, "half_width": [1, 1], "pixels": [8, 8]} for z in (6, -6))
 TWO_FACES = LENS | {"entrance": {"shape": "freeform", "control_points": [7, 6]}}
 
 BEAMS = {
-    "collimated": ({"lens": LENS, "screen": FAR}, "exit"),
+    "collimated": ({"lens": LENS, "screen": FAR}, "lens.back"),
     "mirror": (
         {"mirror": {"half_width": [1, 1], "control_points": [9, 8]}, "screen": NEAR},
-        "mirror",
+        "mirror.face",
     ),
-    "face": ({"lens": LENS, "screen": FAR, "source": POINT}, "exit"),
-    "origins": ({"lens": LENS, "screen": FAR, "source": SUN}, "exit"),
-    "two faces": ({"lens": TWO_FACES, "screen": FAR}, "entrance"),
-    "two faces, the second": ({"lens": TWO_FACES, "screen": FAR}, "exit"),
+    "face": ({"lens": LENS, "screen": FAR, "source": POINT}, "lens.back"),
+    "origins": ({"lens": LENS, "screen": FAR, "source": SUN}, "lens.back"),
+    "two faces": ({"lens": TWO_FACES, "screen": FAR}, "lens.front"),
+    "two faces, the second": ({"lens": TWO_FACES, "screen": FAR}, "lens.back"),
 }
 RAYS = {name: BEAMS[name] for name in ("collimated", "mirror")} | {
-    "point": ({"lens": LENS, "screen": FAR, "source": POINT | {"rays": 500}}, "exit")
+    "point": ({"lens": LENS, "screen": FAR, "source": POINT | {"rays": 500}}, "lens.back")
 }
 
 
@@ -40,7 +40,9 @@ def refused(plan, scene, face):
     assert plan._choice.compiled
     assert plan.notes[0].startswith("fused")
     nets = freeform_nets(scene.optic)
-    heights = {name: torch.full(net.shape, 0.5 * (name == "exit")) for name, net in nets.items()}
+    heights = {
+        name: torch.full(net.shape, 0.5 * (name == "lens.back")) for name, net in nets.items()
+    }
     plan.trace(heights)
     n_u, n_v = nets[face].shape
     for shape in ((n_u + 90, n_v + 90), (n_u - 2, n_v - 2), (n_v, n_u), (n_u,)):

@@ -19,7 +19,7 @@ def account(light):
 def with_gradient(tracer, heights, scene, cotangent):
     """Light, and the gradient of the weighed image; zeros where no light depends on the lens."""
     leaf = heights.clone().requires_grad_()
-    light = tracer.image({"exit": leaf}, scene.filter)
+    light = tracer.image({"lens.back": leaf}, scene.filter)
     if not light.flux.requires_grad:
         return light, torch.zeros_like(heights)
     weighed = (light.flux * cotangent.to(light.flux.dtype)).sum()

@@ -42,7 +42,7 @@ def lens_for(scene):
 
 def walked(scene, heights):
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
-    return path.walk({"exit": torch.as_tensor(heights)})
+    return path.walk({"lens.back": torch.as_tensor(heights)})
 
 
 def test_a_plate_casts_its_shadow_on_a_tilted_plane_at_an_angle(make_scene):
@@ -106,7 +106,7 @@ def test_gradients_are_those_of_central_differences(make_scene, receiver, rng):
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
 
     def landing(heights):
-        column, row, rays, *_ = path.walk({"exit": heights})
+        column, row, rays, *_ = path.walk({"lens.back": heights})
         return ((0.3 * column).sin() + (0.2 * row).cos() * rays.flux).sum()
 
     directions = torch.as_tensor(rng.normal(size=(3, 12, 10)))
@@ -118,10 +118,12 @@ def test_gradients_are_those_of_central_differences(make_scene, receiver, rng):
 def test_all_light_is_accounted_for_and_both_tracers_agree(make_scene, receiver, fused):
     scene = make_scene(receiver)
     heights = lens_for(scene)
-    light = BeamPlan(scene, (200, 200), dtype=torch.float64, fused=fused).trace({"exit": heights})
+    light = BeamPlan(scene, (200, 200), dtype=torch.float64, fused=fused).trace(
+        {"lens.back": heights}
+    )
     account = light.account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
-    image = finished(imaging(scene, {"exit": heights.numpy()}, 2e-3), no_progress)
+    image = finished(imaging(scene, {"lens.back": heights.numpy()}, 2e-3), no_progress)
     flux = image.irradiance * scene.receiver.pixel_measure
     assert flux.sum() > 0.1
     assert flux.sum() == pytest.approx(account.on_screen, abs=2e-3)

@@ -21,7 +21,7 @@ PLATE = {"lens.base": {"shape": "flat", "height": 0.4}, "lens.height_range": [-0
 
 
 def plate(scene):
-    return {"exit": torch.full(scene.optic.net_shape, 0.4, dtype=torch.float64)}
+    return {"lens.back": torch.full(scene.optic.net_shape, 0.4, dtype=torch.float64)}
 
 
 def places(scene):
@@ -34,7 +34,7 @@ def places(scene):
 @ALL
 def test_all_light_is_accounted_for(make_scene, source):
     scene = make_scene({"source": source})
-    heights = {"exit": smooth(scene)}
+    heights = {"lens.back": smooth(scene)}
     for light in (
         BeamPlan(scene, Corners(32, 32, 16), dtype=torch.float64).trace(heights),
         Plan(scene, dtype=torch.float64).trace(heights),
@@ -53,9 +53,11 @@ def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     beams = BeamPlan(scene, Corners(24, 24, 8), dtype=torch.float64)
     for plan in (beams, Plan(scene, dtype=torch.float64)):
         heights = smooth(scene).requires_grad_()
-        (plan.trace({"exit": heights}).flux * weight).sum().backward()
+        (plan.trace({"lens.back": heights}).flux * weight).sum().backward()
         ahead, behind = (
-            (plan.trace({"exit": heights.detach() + step * direction}).flux * weight).sum().item()
+            (plan.trace({"lens.back": heights.detach() + step * direction}).flux * weight)
+            .sum()
+            .item()
             for step in (1e-6, -1e-6)
         )
         found = (heights.grad * direction).sum().item()

@@ -30,9 +30,9 @@ def waves(scene):
 
 def test_beams_of_points_make_the_image_of_the_rays(scene):
     lens = waves(scene)
-    light = BeamPlan(scene, Corners(40, 40, 64), dtype=torch.float64).trace({"exit": lens})
+    light = BeamPlan(scene, Corners(40, 40, 64), dtype=torch.float64).trace({"lens.back": lens})
 
-    found = validate(scene, np.ones((16, 16)), {"exit": lens.numpy()}, 200_000, accuracy=3e-3)
+    found = validate(scene, np.ones((16, 16)), {"lens.back": lens.numpy()}, 200_000, accuracy=3e-3)
 
     assert found.rays == 200_000
     # The file's own noise: about 7,000 of its rays come to 256 pixels.
@@ -43,7 +43,7 @@ def test_beams_of_points_make_the_image_of_the_rays(scene):
 
 
 def test_all_light_of_the_file_is_accounted_for(scene):
-    heights = {"exit": waves(scene)}
+    heights = {"lens.back": waves(scene)}
     beams = BeamPlan(scene, Corners(24, 24, 16), dtype=torch.float64).trace(heights).account
     drawn = Plan(scene, dtype=torch.float64).trace(heights).account
 
@@ -54,7 +54,7 @@ def test_all_light_of_the_file_is_accounted_for(scene):
 
 
 def test_the_lamp_stays_where_it_is_while_the_lens_is_turned(scene):
-    lens, pose = {"exit": waves(scene).numpy()}, Pose(tilt=(0.05, -0.03), decentre=(0.1, 0.0))
+    lens, pose = {"lens.back": waves(scene).numpy()}, Pose(tilt=(0.05, -0.03), decentre=(0.1, 0.0))
 
     turned = validate(scene, np.ones((16, 16)), lens, 200_000, pose=pose, accuracy=3e-3)
 
@@ -72,7 +72,7 @@ def test_gradients_are_those_of_central_differences(scene):
     step = torch.randn(heights.shape, generator=generator, dtype=torch.float64)
 
     def value(z):
-        return (plan.trace({"exit": z}).flux * weights).sum()
+        return (plan.trace({"lens.back": z}).flux * weights).sum()
 
     leaf = heights.clone().requires_grad_()
     value(leaf).backward()

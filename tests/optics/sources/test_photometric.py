@@ -31,7 +31,7 @@ def radii(scene):
 
 def flat(scene):
     net = ControlNet.of(scene.optic)
-    return {"exit": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
+    return {"lens.back": torch.full(net.shape, scene.optic.base.height, dtype=torch.float64)}
 
 
 def test_light_behind_a_plate_is_that_of_the_closed_form(plate):
@@ -74,7 +74,7 @@ def test_gradients_are_those_of_central_differences(crooked):
     step = torch.randn(net.shape, generator=generator, dtype=torch.float64)
 
     def value(z):
-        return (plan.trace({"exit": z}).flux * weights).sum()
+        return (plan.trace({"lens.back": z}).flux * weights).sum()
 
     leaf = heights.clone().requires_grad_()
     value(leaf).backward()

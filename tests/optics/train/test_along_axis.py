@@ -27,7 +27,7 @@ def twins(scene, dtype, mirrored=(False, False)):
 
 def share_in_band(scene, heights):
     """Part of the rays that float32 may see in another pixel."""
-    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"exit": heights})
+    arrival = Path.of(scene, ControlNet.of(scene.optic), torch.float64).walk({"lens.back": heights})
     near = [(c - c.round()).abs() < BAND for c in (arrival.column, arrival.row)]
     return (near[0] | near[1]).double().mean().item()
 
@@ -171,7 +171,7 @@ def test_gradient_is_that_of_central_differences(make_scene):
     assert share_in_band(scene, heights.detach()) == 0
 
     def image(heights):
-        return kernel.image({"exit": heights}, scene.filter).flux
+        return kernel.image({"lens.back": heights}, scene.filter).flux
 
     assert torch.autograd.gradcheck(image, [heights], eps=1e-7, atol=1e-6)
 
@@ -208,11 +208,11 @@ def test_two_threads_of_python_may_trace_at_once(make_scene):
     scene = make_scene({"source.rays": [256, 200]})
     kernel = twins(scene, torch.float64)[1]
     lenses = [lens(scene, seed, 0.02) for seed in range(8)]
-    alone = [kernel.image({"exit": heights}, scene.filter).flux for heights in lenses]
+    alone = [kernel.image({"lens.back": heights}, scene.filter).flux for heights in lenses]
     together = [None] * len(lenses)
 
     def trace(number):
-        together[number] = kernel.image({"exit": lenses[number]}, scene.filter).flux
+        together[number] = kernel.image({"lens.back": lenses[number]}, scene.filter).flux
 
     started = [threading.Thread(target=trace, args=[number]) for number in range(len(lenses))]
     for thread in started:
@@ -256,9 +256,9 @@ class TestMirrored:
 def test_leaves_of_either_float_type_get_gradients_of_their_own(make_scene, dtype):
     scene = make_scene()
     leaf = lens(scene, 3, 0.02).to(dtype).requires_grad_()
-    flux = twins(scene, torch.float32)[1].image({"exit": leaf}, scene.filter).flux
+    flux = twins(scene, torch.float32)[1].image({"lens.back": leaf}, scene.filter).flux
     (gradient,) = torch.autograd.grad(flux.square().sum(), leaf)
     assert gradient.dtype == dtype
     with torch.no_grad():
-        light = twins(scene, torch.float32)[1].image({"exit": leaf}, GaussianFilter())
+        light = twins(scene, torch.float32)[1].image({"lens.back": leaf}, GaussianFilter())
     assert not light.flux.requires_grad

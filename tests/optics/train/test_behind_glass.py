@@ -101,7 +101,7 @@ def receivers(draw):
 def landed(tracer, heights, cotangent):
     """Nodes that land, their account, and the gradient of their product with a cotangent."""
     leaf = heights.clone().requires_grad_()
-    hits, light, _ = tracer.nodes({"exit": leaf})
+    hits, light, _ = tracer.nodes({"lens.back": leaf})
     lands = hits.isfinite().all(dim=0)
     (gradient,) = torch.autograd.grad(torch.where(lands, hits * cotangent, 0.0).sum(), leaf)
     return torch.where(lands, hits.detach(), 0.0), light.to_data(), gradient
@@ -177,7 +177,7 @@ def test_gradients_are_those_of_central_differences(make_scene, beams):
 def test_samples_shared_by_points_make_the_image_of_samples_of_each(make_scene):
     grid = {"kind": "grid", "center": [0, 0.1, -5], "half_width": [0.4, 0.3], "points": [3, 2]}
     scene = make_scene({"source": grid, "screen.half_width": [1.5, 1.5]})
-    heights = {"exit": lens(scene, 1, 0.005)}
+    heights = {"lens.back": lens(scene, 1, 0.005)}
     each = BeamPlan(scene, (160, 160), dtype=torch.float64).trace(heights)
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=Corners(160, 160))
     shared = CompiledTrain(path)
@@ -187,7 +187,7 @@ def test_samples_shared_by_points_make_the_image_of_samples_of_each(make_scene):
 
 def test_light_of_one_straight_direction_is_collimated_light(make_scene):
     scene = make_scene()
-    heights = {"exit": lens(scene, 1, 0.005)}
+    heights = {"lens.back": lens(scene, 1, 0.005)}
     collimated = BeamPlan(scene, (40, 30), dtype=torch.float64).trace(heights)
     path = Path.of(scene, ControlNet.of(scene.optic), torch.float64, samples=Corners(40, 30))
     nodes, light, _ = CompiledTrain(path).nodes(heights)
@@ -224,7 +224,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, mirrored):
     found = []
     for promise in (mirrored, (False, False)):
         tracer, leaf = CompiledTrain(path_of(scene, light, (80, 60)), promise), heights.clone()
-        hits, account, _ = tracer.nodes({"exit": leaf.requires_grad_()})
+        hits, account, _ = tracer.nodes({"lens.back": leaf.requires_grad_()})
         image, _ = beam_image(hits, scene.receiver.pixels, tracer.splits)
         for axis in (0, 1):
             if tracer.mirrored[axis]:
@@ -240,7 +240,7 @@ def test_a_mirrored_trace_is_the_whole_trace(make_scene, mirrored):
 
 def test_all_light_is_accounted_for(make_scene):
     scene = make_scene({"lens.absorption": 0.1})
-    heights = {"exit": lens(scene, 1, 0.05)}
+    heights = {"lens.back": lens(scene, 1, 0.05)}
     for light in (from_far(3, 0.4), from_near(3, (1, 0, -1), 0.3, lambertian=True)):
         found = CompiledTrain(path_of(scene, light, (30, 30))).nodes(heights).account
         assert found.on_screen + sum(found.lost.values()) == pytest.approx(1, abs=1e-12)
@@ -260,7 +260,7 @@ def test_half_of_the_samples_of_a_point_on_the_axis_have_its_gradient(make_scene
     for promise in (mirrored, (False, False)):
         plan = BeamPlan(scene, (40, 36), mirrored=promise, dtype=torch.float64)
         leaf = heights.clone().requires_grad_()
-        image, account = plan.trace({"exit": leaf})
+        image, account = plan.trace({"lens.back": leaf})
         (gradient,) = torch.autograd.grad((image * cotangent).sum(), leaf)
         found.append((image.detach(), account.to_data(), gradient))
     (part, light, part_gradient), (whole, all_light, gradient) = found

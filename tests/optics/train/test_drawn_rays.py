@@ -35,7 +35,7 @@ def differences(scene, tracers, heights, rng):
     cotangent = torch.as_tensor(rng.normal(size=scene.receiver.pixels[::-1]))
     for tracer in tracers:
         variable = heights.clone().requires_grad_()
-        light = tracer.image({"exit": variable}, scene.filter)
+        light = tracer.image({"lens.back": variable}, scene.filter)
         (gradient,) = torch.autograd.grad((light.flux * cotangent).sum(), variable)
         assert torch.isfinite(light.flux).all()
         assert torch.isfinite(gradient).all()
@@ -148,7 +148,7 @@ def test_rays_are_sorted_again_and_none_is_lost_or_doubled(make_scene):
     orders = []
     for share in np.linspace(0, 1, 12):
         height = (0.3 + 0.5 * share) * torch.ones(40, 32, dtype=torch.float64)
-        fused.image({"exit": height}, scene.filter)
+        fused.image({"lens.back": height}, scene.filter)
         orders.append(fused._entry._values)
     assert len({id(order) for order in orders}) > 1
     expected = in_numbers(rays, scene.optic.base.height - fused._path.datum)
@@ -181,7 +181,7 @@ def test_drawn_rays_through_any_train(train, source, rng):
     scene = Scene.from_data(some | train | {"target": {"builtin": "tophat"}})
     net = ControlNet.of(scene.optic)
     path = Path.of(scene, net, torch.float64)
-    levels = {"exit": 0.5, "entrance": 0.0, "mirror": 0.0}
+    levels = {"lens.back": 0.5, "lens.front": 0.0, "mirror.face": 0.0}
     heights = {
         name: levels[name] + 0.02 * torch.as_tensor(rng.normal(size=each.shape))
         for name, each in freeform_nets(scene.optic).items()
@@ -211,7 +211,7 @@ def test_gradients_are_those_of_central_differences(make_scene, rng):
     cotangent = torch.as_tensor(rng.normal(size=scene.receiver.pixels[::-1]))
 
     def value(each):
-        return (fused.image({"exit": each}, scene.filter).flux * cotangent).sum()
+        return (fused.image({"lens.back": each}, scene.filter).flux * cotangent).sum()
 
     leaf = heights.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(value(leaf), leaf)
@@ -226,8 +226,10 @@ def test_fresh_rays(make_scene, rng):
     fused, plain = Plan(scene, dtype=torch.float64), Plan(scene, dtype=torch.float64, fused=False)
     heights, images = face(scene, "wavy", rng), []
     for _ in range(3):
-        images.append(fused.trace({"exit": heights}).flux)
-        assert (images[-1] - plain.trace({"exit": heights}).flux).norm() < 1e-11 * images[-1].norm()
+        images.append(fused.trace({"lens.back": heights}).flux)
+        assert (images[-1] - plain.trace({"lens.back": heights}).flux).norm() < 1e-11 * images[
+            -1
+        ].norm()
         fused.next_iteration()
         plain.next_iteration()
     assert not torch.allclose(images[0], images[1])
@@ -242,7 +244,7 @@ def test_one_thread_gives_bit_for_bit_what_two_give(make_scene, rng):
             torch.set_num_threads(number)
             _, fused = twins(scene)
             variable = heights.clone().requires_grad_()
-            flux = fused.image({"exit": variable}, scene.filter).flux
+            flux = fused.image({"lens.back": variable}, scene.filter).flux
             gradients.append(torch.autograd.grad(flux.square().sum(), variable)[0])
             images.append(flux.detach())
     finally:
@@ -260,10 +262,10 @@ def test_the_gradient_belongs_to_the_lens_of_its_own_trace(make_scene, rng):
     gradients = []
     for between in (False, True):
         variable = first.clone().requires_grad_()
-        light = fused.image({"exit": variable}, scene.filter)
+        light = fused.image({"lens.back": variable}, scene.filter)
         if between:
             for _ in range(9):
-                fused.image({"exit": second}, scene.filter)
+                fused.image({"lens.back": second}, scene.filter)
         gradients.append(torch.autograd.grad(light.flux.square().sum(), variable)[0])
     assert (gradients[0] - gradients[1]).norm() < 1e-12 * gradients[0].norm()
 
@@ -276,10 +278,10 @@ def test_heights_that_are_no_numbers_do_no_harm(make_scene, value):
     good = torch.full((12, 10), 0.5, dtype=torch.float64)
     bad = good.clone()
     bad[3, 4] = value
-    before = fused.image({"exit": good}, scene.filter).flux
+    before = fused.image({"lens.back": good}, scene.filter).flux
     variable = bad.requires_grad_()
-    fused.image({"exit": variable}, scene.filter).flux.sum().backward()
-    after = fused.image({"exit": good}, scene.filter).flux
+    fused.image({"lens.back": variable}, scene.filter).flux.sum().backward()
+    after = fused.image({"lens.back": good}, scene.filter).flux
     assert (after - before).norm() < 1e-12 * before.norm()
 
 

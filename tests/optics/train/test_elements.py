@@ -84,7 +84,7 @@ def train(scene, light, cells, behind, dtype=torch.float64):
 def faces(scene, seed, amplitude=0.01):
     noise = np.random.default_rng(seed).normal(size=(6, 5))
     second = torch.tensor(2.2 + amplitude * noise)
-    return {"exit": lens(scene, seed, amplitude), "second": second}
+    return {"lens.back": lens(scene, seed, amplitude), "second": second}
 
 
 def landed(tracer, heights, cotangent):
@@ -184,7 +184,7 @@ def test_a_hyperbola_brings_parallel_light_to_one_point(make_scene):
         back = Conic("back", z, -1 / radius, -(index**2), flat.outline)
         return plate(flat.outline, front, back, index)
 
-    heights = {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    heights = {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
     for dtype, accuracy in ((torch.float64, 1e-9), (torch.float32, 2e-4)):
         path = train(scene, straight, (40, 40), behind, dtype)
         columns, rows, flux = CompiledTrain(path).nodes(heights).hits
@@ -198,7 +198,7 @@ def test_a_plate_shifts_tilted_light(make_scene):
     angle, index, thick = 0.3, 1.6, 0.4
     scene = make_scene({"screen.half_width": [10, 10], "screen.pixels": [20, 20]})
     light = from_far(1, 0.0, (angle, 0.0))
-    heights = {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    heights = {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
     found = []
     for bent in (index, 1.0 + 1e-12):
         path = train(scene, light, (10, 10), lambda flat, _, bent=bent: plate(

@@ -91,7 +91,7 @@ def twins(scene, light, before, outline, cells=(30, 24), dtype=torch.float64):
 @pytest.mark.parametrize("light", LIGHTS.values(), ids=LIGHTS)
 @pytest.mark.parametrize("before", BEFORE.values(), ids=BEFORE)
 def test_twins_agree(scene, before, light, outline):
-    tracers, heights = twins(scene, light, before, outline), {"exit": lens(scene, 1, 0.01)}
+    tracers, heights = twins(scene, light, before, outline), {"lens.back": lens(scene, 1, 0.01)}
     cotangent = torch.tensor(np.random.default_rng(0).normal(size=(4, len(light.flux) * 25, 31)))
     (nodes, account, gradients), (fused, fused_account, fused_gradients) = (
         landed(tracer, heights, cotangent) for tracer in tracers
@@ -109,10 +109,10 @@ def test_gradients_are_those_of_central_differences(scene, light):
     _, tracer = twins(scene, light, biconvex, Rectangle((0.9, 0.8)), (20, 16))
     generator, heights, step = np.random.default_rng(0), lens(scene, 3, 0.01), 1e-6
     cotangent = torch.tensor(generator.normal(size=(4, len(light.flux) * 17, 21)))
-    _, _, (gradient,) = landed(tracer, {"exit": heights}, cotangent)
+    _, _, (gradient,) = landed(tracer, {"lens.back": heights}, cotangent)
     way = torch.tensor(generator.normal(size=heights.shape))
     ahead, behind = (
-        landed(tracer, {"exit": heights + sign * step * way}, cotangent)[0] * cotangent
+        landed(tracer, {"lens.back": heights + sign * step * way}, cotangent)[0] * cotangent
         for sign in (1, -1)
     )
     assert ((ahead[2] != 0) == (behind[2] != 0)).all()
@@ -142,7 +142,7 @@ def test_mirror_images_are_left_out(scene, places, outline):
     for promised in (False, True):
         tracer, leaf = CompiledTrain(path, (promised, promised)), heights.clone().requires_grad_()
         assert tracer.mirrored == (promised, promised)
-        light_there = tracer.image({"exit": leaf}, GaussianFilter(size=(3, 3)))
+        light_there = tracer.image({"lens.back": leaf}, GaussianFilter(size=(3, 3)))
         (gradient,) = torch.autograd.grad((light_there.flux * cotangent).sum(), leaf)
         found.append((light_there.flux.detach(), light_there.account, gradient))
     (whole, account, gradient), (some, some_account, some_gradient) = found
@@ -189,7 +189,7 @@ def test_light_of_the_centre_of_a_concentric_dome_passes_straight(make_scene, dt
     light = Origins(np.array([[0.0, 0, source]]), False, np.array([1 / (2 * math.pi)]))
     emitter = Light(light, Corners(*cells))
     path = path_of(scene, emitter, dome, outline, source + inner, dtype)
-    heights = {"exit": torch.full(scene.optic.net_shape, thickness, dtype=torch.float64)}
+    heights = {"lens.back": torch.full(scene.optic.net_shape, thickness, dtype=torch.float64)}
     nodes = CompiledTrain(path).nodes(heights)
     a, b = slopes_at(cells, outline, inner)
     slope = np.hypot(a, b)
@@ -222,7 +222,7 @@ def test_a_plate_before_the_lens_shifts_light_towards_the_axis(make_scene, tilt)
     light = Origins(place, False, np.array([1 / (2 * math.pi)]))
     before = plate(-2.0 - datum, thick, wide)
     path = path_of(scene, Light(light, Corners(*cells)), before, outline, -2.0)
-    heights = {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    heights = {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
     nodes = CompiledTrain(path).nodes(heights)
     a, b = slopes_at(cells, outline, 1.0)
     a = a - tilt
@@ -255,7 +255,7 @@ def test_a_fixed_collimator_before_a_plate():
     )
     light = Origins(np.array([[0.0, 0, focus]]), False, np.array([1 / (2 * math.pi)]))
     path = path_of(scene, Light(light, Corners(20, 20)), collimator, outline, front)
-    heights = {"exit": torch.full((9, 8), 0.3, dtype=torch.float64)}
+    heights = {"lens.back": torch.full((9, 8), 0.3, dtype=torch.float64)}
     for tracer in (CompiledTrain(path), Reference(path)):
         nodes = tracer.nodes(heights)
         columns, rows, flux = nodes.hits

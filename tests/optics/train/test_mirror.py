@@ -54,7 +54,7 @@ def heights_of(scene, amplitude, seed=2):
 
 def imaged(tracer, scene, heights, cotangent):
     leaf = heights.clone().requires_grad_()
-    light = tracer.image({"mirror": leaf}, scene.filter)
+    light = tracer.image({"mirror.face": leaf}, scene.filter)
     (gradient,) = torch.autograd.grad((light.flux * cotangent).sum(), leaf)
     return light, gradient
 
@@ -81,7 +81,7 @@ def test_corners_of_cells_land_where_those_of_the_twin_do(receiver):
     found = []
     for tracer in twins(scene, samples=Corners(40, 30)):
         leaf = heights.clone().requires_grad_()
-        hits, account, _ = tracer.nodes({"mirror": leaf})
+        hits, account, _ = tracer.nodes({"mirror.face": leaf})
         cotangent = torch.tensor(np.random.default_rng(1).normal(size=hits.shape))
         lands = hits.isfinite()
         (slope,) = torch.autograd.grad(torch.where(lands, hits * cotangent, 0.0).sum(), leaf)

@@ -188,10 +188,10 @@ def test_a_path_turned_and_shifted_as_a_whole_is_the_same(scene, rng):
         return Frame(turn.position + turn.rotation @ frame.position, turn.rotation @ frame.rotation)
 
     net = ControlNet.of(scene.optic)
-    freeform = BSplineSurface("exit", net, 0.0, torch.float64, level=0.5)
+    freeform = BSplineSurface("lens.back", net, 0.0, torch.float64, level=0.5)
     steps = [
         FaceStep(Plane("entrance", 0.0, SQUARE), into(1 / 1.5, "entrance"), "missed_lens"),
-        FaceStep(freeform, into(1.5, "exit"), "left_side"),
+        FaceStep(freeform, into(1.5, "lens.back"), "left_side"),
         *folded(torch.float64),
     ]
     screen = Frame.at((0, 6, 1.5), ASIDE)

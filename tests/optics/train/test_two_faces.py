@@ -34,7 +34,7 @@ def two_faces(scene, origins, cells, dtype=torch.float64):
     flat = Path.of(scene, ControlNet.of(scene.optic), dtype)
     net = ControlNet((5, 6), (3, 2), scene.optic.half_width)
     surface = BSplineSurface(
-        "entrance", net, flat.datum, dtype, outline=flat.outline, level=scene.optic.entrance_z
+        "lens.front", net, flat.datum, dtype, outline=flat.outline, level=scene.optic.entrance_z
     )
     law, _ = TransmittanceLaw.of(scene.optic)
     front = FaceStep(surface, Refraction(law, "fresnel_entrance"), "missed_lens")
@@ -48,8 +48,8 @@ def faces(scene, seed, amplitude):
     """Heights of both faces, some way apart."""
     rng, lens = np.random.default_rng(seed), scene.optic
     return {
-        "entrance": torch.tensor(lens.entrance_z + amplitude * rng.normal(size=(5, 6))),
-        "exit": torch.tensor(lens.base.height + amplitude * rng.normal(size=lens.net_shape)),
+        "lens.front": torch.tensor(lens.entrance_z + amplitude * rng.normal(size=(5, 6))),
+        "lens.back": torch.tensor(lens.base.height + amplitude * rng.normal(size=lens.net_shape)),
     }
 
 

@@ -90,4 +90,4 @@ def own_second(seed):
 
 def level_faces(scene):
     """Heights of a plate that lets light along the axis pass straight on."""
-    return {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    return {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}

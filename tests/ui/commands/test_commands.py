@@ -13,7 +13,7 @@ LENS = Lens(
     thickness=0.5,
     faces=(PlaneFace(), FACE),
 )
-TWO_FACES = LENS.with_face("entrance", SplineFace())
+TWO_FACES = LENS.with_face("lens.front", SplineFace())
 MIRROR = Mirror(kind="mirror", name="mirror", half_width=(1.0, 1.0), face=FACE)
 
 

@@ -29,7 +29,7 @@ def small_scene(**changes):
 def lens_result():
     return Result(
         LensState(
-            heights=FaceArrays({"exit": np.full((6, 5), 0.5)}),
+            heights=FaceArrays({"lens.back": np.full((6, 5), 0.5)}),
             irradiance=np.ones((10, 12)),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),
@@ -149,7 +149,7 @@ def test_a_saved_design_opens_as_it_was(document, tmp_path):
     assert document.session.scene == saved.scene
     np.testing.assert_array_equal(document.session.target, saved.target)
     np.testing.assert_array_equal(
-        document.session.result.state.heights["exit"], saved.result.state.heights["exit"]
+        document.session.result.state.heights["lens.back"], saved.result.state.heights["lens.back"]
     )
     np.testing.assert_array_equal(document.session.result.losses, saved.result.losses)
 

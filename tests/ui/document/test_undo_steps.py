@@ -21,7 +21,7 @@ MEGABYTE = 1 << 20
 def lens(megabytes=1):
     return Result(
         LensState(
-            heights=FaceArrays({"exit": np.zeros((4, 4))}),
+            heights=FaceArrays({"lens.back": np.zeros((4, 4))}),
             irradiance=np.zeros(megabytes * MEGABYTE // 8),
             loss=1.0,
             account=account_of(1.0, 0.9, 0.0, 0.0, 0.0, 0.0, 0.04, 0.06),

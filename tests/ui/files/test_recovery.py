@@ -127,7 +127,7 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
     recovery._background.finish()
     ended = read_session(recovery._file).result
     np.testing.assert_array_equal(
-        ended.state.heights["exit"], window.document.session.result.state.heights["exit"]
+        ended.state.heights["lens.back"], window.document.session.result.state.heights["lens.back"]
     )
     recovery.close()
 

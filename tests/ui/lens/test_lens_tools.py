@@ -28,19 +28,21 @@ def test_dragging_a_point_is_one_step_with_its_light(sculpting, drag, qtbot):
         held.move(upwards(view, 0.05))
     qtbot.waitUntil(lambda: bool(frames), timeout=20_000)
     assert document.session.result is None  # not yet a step
-    assert frames[-1].snapshot.state.heights["exit"][6, 5] > 0.5
+    assert frames[-1].snapshot.state.heights["lens.back"][6, 5] > 0.5
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
     result = document.session.result
-    np.testing.assert_array_equal(np.argwhere(result.state.heights["exit"] != 0.5), [[6, 5]])
-    assert result.state.heights["exit"][6, 5] == pytest.approx(0.7, abs=0.06)
+    np.testing.assert_array_equal(np.argwhere(result.state.heights["lens.back"] != 0.5), [[6, 5]])
+    assert result.state.heights["lens.back"][6, 5] == pytest.approx(0.7, abs=0.06)
     assert document.undo_stack.count() == 1
     assert document.undo_stack.undoText() == "move control points"
     assert view._plotter.camera_position == camera
     assert result.iterations == 0 and 0 < result.state.loss < 1
     # Light and account are those of this lens.
     scene = document.session.scene
-    traced = Plan(scene).trace({"exit": torch.tensor(result.state.heights["exit"])}).account
+    traced = (
+        Plan(scene).trace({"lens.back": torch.tensor(result.state.heights["lens.back"])}).account
+    )
     assert result.state.account.to_data() == pytest.approx(traced.to_data(), abs=5e-3)
     # A filter spreads some light of the outer pixels over the rim.
     flux = result.state.irradiance.sum() * scene.receiver.pixel_measure
@@ -54,11 +56,11 @@ def test_shift_moves_finely_and_escape_undoes_the_drag(sculpting, drag, qtbot):
     tools, view = sculpting, sculpting.view
     held = drag(view, control_point(tools, (6, 5)))
     held.move(upwards(view, 0.2), Qt.KeyboardModifier.ShiftModifier)
-    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
-    assert view.frame.state.heights["exit"][6, 5] == pytest.approx(0.51, abs=0.002)
+    qtbot.waitUntil(lambda: view.frame.state.heights["lens.back"][6, 5] > 0.5, timeout=20_000)
+    assert view.frame.state.heights["lens.back"][6, 5] == pytest.approx(0.51, abs=0.002)
     qtbot.waitUntil(lambda: "Moved by +0.0" in view._hint.text())
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] == 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights["lens.back"][6, 5] == 0.5, timeout=20_000)
     held.release()
     assert tools.document.undo_stack.count() == 0 and not tools.put_away
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
@@ -126,7 +128,7 @@ def test_the_wheel_with_ctrl_is_the_brush_and_without_it_the_zoom(sculpting, qtb
 def test_locked_points_do_not_move(sculpting, drag):
     tools = sculpting
     tools.commands["lock_all"]()
-    locked = tools.document.session.locked["exit"]
+    locked = tools.document.session.locked["lens.back"]
     assert locked.shape == (12, 10) and locked.all() and not locked.flags.writeable
     held = drag(tools.view, control_point(tools, (6, 5)))
     held.move(upwards(tools.view, 0.1))
@@ -136,7 +138,9 @@ def test_locked_points_do_not_move(sculpting, drag):
     tools.commands["unlock_all"]()
     assert not tools.document.session.locked
     tools.commands["invert_locks"]()
-    assert tools.document.session.locked["exit"].all() and tools.document.undo_stack.count() == 3
+    assert (
+        tools.document.session.locked["lens.back"].all() and tools.document.undo_stack.count() == 3
+    )
     tools.commands["lock_all"]()  # which they are
     assert tools.document.undo_stack.count() == 3
 
@@ -153,14 +157,16 @@ def test_painting_locks_and_unlocks(tools, drag, qtbot):
     assert view.nets.locked.sum() == 3 and not document.session.locked
     held.release()
     np.testing.assert_array_equal(
-        np.argwhere(document.session.locked["exit"]), [[3, 3], [4, 3], [5, 3]]
+        np.argwhere(document.session.locked["lens.back"]), [[3, 3], [4, 3], [5, 3]]
     )
     assert document.undo_stack.undoText() == "lock points"
     qtbot.waitUntil(lambda: view.nets.picture._locked is not None)
     held = drag(view, control_point(tools, (4, 3)))
     held.move(control_point(tools, (4, 4)) - held.at)
     held.release()
-    np.testing.assert_array_equal(np.argwhere(document.session.locked["exit"]), [[3, 3], [5, 3]])
+    np.testing.assert_array_equal(
+        np.argwhere(document.session.locked["lens.back"]), [[3, 3], [5, 3]]
+    )
     held = drag(view, control_point(tools, (8, 8)))
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     np.testing.assert_array_equal(np.argwhere(view.nets.locked), [[3, 3], [5, 3]])
@@ -226,7 +232,7 @@ def test_a_held_key_is_one_step(sculpting, qtbot, as_repeats):
     tools.commands["brush_smaller"]()
     tools.commands["brush_smaller"]()
     hold_key(view, Qt.Key.Key_PageUp, 10, as_repeats)
-    qtbot.waitUntil(lambda: view.frame.state.heights["exit"][6, 5] > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: view.frame.state.heights["lens.back"][6, 5] > 0.5, timeout=20_000)
     qtbot.waitUntil(lambda: "Moved by +0.06 cm" in view._hint.text())
     assert document.session.result is None
     # Neither hand nor pointer is in its way.
@@ -259,9 +265,9 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     held.move(upwards(view, 0.1))
     held.release()
     qtbot.waitUntil(lambda: document.session.result is not None, timeout=20_000)
-    shaped = document.session.heights["exit"]
+    shaped = document.session.heights["lens.back"]
     for shows in window.loaded.views.docked.values():
-        assert (shows._frame.state.heights["exit"] == shaped).all()
+        assert (shows._frame.state.heights["lens.back"] == shaped).all()
     qtbot.keyClick(view._plotter, Qt.Key.Key_Escape)
     assert commands["turn"].isChecked()
 
@@ -271,7 +277,7 @@ def test_in_the_window(display, make_session, open_window, tmp_path, drag, qtbot
     assert not commands["lock_all"].isEnabled()
     qtbot.waitUntil(lambda: window.loaded.control.runner.state == "idle", timeout=60_000)
     assert document.session.result.iterations > 0
-    np.testing.assert_allclose(frames[0].snapshot.state.heights["exit"], shaped, atol=0.06)
+    np.testing.assert_allclose(frames[0].snapshot.state.heights["lens.back"], shaped, atol=0.06)
 
     file = tmp_path / "lens.png"
     monkeypatch.setattr(ScenePictures, "ask_for_name", lambda self: file)

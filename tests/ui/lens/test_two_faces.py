@@ -26,19 +26,20 @@ def shown(nets):
 
 def test_the_exit_face_is_worked_on_first_and_the_hint_names_it(sculpting, qtbot):
     view = sculpting.view
-    assert view.nets.faces == ("entrance", "exit") and view.nets.face == "exit"
+    assert view.nets.faces == ("lens.front", "lens.back") and view.nets.face == "lens.back"
     assert view._hint.text().startswith("Exit face. Drag control points")
     sculpting.commands["other_face"]()
     qtbot.waitUntil(lambda: view._hint.text().startswith("Entrance face. Drag"))
-    assert shown(view.nets) == {"entrance"}
+    assert shown(view.nets) == {"lens.front"}
     assert view._plotter.camera.direction[2] > 0  # it looks along the light
     sculpting.commands["other_face"]()
-    qtbot.waitUntil(lambda: shown(view.nets) == {"exit"})
+    qtbot.waitUntil(lambda: shown(view.nets) == {"lens.back"})
     assert view._plotter.camera.direction[2] < 0
 
 
 @pytest.mark.parametrize(
-    "look, face, other", [("lens", "exit", "entrance"), ("entrance", "entrance", "exit")]
+    "look, face, other",
+    [("lens", "lens.back", "lens.front"), ("entrance", "lens.front", "lens.back")],
 )
 def test_the_face_that_is_seen_under_the_pointer_is_dragged(
     sculpting, drag, qtbot, look, face, other
@@ -69,13 +70,13 @@ def test_locks_are_painted_on_the_face_that_is_seen(sculpting, drag, qtbot):
     held = drag(view, control_point(tools, (3, 3)))
     held.move(control_point(tools, (4, 3)) - held.at)
     held.release()
-    assert set(document.session.locked) == {"entrance"}
+    assert set(document.session.locked) == {"lens.front"}
     np.testing.assert_array_equal(
-        np.argwhere(document.session.locked["entrance"]), [[3, 3], [4, 3]]
+        np.argwhere(document.session.locked["lens.front"]), [[3, 3], [4, 3]]
     )
     qtbot.waitUntil(lambda: view._hint.text().endswith("2 locked"))
     tools.commands["other_face"]()
     qtbot.waitUntil(lambda: view._hint.text().endswith("0 locked"))
     tools.commands["lock_all"]()
     assert all(mask.all() for mask in document.session.locked.values())
-    assert set(document.session.locked) == {"entrance", "exit"}
+    assert set(document.session.locked) == {"lens.front", "lens.back"}

@@ -41,7 +41,7 @@ class ToolWindow:
 
     def heights(self):
         session = self.document.session
-        return (session.heights or undesigned(session.scene.optic))["exit"]
+        return (session.heights or undesigned(session.scene.optic))["lens.back"]
 
 
 def seen_at(view, place):

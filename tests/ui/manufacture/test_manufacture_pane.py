@@ -17,7 +17,7 @@ def bowl(session, frames):
     def make(depth, session=session):
         x, y = ControlNet.of(session.scene.optic).positions
         bowl = 0.5 + depth * (x[:, None] ** 2 + y**2)
-        return frames(1, session, heights=FaceArrays({"exit": bowl}))
+        return frames(1, session, heights=FaceArrays({"lens.back": bowl}))
 
     return make
 
@@ -100,7 +100,7 @@ def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, fr
     session = make_session({"version": 2, "lens.entrance": {"shape": "freeform"}})
     x, y = ControlNet.of(session.scene.optic).positions
     bowl = 0.1 * (x[:, None] ** 2 + y**2)
-    heights = FaceArrays({"entrance": bowl, "exit": 0.6 - 2 * bowl})
+    heights = FaceArrays({"lens.front": bowl, "lens.back": 0.6 - 2 * bowl})
     pane.show_design(session)
     pane.show_frame(frames(1, session, heights=heights))
     found = pane._figures.found
@@ -116,9 +116,9 @@ def test_a_lens_of_two_faces_has_figures_and_maps_of_each(pane, make_session, fr
 
     pane.map.chooser.setCurrentText("Slope")
     qtbot.waitUntil(lambda: pane.map.data()[2].name.startswith("Slope"))
-    assert pane.map.faces.isVisibleTo(pane) and pane.map.faces.face == "exit"
+    assert pane.map.faces.isVisibleTo(pane) and pane.map.faces.face == "lens.back"
     steep = max(pane.map.data()[2].values)
-    pane.map.faces.choose("entrance")
+    pane.map.faces.choose("lens.front")
     qtbot.waitUntil(lambda: max(pane.map.data()[2].values) < 0.6 * steep)
 
     flat = make_session()

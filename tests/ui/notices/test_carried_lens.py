@@ -22,11 +22,11 @@ from workbench.scene import PlaneFace, SplineFace
 def desk(qtbot, session, history, rng):
     """Forms over a document with a lens that no coarser net can hold, and what is said of it."""
     result = history(4).result()
-    heights = result.state.heights["exit"] + 0.01 * rng.normal(
-        size=result.state.heights["exit"].shape
+    heights = result.state.heights["lens.back"] + 0.01 * rng.normal(
+        size=result.state.heights["lens.back"].shape
     )
     document = Document(
-        replace(session, result=result.with_state(heights=FaceArrays({"exit": heights}))),
+        replace(session, result=result.with_state(heights=FaceArrays({"lens.back": heights}))),
         "designed",
     )
     document.setParent(owner := QObject())
@@ -46,7 +46,7 @@ def test_a_finer_net_that_holds_the_lens_keeps_its_result(desk, qtbot):
         qtbot, desk.forms, "elements[0].faces[1].control_points[0]", "21"
     )  # 9 spans of degree 3 become 18
     after = desk.document.session
-    assert after.result.state.heights["exit"].shape == (21, 10)
+    assert after.result.state.heights["lens.back"].shape == (21, 10)
     assert after.result.state.irradiance is before.result.state.irradiance
     assert desk.messages.text == "On 21 × 10 control points the lens is the same."
     assert desk.document.undo_stack.count() == 1
@@ -59,12 +59,12 @@ def test_a_net_that_cannot_hold_the_lens_asks(desk, qtbot):
     before = desk.document.session
     enter(qtbot, desk.forms, "elements[0].faces[1].control_points[0]", "20")
     after = desk.document.session
-    assert after.result is None and after.start["exit"].shape == (20, 10)
+    assert after.result is None and after.start["lens.back"].shape == (20, 10)
     off = deviation(
         ControlNet.of(before.scene.optic),
-        before.heights["exit"],
+        before.heights["lens.back"],
         ControlNet.of(after.scene.optic),
-        after.start["exit"],
+        after.start["lens.back"],
     )
     assert f"off by up to {written(off, 'cm', 2)}" in desk.messages.text
     assert desk.messages.buttons[0].text() == "Take 21 × 10, exact"
@@ -96,11 +96,11 @@ def test_a_lens_of_another_outline_is_dropped_and_the_window_says_so(desk, qtbot
 
 
 def test_a_lens_that_exceeds_its_new_range_is_changed_and_the_window_says_by_how_much(desk, qtbot):
-    before = desk.document.session.heights["exit"]
+    before = desk.document.session.heights["lens.back"]
     enter(qtbot, desk.forms, "elements[0].faces[1].height_range[1]", "0.01")
     after = desk.document.session
-    moved = np.abs(after.heights["exit"] - before).max()
-    assert after.result is None and after.heights["exit"].max() <= 0.51
+    moved = np.abs(after.heights["lens.back"] - before).max()
+    assert after.result is None and after.heights["lens.back"].max() <= 0.51
     assert f"changed by up to {moved:.2g} cm" in desk.messages.text
 
 
@@ -108,15 +108,15 @@ def test_a_second_freeform_face_is_said_and_taken_back(desk):
     document = desk.document
     before = document.session
     front = SplineFace(control_points=(8, 8), height_range=(0.0, 0.1))
-    two_faced = before.scene.optic.with_face("entrance", front)
+    two_faced = before.scene.optic.with_face("lens.front", front)
     document.edit(before.scene.with_optic(two_faced), "two faces", "elements[0].faces[0].shape")
-    assert set(document.session.heights) == {"entrance", "exit"}
+    assert set(document.session.heights) == {"lens.front", "lens.back"}
     assert desk.messages.text.startswith("The entrance face is freeform now, and flat so far.")
     document.undo_stack.undo()
     assert document.session is before
     document.undo_stack.redo()
     two = document.session
-    flat = two.scene.optic.with_face("entrance", PlaneFace())
+    flat = two.scene.optic.with_face("lens.front", PlaneFace())
     document.edit(two.scene.with_optic(flat), "one face", "elements[0].faces[0]")
-    assert set(document.session.heights) == {"exit"}
+    assert set(document.session.heights) == {"lens.back"}
     assert desk.messages.text.startswith("The entrance face is flat now;")

@@ -66,11 +66,13 @@ def test_a_too_small_range_is_reported_and_can_be_widened_keeping_the_lens(desk,
     design(desk, qtbot)
     assert desk.messages.text == "The lens needs ±2.2 cm; ±0.3 cm is allowed."
     assert offers(desk) == ["Widen"]
-    lens = desk.document.session.result.state.heights["exit"]
+    lens = desk.document.session.result.state.heights["lens.back"]
     press(desk, qtbot)
     session = desk.document.session
     assert session.scene.optic.height_range is None
-    assert session.result.state.heights["exit"] is lens and session.result.state.shortfall is None
+    assert (
+        session.result.state.heights["lens.back"] is lens and session.result.state.shortfall is None
+    )
     assert "follows from the task now" in desk.messages.text
     assert offers(desk) == ["Start over", "Continue"]
     for button in desk.messages.buttons:

@@ -37,7 +37,7 @@ def desk(qtbot, session, as_run):
         def run(scene, target, start=None, locked=None):
             for shot in as_run(2)(scene, target):
                 account = Account(1 - share, {"total_reflection": share})
-                heights = FaceArrays({"exit": 0.5 + rise})
+                heights = FaceArrays({"lens.back": 0.5 + rise})
                 yield replace(shot, state=replace(shot.state, account=account, heights=heights))
             return "all iterations are done"
 

@@ -15,8 +15,8 @@ def test_the_lens_is_converted_and_stays_the_result(window, designed):
     choose(window.forms, "unit", "mm")
     session = window.document.session
     assert session.scene.receiver.z == 50
-    assert session.result.state.heights["exit"] == pytest.approx(
-        10 * designed.result.state.heights["exit"]
+    assert session.result.state.heights["lens.back"] == pytest.approx(
+        10 * designed.result.state.heights["lens.back"]
     )
     assert session.result.state.loss == designed.result.state.loss
     assert window.messages.text == "All lengths are converted: 1 cm is 10 mm now."

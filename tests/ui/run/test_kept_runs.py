@@ -58,7 +58,7 @@ def test_the_oldest_unnamed_run_is_dropped_first(session, large):
 def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     session, _ = with_run(session, result)
     (run,) = session.runs
-    locked = FaceArrays({"exit": np.zeros(session.scene.optic.net_shape, dtype=bool)})
+    locked = FaceArrays({"lens.back": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     other = replace(
         session.with_scene(make_scene({"screen.z": 9.0}), session.target),
         locked=locked,
@@ -69,6 +69,6 @@ def test_restoring_brings_task_and_lens_back(session, result, make_scene):
     coarse = make_scene({"lens.control_points": [9, 9]})
     other = replace(
         session.with_scene(coarse, session.target),
-        locked=FaceArrays({"exit": locked["exit"][:9, :9]}),
+        locked=FaceArrays({"lens.back": locked["lens.back"][:9, :9]}),
     )
     assert restored(other, run).locked == NO_LOCKS

@@ -78,7 +78,7 @@ def test_a_lens_of_another_task_is_exported_as_it_is_shown(carried, designed, qt
     assert received in carried.commands["export"].toolTip()
     shown = carried._lens.session
     np.testing.assert_array_equal(
-        shown.result.state.heights["exit"], designed.result.state.heights["exit"]
+        shown.result.state.heights["lens.back"], designed.result.state.heights["lens.back"]
     )
     assert shown.scene.receiver.z == 7
     carried.exporter.export(tmp_path / "lens.irradiance.npy")

@@ -116,7 +116,8 @@ def test_a_failure_is_signalled_before_the_end(session, snapshots, start_runner,
     assert order == ["failed", "finished"]
     assert heard.failures == ["the loss is not finite"]
     np.testing.assert_array_equal(
-        heard.results[0].state.heights["exit"], heard.frames[-1].snapshot.state.heights["exit"]
+        heard.results[0].state.heights["lens.back"],
+        heard.frames[-1].snapshot.state.heights["lens.back"],
     )
 
 

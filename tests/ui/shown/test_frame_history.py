@@ -43,8 +43,10 @@ def frame(session, at, size):
     return Fake(
         session=session,
         result=SimpleNamespace(losses=np.zeros(at), iterations=at),
-        surfaces={"exit": np.zeros(size // 8)},
-        state=SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0), further=()),
+        surfaces={"lens.back": np.zeros(size // 8)},
+        state=SimpleNamespace(
+            heights={"lens.back": np.zeros(0)}, irradiance=np.zeros(0), further=()
+        ),
         paths=SimpleNamespace(points=np.zeros(0), weight=np.zeros(0)),
     )
 

@@ -49,9 +49,9 @@ def test_the_figures_are_those_of_the_engine(pane, session, frame, qtbot):
     enter(pane, qtbot, "tilt", "1.5")
     enter(pane, qtbot, "seed", "3")
     sample(pane, qtbot)
-    heights = frame.state.heights["exit"]
+    heights = frame.state.heights["lens.back"]
     nominal, *others = perturbed(
-        session.scene, session.target, {"exit": heights}, pane.form.within, 4, RAYS, seed=3
+        session.scene, session.target, {"lens.back": heights}, pane.form.within, 4, RAYS, seed=3
     )
     assert np.degrees(pane.form.within.tilt) == pytest.approx(1.5)
     spread = Distribution.of(nominal, others)

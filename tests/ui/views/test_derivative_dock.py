@@ -26,7 +26,7 @@ def test_the_dock_shows_the_designed_lens(window, session, qtbot):
     qtbot.waitUntil(lambda: view._map is not None, timeout=60_000)
     assert not dock.visibleRegion().isEmpty() and other.visibleRegion().isEmpty()
     wanted = irradiance_derivative(
-        session.scene, {"exit": np.full((12, 10), 0.497)}, view.point.index
+        session.scene, {"lens.back": np.full((12, 10), 0.497)}, view.point.index
     )
     np.testing.assert_allclose(view._map.map, wanted.map, atol=1e-12)
 

@@ -17,7 +17,7 @@ def frame(session, snapshots):
     """What the view needs of a frame: a lens, lower with each iteration, and its scene."""
 
     def make(iteration, of=session):
-        heights = FaceArrays({"exit": np.full((12, 10), 0.5 - 0.01 * iteration)})
+        heights = FaceArrays({"lens.back": np.full((12, 10), 0.5 - 0.01 * iteration)})
         snapshot = dataclasses.replace(
             snapshots(iteration),
             state=dataclasses.replace(snapshots(iteration).state, heights=heights),
@@ -44,7 +44,7 @@ def test_shows_the_map_of_the_middle_point_and_its_sum(seen, frame, session, qtb
     assert seen.point.index == (6, 5)
     qtbot.waitUntil(lambda: "changes by" in seen._sum.text(), timeout=20_000)
     scene = session.scene
-    wanted = irradiance_derivative(scene, {"exit": np.full((12, 10), 0.49)}, (6, 5))
+    wanted = irradiance_derivative(scene, {"lens.back": np.full((12, 10), 0.49)}, (6, 5))
     qtbot.waitUntil(lambda: not seen.empty)
     shown = seen._image.artists[0].get_array()
     np.testing.assert_allclose(shown.filled(0), wanted.map, atol=1e-12)

@@ -27,7 +27,7 @@ def wavy(session, frames):
 
     def make(iteration, session=session):
         waves = 0.5 + 0.01 * iteration * np.sin(np.arange(120.0)).reshape(12, 10)
-        return frames(iteration, session, heights=FaceArrays({"exit": waves}))
+        return frames(iteration, session, heights=FaceArrays({"lens.back": waves}))
 
     return make
 
@@ -63,8 +63,8 @@ def view(frame, traces, show, qtbot):
 def traced(view, frame, qtbot, rays=MANY):
     """Wait for the light at the distance on show; what it has to be."""
     scene, target = frame.session.scene, frame.session.target
-    heights = frame.state.heights["exit"]
-    wanted = validate(scene, target, {"exit": heights}, rays, screen_z=view.z)
+    heights = frame.state.heights["lens.back"]
+    wanted = validate(scene, target, {"lens.back": heights}, rays, screen_z=view.z)
     qtbot.waitUntil(lambda: np.array_equal(view._values, wanted.irradiance), timeout=30_000)
     return wanted
 
@@ -108,9 +108,9 @@ def test_the_curve_shows_the_error_at_many_distances(view, frame, traces, qtbot)
     qtbot.waitUntil(lambda: len(curve.errors) == PLACES, timeout=30_000)
     assert [z for z, _ in curve.errors] == [z for z, _ in traces]
     assert {rays for _, rays in traces} == {FEW}
-    session, heights = frame.session, frame.state.heights["exit"]
+    session, heights = frame.session, frame.state.heights["lens.back"]
     for z, error in curve.errors[::10]:
-        wanted = validate(session.scene, session.target, {"exit": heights}, FEW, screen_z=z)
+        wanted = validate(session.scene, session.target, {"lens.back": heights}, FEW, screen_z=z)
         assert error == wanted.relative_l2_corrected
     qtbot.waitUntil(
         lambda: curve._curve is not None and len(curve._curve._curve.get_xdata()) == PLACES

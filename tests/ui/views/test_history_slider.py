@@ -12,10 +12,10 @@ pytestmark = pytest.mark.usefixtures("kernels")
 
 
 def frame(at, size=1000):
-    state = SimpleNamespace(heights={"exit": np.zeros(0)}, irradiance=np.zeros(0), further=())
+    state = SimpleNamespace(heights={"lens.back": np.zeros(0)}, irradiance=np.zeros(0), further=())
     paths = SimpleNamespace(points=np.zeros(0), weight=np.zeros(0))
     losses = np.broadcast_to(0.0, at)  # of any length, without memory of its own
-    surfaces = {"exit": np.zeros(size // 8)}
+    surfaces = {"lens.back": np.zeros(size // 8)}
     result = SimpleNamespace(losses=losses, iterations=at)
     return SimpleNamespace(result=result, surfaces=surfaces, state=state, paths=paths)
 
@@ -64,8 +64,8 @@ def test_the_design_goes_on_from_an_earlier_lens(designed, qtbot):
     with qtbot.waitSignal(designed.loaded.control.ended, timeout=60_000):
         qtbot.mouseClick(history_slider._button, Qt.MouseButton.LeftButton)
         np.testing.assert_array_equal(
-            designed.document.session.result.state.heights["exit"],
-            first.snapshot.state.heights["exit"],
+            designed.document.session.result.state.heights["lens.back"],
+            first.snapshot.state.heights["lens.back"],
         )
     stack = designed.document.undo_stack
     texts = [stack.text(k) for k in range(stack.count())]

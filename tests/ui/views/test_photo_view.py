@@ -18,7 +18,7 @@ def flat(frames):
 
     def make(iteration):
         plate = np.full((12, 10), 0.5 - 0.01 * iteration)
-        return frames(iteration, heights=FaceArrays({"exit": plate}))
+        return frames(iteration, heights=FaceArrays({"lens.back": plate}))
 
     return make
 

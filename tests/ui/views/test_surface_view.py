@@ -17,7 +17,7 @@ def tilted(session, frames):
 
     def make(slope):
         x, y = ControlNet.of(session.scene.optic).positions
-        return frames(1, heights=FaceArrays({"exit": 0.5 + slope * x[:, None] + 0 * y}))
+        return frames(1, heights=FaceArrays({"lens.back": 0.5 + slope * x[:, None] + 0 * y}))
 
     return make
 
@@ -48,7 +48,7 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     entrance = {"shape": "freeform", "height_range": [-0.1, 0.1]}
     session = make_session({"lens.entrance": entrance})
     x, y = ControlNet.of(session.scene.optic).positions
-    heights = {"exit": np.full((12, 10), 0.5), "entrance": 0.05 * x[:, None] + 0 * y}
+    heights = {"lens.back": np.full((12, 10), 0.5), "lens.front": 0.05 * x[:, None] + 0 * y}
     frame = frames(1, session, heights=FaceArrays(heights))
     view = SurfaceView()
     view.show_frame(frame)
@@ -56,8 +56,8 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     qtbot.waitUntil(lambda: not view.empty)
     names = [view._faces.itemText(number) for number in range(view._faces.count())]
     assert names == ["Entrance face", "Exit face"] and view._faces.isVisible()
-    assert view._faces.face == "exit" and np.allclose(view._values, 0)
-    view._faces.choose("entrance")
+    assert view._faces.face == "lens.back" and np.allclose(view._values, 0)
+    view._faces.choose("lens.front")
     qtbot.waitUntil(lambda: view._values is not None and np.ptp(view._values) > 0.09)
     *_, written = view.data()
     assert written.name == "Entrance face: height [cm]"
@@ -65,8 +65,8 @@ def test_a_lens_of_two_faces_lets_one_be_chosen(show, make_session, frames, qtbo
     view._canvas.figure.savefig = lambda *_, **__: titles.append(view._axes.get_title("left"))
     view.write(io.BytesIO(), "png")
     assert titles == ["Entrance face"] and view._axes.get_title("left") == ""
-    one = frames(1, heights=FaceArrays({"exit": np.full((12, 10), 0.5)}))
+    one = frames(1, heights=FaceArrays({"lens.back": np.full((12, 10), 0.5)}))
     view.show_frame(one)
     qtbot.waitUntil(lambda: not view._faces.isVisible())
-    assert view._faces.face == "exit"
+    assert view._faces.face == "lens.back"
     assert view.data()[-1].name == "height [cm]"

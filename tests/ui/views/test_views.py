@@ -26,7 +26,7 @@ def frame(session, frames):
             iteration,
             of,
             irradiance=np.linspace(0, 0.1 * (1 + iteration), n_x * n_y).reshape(n_y, n_x),
-            heights=FaceArrays({"exit": np.full(of.scene.optic.net_shape, 0.5)}),
+            heights=FaceArrays({"lens.back": np.full(of.scene.optic.net_shape, 0.5)}),
         )
 
     return make

@@ -147,7 +147,7 @@ def derivative(example: BenchmarkTask) -> Derivative:
     """Derivative of the flat lens's image with respect to the control point in its middle."""
     scene = example.scene
     n_u, n_v = scene.optic.net_shape
-    flat = {"exit": np.full((n_u, n_v), scene.optic.base.height)}
+    flat = {"lens.back": np.full((n_u, n_v), scene.optic.base.height)}
     found = irradiance_derivative(scene, flat, (n_u // 2, n_v // 2))
     return Derivative(
         name=example.name,

@@ -78,7 +78,7 @@ def designed(name: str, example: BenchmarkTask, plane_exit: bool, notify: Notify
     `plane_exit`: whether the exit face stays as its base is; `notify`: told what is done.
     """
     scene, target = example.scene, example.target
-    locked = {"exit": np.ones(scene.optic.net_shape, bool)} if plane_exit else NO_LOCKS
+    locked = {"lens.back": np.ones(scene.optic.net_shape, bool)} if plane_exit else NO_LOCKS
     best = example.designed(partial(notify, name), locked)
     notify(name, "its check")
     checks = [validate(scene, target, best.state.heights, _RAYS, seed) for seed in _SEEDS]

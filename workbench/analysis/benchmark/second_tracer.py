@@ -187,9 +187,9 @@ def bent(scene: Scene) -> Mapping[str, Array]:
     for face, net in freeform_nets(scene.optic).items():
         x, y = net.positions[0][:, None], net.positions[1][None, :]
         rise = -0.05 * x**2 + 0.03 * y**2 + 0.04 * x + 0.03 * x * y**2 - 0.02 * y
-        if face == "mirror":
+        if face == "mirror.face":
             rise = 0.28 * x + 0.5 * rise
-        heights[face] = (0.5 if face == "exit" else 0.0) + rise
+        heights[face] = (0.5 if face == "lens.back" else 0.0) + rise
     return heights
 
 

@@ -186,14 +186,15 @@ def _of_lens(
     lens: Lens, heights: Mapping[str, Array], pose: Pose
 ) -> Sequence[tuple[TracedFace, Boundary]]:
     """Faces of the designed lens, z from its aperture."""
-    if "entrance" in heights:
-        net = freeform_nets(lens)["entrance"]
-        entrance: TracedFace = FrontFace(lens, heights["entrance"], "missed_lens", net)
+    front = lens.designed_front
+    if front is not None:
+        net = freeform_nets(lens)[front]
+        entrance: TracedFace = FrontFace(lens, heights[front], "missed_lens", net)
     else:
         entrance = _fixed_face(lens, 0, lens.entrance_z - lens.front_z, 0.0)
-    exit_face = SplineFace(lens, heights["exit"], "left_side")
+    exit_face = SplineFace(lens, heights[lens.designed_face], "left_side")
     if any((*pose.exit_tilt, *pose.exit_decentre)):
-        exit_face = MovedFace(lens, heights["exit"], "left_side", pose)
+        exit_face = MovedFace(lens, heights[lens.designed_face], "left_side", pose)
     return _refracting(lens, entrance, exit_face)
 
 
@@ -238,7 +239,7 @@ def _placed(
 def _of_mirror(
     mirror: Mirror, heights: Mapping[str, Array], pose: Pose
 ) -> Sequence[tuple[TracedFace, Boundary]]:
-    face = FrontFace(mirror, heights["mirror"], "missed_mirror")
+    face = FrontFace(mirror, heights[mirror.designed_face], "missed_mirror")
     return ((face, MirrorBoundary(mirror.reflectance)),)
 
 

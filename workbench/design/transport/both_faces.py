@@ -68,7 +68,8 @@ class BothFaces:
             for face, net in nets.items()
         }
         self._fixed = fixed
-        x, y = nets["exit"].positions
+        self._front, self._back = nets
+        x, y = nets[self._back].positions
         base = scene.optic.base.height_at(x[:, None], y[None, :])
         self._thickness = float(base.mean()) - scene.optic.datum
 
@@ -120,20 +121,23 @@ class BothFaces:
                 if fit:
                     traced = self._light.through(heights)
                 entrance = self._entrance(traced, goal, fraction)
-                traced = self._light.through({**heights, "entrance": entrance})
-                heights = {"entrance": entrance, "exit": self._exit(traced, goal, entrance)}
+                traced = self._light.through({**heights, self._front: entrance})
+                heights = {
+                    self._front: entrance,
+                    self._back: self._exit(traced, goal, entrance),
+                }
         return heights
 
     def _entrance(self, traced: LightInLens, goal: Goal, fraction: float) -> Array:
         """The entrance face that bends light by a part, or by less where that does not fit."""
-        if "entrance" in self._fixed:
-            return self._fixed["entrance"]
-        coming, limits = self._light.coming, self._limits["entrance"]
+        if self._front in self._fixed:
+            return self._fixed[self._front]
+        coming, limits = self._light.coming, self._limits[self._front]
         way = goal.in_glass(coming, traced)
         for _ in range(_TRIALS):
             slopes = _slopes(coming, unit(way(fraction)), 1.0, self._index)
-            slopes = self._light.evenly(slopes, "entrance", traced.entrance)
-            heights = self._fits["entrance"].heights(*slopes)
+            slopes = self._light.evenly(slopes, self._front, traced.entrance)
+            heights = self._fits[self._front].heights(*slopes)
             lacks = limits.lacks(heights)
             if lacks <= 0:
                 return limits.placed(heights)
@@ -147,12 +151,14 @@ class BothFaces:
         It rises with the entrance face where glass would be thinner than between their places: the
         thinner it is, the more both faces have to bend the light to move it as far.
         """
-        if "exit" in self._fixed:
-            return self._fixed["exit"]
+        if self._back in self._fixed:
+            return self._fixed[self._back]
         slopes = _slopes(traced.glass, goal.behind(traced), self._index, 1.0)
-        heights = self._fits["exit"].heights(*self._light.evenly(slopes, "exit", traced.exit))
-        between = float(self._plate["exit"].mean() - entrance.mean())
-        return self._limits["exit"].placed(heights, max(self._thickness - between, 0.0))
+        heights = self._fits[self._back].heights(
+            *self._light.evenly(slopes, self._back, traced.exit)
+        )
+        between = float(self._plate[self._back].mean() - entrance.mean())
+        return self._limits[self._back].placed(heights, max(self._thickness - between, 0.0))
 
 
 def cells_for(nets: Mapping[str, ControlNet]) -> int:

@@ -63,7 +63,7 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
     fixed : mapping of str to ndarray, shape (n_u, n_v)
         Control heights of one of two faces that is what it is, by its name, scene units.
     """
-    if "entrance" not in freeform_nets(scene.optic):
+    if scene.optic.designed_front is None:
         heights = transport_start(scene, target)
         return None if heights is None else First({scene.optic.designed_face: heights})
     if fixed:
@@ -81,7 +81,7 @@ def first_of(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACES)
         return None
     errors = {name: error for name, (error, _) in found.items()}
     best = min(errors, key=lambda name: errors[name] * _HANDICAP.get(name, 1.0))
-    alone = found[_ALONE][1]["exit"] if _ALONE in found else None
+    alone = found[_ALONE][1][scene.optic.designed_face] if _ALONE in found else None
     return First(found[best][1], (_chosen(errors, best),), alone)
 
 
@@ -108,7 +108,7 @@ def first_of_several(
     optic = bounded(scene)
     images = [image._replace(scene=image.scene.with_optic(optic)) for image in scene.wanted(target)]
     found: dict[Said, Mapping[str, Array]] = {}
-    both_free = "entrance" in freeform_nets(scene.optic) and not fixed
+    both_free = scene.optic.designed_front is not None and not fixed
     if both_free and (both := line_start(scene, target)) is not None:
         found[_LINES] = both
     for number, image in enumerate(images, start=1):
@@ -120,7 +120,7 @@ def first_of_several(
         if heights is not None:
             name = (
                 Said("the entrance face for image {number} alone", number=number)
-                if "exit" in fixed
+                if scene.optic.designed_face in fixed
                 else Said("the exit face for image {number} alone", number=number)
             )
             found[name] = heights
@@ -139,7 +139,9 @@ def first_of_several(
     handicap: dict[str, float] = {_LINES: 1 / _ONE_FACE}
     best = min(errors, key=lambda name: errors[name] * handicap.get(name, 1.0))
     one_face = [name for name in found if name != _LINES] if both_free else []
-    exit_alone = found[min(one_face, key=errors.__getitem__)]["exit"] if one_face else None
+    exit_alone = None
+    if one_face:
+        exit_alone = found[min(one_face, key=errors.__getitem__)][scene.optic.designed_face]
     return First(dict(found[best]), (_chosen(errors, best),), exit_alone)
 
 
@@ -165,7 +167,7 @@ def behind_flat_entrance(scene: Scene) -> Scene:
     near = lens.front_z - scene.source.nearest_z < max(lens.half_width)
     z = low + (_NEAR_PLACE if near else _PLACE) * (high - low)
     clear = lens.floor - z
-    optic = scene.optic.with_face("entrance", PlaneFace())
+    optic = scene.optic.with_front(PlaneFace())
     x, y, _ = optic.position
     flat = {"thickness": optic.base.height - z, "min_thickness": clear}
     return scene.with_optic(optic.model_copy(update=flat | {"position": (x, y, z)}))
@@ -177,5 +179,5 @@ def _flat_start(scene: Scene, target: Array) -> dict[str, Array] | None:
     heights = transport_start(flat, target)
     if heights is None:
         return None
-    net = freeform_nets(scene.optic)["entrance"]
-    return {"entrance": np.full(net.shape, flat.optic.front_z), "exit": heights}
+    front, back = freeform_nets(scene.optic).items()
+    return {front[0]: np.full(front[1].shape, flat.optic.front_z), back[0]: heights}

@@ -61,7 +61,7 @@ def split_start(
     """
     faces = BothFaces(scene, fixed)
     view = ReceiverView.of(scene)
-    exit_fixed = "exit" in fixed
+    exit_fixed = scene.optic.designed_face in fixed
 
     def goal(transports: Sequence[Transport]) -> _Split:
         (transport,) = transports

@@ -70,6 +70,10 @@ class Design:
         """Control net of the face."""
         return freeform_nets(self.scene.optic)[self.face or self.scene.optic.designed_face]
 
+    def at_front(self, front: bool) -> "Design":
+        """The lens seen at its freeform front face, or at its last face."""
+        return replace(self, face=self.scene.optic.designed_front if front else None)
+
     @cached_property
     def faces(self) -> tuple["Design", ...]:
         """The lens seen at each of its freeform faces, the entrance face last."""

@@ -3,8 +3,7 @@
 Writers are imported when they are needed: torch and OpenCASCADE import slowly.
 """
 
-from collections.abc import Callable, Collection
-from dataclasses import replace
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
@@ -14,6 +13,7 @@ from workbench.said import Said
 
 if TYPE_CHECKING:
     from workbench.files.export.design import Design, Deviation
+    from workbench.scene import Element
 
 
 class Format(NamedTuple):
@@ -25,7 +25,7 @@ class Format(NamedTuple):
     module: str
     writer: str
     content: str | None = None  # function of that module that computes the written data
-    face: str | None = None  # face of the file, if it is not the designed one
+    front: bool = False  # whether the file holds the freeform front face, not the last face
     takes_unit: bool = False  # whether lengths are in the requested unit of meshes
 
     @property
@@ -33,14 +33,14 @@ class Format(NamedTuple):
         """The same format for the freeform entrance face, named before the ending."""
         endings = tuple(f".entrance{ending}" for ending in self.endings)
         name = f"{self.name}, entrance face"
-        return self._replace(endings=endings, name=name, face="entrance")
+        return self._replace(endings=endings, name=name, front=True)
 
     def load(self) -> "Callable[[Design, BinaryIO], Deviation]":
         """Import and return the function that writes a design."""
         module = import_module(f"{__package__}.{self.module}")
         write: Callable[[Any, BinaryIO], Deviation] = getattr(module, self.writer)
         content = (lambda design: design) if self.content is None else getattr(module, self.content)
-        return lambda design, file: write(content(replace(design, face=self.face)), file)
+        return lambda design, file: write(content(design.at_front(self.front)), file)
 
 
 GCODE = Format((".nc", ".gcode"), "G-code", "gcode", "write_gcode")
@@ -89,9 +89,9 @@ FORMATS = (
 ENDINGS = tuple(ending for found in FORMATS for ending in found.endings)
 
 
-def formats_for(faces: Collection[str]) -> list[Format]:
-    """Formats for a lens with these freeform faces."""
-    return [found for found in FORMATS if found.face is None or found.face in faces]
+def formats_for(optic: "Element") -> list[Format]:
+    """Formats for an element."""
+    return [found for found in FORMATS if optic.designed_front or not found.front]
 
 
 def format_of(path: Path) -> Format:

@@ -1,6 +1,6 @@
 """Export of a session's lens and light; each file is written atomically."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -61,12 +61,10 @@ def export(
     unit = mesh_unit_of(mesh_unit, session.scene.unit)
     design = Design(session.scene, result, chord_error, None, cutting, unit, plan, progress)
     formats = [format_of(path) for path in paths]
-    faces = result.state.heights.keys()
+    front = session.scene.optic.designed_front
     for path, found in zip(paths, formats, strict=True):
-        if found.face is not None and found.face not in faces:
-            raise Refused(
-                str(path), Said("the {face} face is flat, so it has no file", face=found.face)
-            )
+        if found.front and front is None:
+            raise Refused(str(path), Said("the entrance face is not freeform, so it has no file"))
         check_writable(path)
     failures: list[tuple[Path, Refused | RunFailed]] = []
     for path, found in zip(paths, formats, strict=True):
@@ -77,7 +75,7 @@ def export(
         except (Refused, RunFailed) as failure:
             failures.append((path, failure))
         else:
-            yield Written(path, _described(found, faces), deviation)
+            yield Written(path, _described(found, front), deviation)
     if failures:
         raise failures[0][1] if len(paths) == 1 else _together(failures)
 
@@ -100,8 +98,8 @@ def _of_file(path: Path, failure: Refused | RunFailed) -> str:
     return str(failure)
 
 
-def _described(found: Format, faces: Collection[str]) -> str:
-    if found not in OF_ONE_FACE or "entrance" not in faces:
+def _described(found: Format, front: str | None) -> str:
+    if found not in OF_ONE_FACE or front is None:
         return found.name
     other = found.of_entrance.endings[0]
     return f"{found.name}, exit face (*{other} is for the entrance face)"

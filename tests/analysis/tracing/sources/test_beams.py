@@ -36,9 +36,9 @@ def test_the_check_agrees_with_the_walk(make_scene, source):
     few = {"screen.pixels": [8, 8], "filter": {"kind": "box"}}
     scene = make_scene(few | {"source": source | {"rays": [400, 400]}})
     heights = smooth(scene)
-    light = Plan(scene, fused=False).trace({"exit": heights})
+    light = Plan(scene, fused=False).trace({"lens.back": heights})
     image = light.flux.double().numpy() / scene.receiver.pixel_measure
-    faces = {"exit": heights.numpy()}
+    faces = {"lens.back": heights.numpy()}
     found = validate(scene, image, faces, rays=100_000, accuracy=0.05)
     assert found.relative_l2_corrected < 2e-2
     assert found.account.on_screen + sum(found.account.lost.values()) == pytest.approx(1, abs=1e-9)

@@ -38,7 +38,7 @@ def disc_to_disc(r_1, r_2, distance):
 def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
     disc = {"kind": "area", "center": [0, 0, -1.0], "half_width": [0.5, 0.5], "outline": "ellipse"}
     scene = make_scene({"lens.outline": "ellipse", "source": disc})
-    plate = {"exit": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
+    plate = {"lens.back": torch.full(scene.optic.net_shape, 0.5, dtype=torch.float64)}
     light = BeamPlan(scene, Corners(100, 100, 64), dtype=torch.float64).trace(plate)
     met = disc_to_disc(0.5, 1.0, 1.0)
     assert 1 - light.account.lost["missed_lens"] == pytest.approx(met, abs=1e-3)
@@ -48,9 +48,9 @@ def test_a_lambertian_disc_lights_a_round_lens_by_the_form_factor(make_scene):
 def test_the_check_agrees_with_beams(make_scene, source):
     scene = make_scene(WIDE | {"source": source})
     heights = smooth(scene)
-    light = BeamPlan(scene, Corners(60, 60, 64), dtype=torch.float64).trace({"exit": heights})
+    light = BeamPlan(scene, Corners(60, 60, 64), dtype=torch.float64).trace({"lens.back": heights})
     image = light.flux.numpy() / scene.receiver.pixel_measure
-    found = validate(scene, image, {"exit": heights.numpy()}, rays=200_000)
+    found = validate(scene, image, {"lens.back": heights.numpy()}, rays=200_000)
     assert found.relative_l2_corrected < 1e-2
     assert sum(light.account.lost.values()) + light.account.on_screen == pytest.approx(1, abs=1e-9)
     for name, flux in found.account.lost.items():
@@ -64,9 +64,9 @@ def test_gradients_are_those_of_central_differences(make_scene, rng, source):
     weight = torch.as_tensor(rng.normal(size=(12, 12)))
     direction = torch.as_tensor(rng.normal(size=scene.optic.net_shape))
     heights = smooth(scene).requires_grad_()
-    (plan.trace({"exit": heights}).flux * weight).sum().backward()
+    (plan.trace({"lens.back": heights}).flux * weight).sum().backward()
     ahead, behind = (
-        (plan.trace({"exit": heights.detach() + step * direction}).flux * weight).sum().item()
+        (plan.trace({"lens.back": heights.detach() + step * direction}).flux * weight).sum().item()
         for step in (1e-6, -1e-6)
     )
     found = (heights.grad * direction).sum().item()
@@ -74,12 +74,12 @@ def test_gradients_are_those_of_central_differences(make_scene, rng, source):
 
 
 def heights(scene):
-    return {"exit": np.full(scene.optic.net_shape, scene.optic.base.height)}
+    return {"lens.back": np.full(scene.optic.net_shape, scene.optic.base.height)}
 
 
 def waves(scene):
     x, y = (np.linspace(-1, 1, n) for n in scene.optic.net_shape)
-    return {"exit": 0.5 + 0.05 * np.sin(3 * x[:, None] + 1) * np.cos(2 * y)}
+    return {"lens.back": 0.5 + 0.05 * np.sin(3 * x[:, None] + 1) * np.cos(2 * y)}
 
 
 @pytest.fixture
@@ -106,7 +106,7 @@ def test_random_rays_cells_and_the_walk_agree(crooked):
     checked = validate(crooked, target, lens, rays=400_000, accuracy=1e-3)
 
     walked = BeamPlan(crooked, (60, 60), dtype=torch.float64).trace(
-        {"exit": torch.tensor(lens["exit"])}
+        {"lens.back": torch.tensor(lens["lens.back"])}
     )
     assert checked.by_cells.difference_over_noise < 1.3
     assert relative_l2(walked.flux.numpy(), checked.by_cells.irradiance) < 3e-3
