@@ -259,7 +259,8 @@ class ConicFace(Part):
         root = np.sqrt(np.maximum(1 - (1 + self.conic) * curvature**2 * r2, 0.0))
         powers = sum((2 * k + 4) * a * r2 ** (k + 1) for k, a in enumerate(self.coefficients))
         lean = curvature + root * powers
-        normal = np.stack(np.broadcast_arrays(-lean * x, -lean * y, root), axis=-1)
+        parts = -lean * np.asarray(x), -lean * np.asarray(y), root
+        normal = np.stack(np.broadcast_arrays(*parts), axis=-1)
         return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
 
     def extent(self, half_width: tuple[float, float]) -> tuple[float, float]:

@@ -38,7 +38,7 @@ class Design:
     # Largest distance of a mesh from the freeform faces, scene units; 1e-4 of the larger half-width
     # by default.
     chord_error: float | None = None
-    # Face of ``net`` and ``heights``: "entrance" or, by default, the designed face.
+    # Face of ``net`` and ``heights``, by its id; by default the last one.
     face: str | None = None
     cutting: Cutting = PLAIN  # options of G-code
     mesh_unit: str = MILLIMETRES  # unit of lengths in meshes; glTF has metres
