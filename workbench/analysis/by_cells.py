@@ -18,34 +18,32 @@ from workbench.progress import Steps, within
 from workbench.said import Said
 from workbench.scene import AnyReceiver, Scene
 
-# Of two tests, each gives a false alarm in one of 80,000 checks at most: Student's t of the batches
-# of rays on each side. Batches that exclude each other scatter less together than these allow.
+# Student's t of the batches: each of two tests gives a false alarm in at most one of 80,000 checks.
 _T = float(student.isf(1.25e-5 / 2, BATCHES - 1))
-# With fewer rays on the receiver, or beside it, their scatter is that of counts.
+# With fewer rays on the receiver, or beside it, their noise is that of counts.
 _COUNTED = 10 * BATCHES
-# An image of fewer rays has pixels that few of them meet: batches do not tell how it scatters.
+# With fewer rays in an image, the batches do not give its noise.
 _IMAGED = 2000
-# The bound of cells is an estimate from three sizes of cells: twice as much is allowed, and what
-# any check may be off.
+# The bound of cells is an estimate from three cell sizes: allow twice as much, and at least 1e-3.
 _MARGIN, _LEAST = 2.0, 1e-3
-# The image of a run has larger cells than the check: so far off is as usual.
+# The image of a run has larger cells than the check: its usual error.
 _OF_RUN, _SHARE_OF_RUN = 0.02, 0.005
 
 
 class RandomShare(NamedTuple):
-    """The part of the light that random rays find on the receiver."""
+    """Part of the emitted flux that random rays find on the receiver, with its standard error."""
 
-    value: float  # part of the emitted flux
-    noise: float  # its standard error
-    rays: int  # rays of all batches
+    value: float
+    noise: float
+    rays: int  # of all batches
 
     @classmethod
     def of(cls, value: float, batches: Sequence[float], rays: int) -> Self:
-        """The share of all rays, and its noise from those of the batches."""
+        """Return the share of all rays, with the noise from the shares of the batches."""
         return cls(value, float(np.std(batches, ddof=1)) / math.sqrt(BATCHES), rays)
 
     def off(self, expected: float, bound: float) -> float:
-        """How far the share is from an expected one beyond noise and the bound of that; else 0."""
+        """Return the distance to an expected share beyond noise and its error bound; else 0."""
         noise, part = self.noise, min(expected, 1 - expected)
         if part * self.rays < _COUNTED:
             noise = max(noise, math.sqrt(max(part, 1 / self.rays) / self.rays))
@@ -53,17 +51,17 @@ class RandomShare(NamedTuple):
 
 
 class Agreement(NamedTuple):
-    """How far the image by cells and random rays are apart."""
+    """Agreement of the image by cells with random rays."""
 
-    by_cells: float  # part of the emitted light that cells find on the receiver
-    bound: float  # bound of the error of that part
-    share: RandomShare  # the same of random rays
+    by_cells: float  # part of the emitted flux on the receiver, by cells
+    bound: float  # error bound of ``by_cells``
+    share: RandomShare
     image_bound: float  # bound of the relative error of the image by cells
-    image: CorrectedDistance  # distance of the two images without the scatter of the rays
+    image: CorrectedDistance  # between the two images
 
     @property
     def contradiction(self) -> Said | None:
-        """That the two differ by more than noise and bounds explain; None where they do not."""
+        """Message if the two differ by more than noise and bounds explain."""
         if self.share.off(self.by_cells, _MARGIN * self.bound + _LEAST * self.by_cells):
             return Said(
                 "the check contradicts itself: {cells:.4g} % of the light on the receiver by "
@@ -87,12 +85,10 @@ class Agreement(NamedTuple):
 def run_apart(
     image_apart: float, image_off: float, share: float, by_check: float, share_off: float
 ) -> Said | None:
-    """That the image of a run differs from the check by more than both may be off.
+    """Return a message if the image of a run differs from the check by more than their errors.
 
-    `image_apart`, `image_off`: relative L2 difference of the two images, and how far that of the
-    check may be off; `share`, `by_check`, `share_off`: part of the emitted light on the receiver by
-    the run and by the check, and how far that of the check may be off. Returns None where they
-    agree.
+    `image_apart`: relative L2 difference of the images; `share`, `by_check`: part of the emitted
+    flux on the receiver by the run and by the check; `image_off`, `share_off`: errors of the check.
     """
     if abs(share - by_check) > share_off + _SHARE_OF_RUN:
         return Said(
@@ -110,36 +106,31 @@ def run_apart(
     return None
 
 
-# Cells that are off by so many times what was asked for are left out if random rays know better.
+# Cells whose bound is so many times the requested accuracy are dropped if random rays are better.
 _FAR = 10
-# Of cells that may be off by so much of the image, random rays give image and efficiency where they
-# give the error. With an emitter of two half-widths, 1e-4 before the lens, cells found 5 % of the
-# light where 26 % land.
+# Above this bound image and efficiency come from random rays: with an emitter of two half-widths,
+# 1e-4 before the lens, cells found 5 % of the light where 26 % land.
 _NOTHING = 0.5
 
 
 @dataclass(frozen=True)
 class ByCells:
-    """Error of a lens without random rays, and random rays as the second opinion."""
+    """Deterministic error of a lens, compared with random rays."""
 
-    # ‖I − T‖ / ‖T‖ of image and target, each divided by its sum. No rays scatter here.
-    relative_l2_corrected: float
-    # Where it lies: by the bound of the image's error, or that of independent images.
+    relative_l2_corrected: float  # ‖I − T‖ / ‖T‖ of image and target, each divided by its sum
+    # By the error bound of the image, or by independent images.
     relative_l2_corrected_interval: tuple[float, float]
-    loss: float  # Paper's loss (section 2.4)
-    efficiency: float  # part of the emitted flux that lands on the screen
-    bound: float  # bound of the error of the image, over its norm; see `imaging`
-    wanted: float  # what this, or how far the error is off, was to be at most
-    cells: tuple[int, int]  # cells along x and y
+    loss: float  # of the paper (section 2.4)
+    efficiency: float  # part of the emitted flux on the receiver
+    bound: float  # of the error of the image, over its norm; see `imaging`
+    wanted: float  # requested accuracy
+    cells: tuple[int, int]  # along x and y
     difference: float  # ‖R − I‖ / ‖I‖ of the image R of random rays
-    noise: float  # what that would be by the scatter of the rays alone
-    unscattered: CorrectedDistance  # the same difference without their scatter
-    irradiance: Array  # (n_y, n_x), flux per area on the screen, row 0 at +y
-    # How far the two traces are apart; None where some rays of a file are all that is known of the
-    # light, for which cells only stand.
-    agreement: Agreement | None = None
-    # Where the error is from independent images of random rays, as these are more exact.
-    independent: IndependentError | None = None
+    noise: float  # part of the difference that is noise of the rays
+    unscattered: CorrectedDistance  # the difference without noise
+    irradiance: Array  # (n_y, n_x), row 0 at +y
+    agreement: Agreement | None = None  # None for a ray file, whose rays are all that is known
+    independent: IndependentError | None = None  # source of the error where it is more exact
 
     @classmethod
     def of(
@@ -152,14 +143,7 @@ class ByCells:
         share: RandomShare | None,
         independent: IndependentError | None = None,
     ) -> "ByCells":
-        """Compare an image with the target and with one of random rays.
-
-        `image`: the image by cells; `target`, `of_rays` (n_y, n_x): the target and the image of
-        random rays, in any scale; `receiver`: what the images are on; `unscattered`: distance of
-        these two without the scatter of the rays; `share`: part of the light of the random rays on
-        the receiver; None where cells only stand for the rays of a file; `independent`: what has
-        the error, in place of the image by cells.
-        """
+        """Compare the image by cells with the target and the image of random rays, in any scale."""
         by_cells, apart = image.error(target)
         error, interval = by_cells, (max(by_cells - apart, 0.0), by_cells + apart)
         irradiance = image.irradiance
@@ -170,7 +154,7 @@ class ByCells:
                 by_cells = relative_l2(of_rays, target)
         difference = relative_l2(of_rays, image.irradiance)
         flux = image.irradiance * receiver.pixel_measure
-        # By Cauchy and Schwarz, the error of the sum of all pixels.
+        # The error of the sum of all pixels, by the Cauchy-Schwarz inequality.
         off = image.bound * float(np.linalg.norm(flux)) * math.sqrt(flux.size)
         lit = receiver.total(image.irradiance)
         agreement = Agreement(lit, off, share, image.bound, unscattered) if share else None
@@ -191,33 +175,30 @@ class ByCells:
         )
 
     def poorer_than(self, interval: tuple[float, float]) -> bool:
-        """Whether the error is by far less exact than asked for, and than by random rays.
-
-        `interval`: where the error lies by random rays.
-        """
+        """Whether the error is far less exact than requested, and than random rays' interval."""
         low, high = self.relative_l2_corrected_interval
         return self.bound > _FAR * self.wanted and high - low > interval[1] - interval[0]
 
     @property
     def difference_over_noise(self) -> float | None:
-        """How far random rays are from this image, in units of their noise: 1 if both are right."""
+        """Difference to random rays in units of their noise: 1 if both are right."""
         return self.difference / self.noise if self.noise > 0 else None
 
     @property
     def contradiction(self) -> Said | None:
-        """That random rays contradict the cells; see `Agreement`."""
+        """Message if random rays contradict the cells; see `Agreement`."""
         return self.agreement and self.agreement.contradiction
 
     @property
     def way(self) -> str:
-        """How the error was found."""
+        """Method of the check in words."""
         if self.independent is None:
             return f"{self.cells[0]} x {self.cells[1]} cells, without random rays"
         return f"{BATCHES} independent images of {self.independent.rays:,} random rays together"
 
     @property
     def less_exact(self) -> Said | None:
-        """That the error is less exact than was asked for, and why; None where it is not."""
+        """Message if the error is less exact than requested, with the reason."""
         off, why = self.bound, Said("finer cells would take too long")
         if self.independent is not None:
             off, why = self.independent.unscattered.off, Said("that needs more rays")
@@ -258,10 +239,7 @@ def without_scatter(
     threads: int | None,
     random_rays: int,
 ) -> Steps[tuple[CellImage | None, IndependentError | None]]:
-    """Find the image by cells, and independent ones where these tell its error more exactly.
-
-    `target` (n_y, n_x): the target image in any scale.
-    """
+    """Compute the image by cells, and the error by independent images where that is more exact."""
     steps = imaging(scene, heights, accuracy, pose, threads, random_rays)
     image = yield from within(steps, lambda part: part / 2)
     if image is None or (off := image.error(target)[1]) <= accuracy or not image.sized:
@@ -272,7 +250,7 @@ def without_scatter(
 
 
 def _no_less(value: float) -> float:
-    """A value above 0 on two digits, rounded up: 0.104 would be said to be no more than 0.1."""
+    """Round a positive value up to two digits."""
     if not math.isfinite(value):
         return value
     step = 10.0 ** (math.floor(math.log10(value)) - 1)

@@ -1,8 +1,8 @@
-"""How steep and how bent a face, and how thin and how thick a lens, can be at most, anywhere.
+"""Bounds of slope and curvature of a face, and of the thickness of a lens.
 
-On a part of a knot span, second derivatives are averages of the matrices that their Bernstein
-coefficients make, with weights that are not negative. The largest eigenvalue of an average is not
-above the largest of those that are averaged, so a few small matrices bound all curvatures there.
+On a part of a knot span, second derivatives are averages of the matrices of their Bernstein
+coefficients, with non-negative weights. The largest eigenvalue of an average is at most the largest
+eigenvalue of the averaged matrices, so a few small matrices bound all curvatures.
 """
 
 import math
@@ -17,16 +17,15 @@ from workbench.geometry.curvature import equal_parts, to_bernstein
 from workbench.geometry.surface import ControlNet
 from workbench.progress import check_given_up
 
-# Coefficients that are looked at together.
-_AT_ONCE = 1 << 20
+_AT_ONCE = 1 << 20  # coefficients in memory
 _ORDERS = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
 
 
 class FaceBounds(NamedTuple):
-    """What a face is not beyond anywhere."""
+    """Upper bounds of slope and curvature over a face."""
 
-    slope: float  # largest magnitude of the gradient of z
-    # Largest curvature of hollows and of humps, 1 / scene unit; 0 where there are none.
+    slope: float  # magnitude of the gradient of z
+    # Curvature of hollows and of humps, 1 / scene unit; 0 without any.
     hollow: float
     hump: float
 
@@ -34,11 +33,10 @@ class FaceBounds(NamedTuple):
 def shape_bounds(
     net: ControlNet, heights: Array, parts: tuple[int, int], where: Mask | None = None
 ) -> FaceBounds:
-    """Bounds of slope and curvature.
+    """Return bounds of slope and curvature, which tighten with the number of parts.
 
-    `net`: the control net; `heights` (n_u, n_v): control heights, scene units; `parts`: equal parts
-    of a knot span along x and y. The bounds close in with their number; `where` (parts along x,
-    parts along y): which parts are looked at; all by default.
+    `heights` (n_u, n_v): scene units; `parts`: equal parts of a knot span along x and y; `where`
+    (parts along x, parts along y): mask of the parts to use.
 
     Notes
     -----
@@ -74,23 +72,18 @@ def shape_bounds(
 def difference_range(
     upper: tuple[ControlNet, Array], lower: tuple[ControlNet, Array], least: int
 ) -> tuple[Array, Array, tuple[Array, Array]]:
-    """How far one face is above another, on parts between the knots of both.
+    """Bound the distance of two faces along z, on parts between the knots of both.
 
-    `upper`, `lower` (n_u, n_v): net and control heights of each face, both over the same rectangle;
-    `least`: parts along each axis, at least. Returns `low, high` (m_x, m_y): distances along z that
-    no place of the part is beyond; `ends`: where the parts end, in [0, 1].
-
-    Notes
-    -----
-    On each part the distance is a polynomial of the higher of both degrees, and a polynomial
-    stays within its Bernstein coefficients.
+    `upper`, `lower`: net and control heights (n_u, n_v) over the same rectangle; `least`: parts
+    along each axis, at least. Returns bounds `low`, `high` (m_x, m_y) and the ends of the parts in
+    [0, 1]. On each part the distance is a polynomial, within its Bernstein coefficients.
     """
     faces = (upper, lower)
     ends = [_parts([net.knots[axis] for net, _ in faces], least) for axis in (0, 1)]
     apart = np.zeros(())
     for sign, (net, heights) in zip((1, -1), faces, strict=True):
         coefficients = heights
-        for axis in (0, 1):  # each time the axis that comes first
+        for axis in (0, 1):
             degree = max(each.degree[axis] for each, _ in faces)
             into = to_bernstein(net, axis, 0, ends[axis])
             raised = _raised(into, degree).reshape(len(into), degree + 1, -1)
@@ -100,7 +93,7 @@ def difference_range(
 
 
 def _parts(knots: Sequence[Array], least: int) -> Array:
-    """Ends of parts that have no knots within: of the strips between knots, cut further."""
+    """Ends of parts without knots inside."""
     strips = np.unique(np.concatenate(knots))
     count = math.ceil(least / (len(strips) - 1))
     inner = strips[:-1, None] + np.diff(strips)[:, None] * (np.arange(count) / count)
@@ -110,13 +103,12 @@ def _parts(knots: Sequence[Array], least: int) -> Array:
 def _coefficients(
     net: ControlNet, heights: Array, parts: tuple[int, int]
 ) -> Iterator[tuple[Array, ...]]:
-    """Bernstein coefficients, all of the net's degree, of the first and second derivatives.
+    """Yield Bernstein coefficients of z_x, z_y, z_xx, z_xy, z_yy on some of the parts.
 
-    Yields (parts along x, p + 1, parts along y, q + 1): z_x, z_y, z_xx, z_xy, z_yy on some of the
-    parts.
+    Each is (parts along x, p + 1, parts along y, q + 1), raised to the net's degree.
     """
     sizes = [degree + 1 for degree in net.degree]
-    # Few control points matter on any part.
+    # Sparse: few control points influence a part.
     into_x, into_y = (
         [
             csr_array(_raised(to_bernstein(net, axis, order, ends), net.degree[axis]))
@@ -136,10 +128,7 @@ def _coefficients(
 
 
 def _raised(into: Array, degree: int) -> Array:
-    """The same polynomials with the coefficients of a higher degree (Farin, section 5.1).
-
-    Returns (parts * (degree + 1), count).
-    """
+    """Raise the degree of polynomials (Farin, section 5.1): (parts * (degree + 1), count)."""
     low = into.shape[1] - 1
     raising = np.array(
         [
@@ -156,7 +145,7 @@ def _raised(into: Array, degree: int) -> Array:
 
 
 def _box(coefficients: Array) -> tuple[Array, Array]:
-    """Middle and half of what lies between the least and the largest coefficient of each part."""
+    """Middle and half width of the range of the coefficients of each part."""
     low = coefficients.min(axis=(1, 3), keepdims=True)
     high = coefficients.max(axis=(1, 3), keepdims=True)
     return (low + high) / 2, (high - low) / 2

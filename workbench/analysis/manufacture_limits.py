@@ -1,4 +1,4 @@
-"""Whether a lens keeps to what a shop can make."""
+"""Limits of manufacture, and whether a lens meets them."""
 
 import math
 from dataclasses import dataclass
@@ -9,13 +9,12 @@ from workbench.analysis.manufacture import Extreme, FaceFigures, Manufacture
 State = Literal["met", "open", "broken"]
 _Asked = tuple[str, float | None, bool, Extreme]  # name, limit, whether a lower one, figure
 
-# What rounding may add to a figure that lies on its limit.
-_ROUNDING = 1e-9
+_ROUNDING = 1e-9  # relative, of a figure on its limit
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What a shop asks for; None where it does not matter."""
+    """Limits of a workshop; None for no limit."""
 
     # Along z, scene units.
     min_thickness: float | None = None
@@ -28,27 +27,26 @@ class Limits:
 
 
 class Verdict(NamedTuple):
-    """What one limit comes to."""
+    """Verdict on one limit."""
 
-    name: str  # what is limited
+    name: str  # of the limited figure
     limit: float  # scene units or degrees
     at_least: bool  # whether it is a lower limit
-    found: Extreme  # what the lens has
-    # "broken" if a place of the lens is beyond the limit, "met" if surely none is, "open" if no
-    # place that was looked at is, but the bound does not tell.
+    found: Extreme  # figure of the lens
+    # "broken" if a sampled point exceeds the limit, "met" if the bound is within it, else "open".
     state: State
 
     def wanted(self, unit: str) -> str:
-        """The limit in words, for a scene's unit of length."""
+        """The limit in words."""
         return f"at {'least' if self.at_least else 'most'} {self.limit:g}{self.behind(unit)}"
 
     def behind(self, unit: str) -> str:
-        """What stands behind its numbers, for a scene's unit of length."""
+        """Unit of the figure, as it follows a number."""
         return "°" if "slope" in self.name else f" {unit}"
 
 
 def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
-    """Judge a lens by all limits that there are."""
+    """Compare a lens with all given limits."""
     asked: list[_Asked] = [
         ("thickness", limits.min_thickness, True, found.thinnest),
         ("thickness", limits.max_thickness, False, found.thickest),
@@ -64,7 +62,6 @@ def verdicts(found: Manufacture, limits: Limits) -> list[Verdict]:
 
 
 def _of_face(found: FaceFigures, limits: Limits, face: str) -> list[_Asked]:
-    """What is asked of a face; its name stands before that of the figure."""
     return [
         (f"{face}slope", limits.max_slope, False, found.steepest),
         (f"{face}concave radius", limits.min_radius, True, found.tightest_concave),

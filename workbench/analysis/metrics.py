@@ -1,8 +1,7 @@
-"""How like its target an image of light is: the field's usual figures.
+"""Figures of an image against its target.
 
-Images are compared by their shape: each is divided by its sum first. All images have shape
-(n_y, n_x), and no light counts as a dark image. They are gone through some rows at a time, so that
-large ones need no memory besides their own.
+Images (n_y, n_x) are compared by their shape: each is divided by its sum first. They are processed
+some rows at a time, so that large images need no further memory.
 """
 
 import math
@@ -21,8 +20,7 @@ _SIGMA, _RADIUS = 1.5, 5
 _K_1, _K_2 = 0.01, 0.03
 # Parts of the target's peak from where a pixel is lit and up to where it is black.
 _LIT, _BLACK = 0.5, 0.01
-# Pixels that are looked at together.
-_AT_ONCE = 1 << 18
+_AT_ONCE = 1 << 18  # pixels processed together
 
 
 def relative_l2(image: Array, target: Array) -> float:
@@ -31,7 +29,7 @@ def relative_l2(image: Array, target: Array) -> float:
 
 
 def root(square: float) -> float:
-    """Its square root; what noise or rounding has made negative counts as 0."""
+    """Square root; a negative square, by noise or rounding, counts as 0."""
     return math.sqrt(max(square, 0.0))
 
 
@@ -53,21 +51,19 @@ def paper_loss(image: Array, target: Array) -> float:
 
 @dataclass(frozen=True)
 class Quality:
-    """Figures of an image against its target. None where a figure has no meaning."""
+    """Figures of an image against its target; None where a figure is not defined."""
 
-    # Peak signal-to-noise ratio, dB; the signal is the target's peak. None if they are equal.
-    psnr: float | None
+    psnr: float | None  # peak signal-to-noise ratio, dB; None for equal images
     ssim: float  # mean structural similarity
-    # Pearson's coefficient over the pixels. None if one of them is the same everywhere.
-    correlation: float | None
-    uniformity: float  # least over mean irradiance in the lit region, each relative to the target's
-    # (E_lit − E_black) / (E_lit + E_black), of the mean irradiances in the lit and in the black
-    # region: 1 is a perfect black. None if the target has no black region or neither is lit.
+    correlation: float | None  # Pearson's coefficient; None for a constant image
+    uniformity: float  # least over mean of image / target in the lit region
+    # (E_lit − E_black) / (E_lit + E_black) of the mean irradiances in both regions; None if the
+    # target has no black region.
     contrast: float | None
 
     @classmethod
     def of(cls, image: Array, target: Array) -> "Quality":
-        """Compare an image with its target, which has some light."""
+        """Compare an image with its target, which is not dark."""
         return cls(
             psnr(image, target),
             ssim(image, target),
@@ -101,7 +97,7 @@ def ssim(image: Array, target: Array) -> float:
     rows = len(target)
     step = _step(target)
     for first in range(0, rows, step):
-        # Windows reach into the neighbouring rows.
+        # Windows include neighbouring rows.
         begin, end = max(first - _RADIUS, 0), min(first + step + _RADIUS, rows)
         similar = _similarity(image[begin:end] / sum_i / peak, target[begin:end] / sum_t / peak)
         found += float(similar[first - begin : first - begin + step].sum())
@@ -109,9 +105,9 @@ def ssim(image: Array, target: Array) -> float:
 
 
 def _similarity(a: Array, b: Array) -> Array:
-    """Structural similarity of each window of two images whose dynamic range is 1."""
+    """Structural similarity of each window, for a dynamic range of 1."""
     mean_a, mean_b = _windowed(a), _windowed(b)
-    # Rounding must not make a variance negative.
+    # Rounding may make a variance negative.
     variance_a = (_windowed(a * a) - mean_a * mean_a).clip(0)
     variance_b = (_windowed(b * b) - mean_b * mean_b).clip(0)
     covariance = _windowed(a * b) - mean_a * mean_b
@@ -135,7 +131,7 @@ def correlation(image: Array, target: Array) -> float | None:
         squares += [np.square(each).sum() for each in scaled]
         deviations += [np.square(each).sum() for each in off]
         together += float((off[0] * off[1]).sum())
-    # What rounding leaves of an even image is nothing to go by.
+    # A constant image has deviations by rounding.
     if (deviations <= 1e-24 * squares).any():
         return None
     return together / math.sqrt(deviations[0] * deviations[1])
@@ -152,7 +148,7 @@ def black(target: Array) -> Mask:
 
 
 def uniformity(image: Array, target: Array) -> float:
-    """Least over mean of image / target in the lit region; 1 is even, 0 has a dark pixel."""
+    """Least over mean of image / target in the lit region; 1 is uniform, 0 has a dark pixel."""
     region = lit(target)
     least, total = math.inf, 0.0
     for i, t, inside in _rows(image, target, region):
@@ -162,7 +158,7 @@ def uniformity(image: Array, target: Array) -> float:
 
 
 def contrast(image: Array, target: Array) -> float | None:
-    """Michelson's contrast of the lit and the black region; None if there is nothing to compare."""
+    """Michelson contrast of the lit and the black region; None without a black region."""
     dark = black(target)
     if not dark.any():
         return None
@@ -178,18 +174,17 @@ def _mean_square(image: Array, target: Array) -> float:
 
 
 def _sum(image: Array) -> float:
-    """What an image is divided by: its sum; 1 for a dark one."""
+    """Sum of an image; 1 for a dark one."""
     total = float(image.sum())
     return total if total > 0 else 1.0
 
 
 def _step(image: Array) -> int:
-    """Rows that are looked at together."""
     return max(_AT_ONCE // int(image.shape[1]), 1)
 
 
 def _rows(*images: npt.NDArray[Any]) -> Iterator[list[npt.NDArray[Any]]]:
-    """The same rows of several images, some at a time."""
+    """Yield the same rows of several images, some at a time."""
     step = _step(images[0])
     for first in range(0, len(images[0]), step):
         yield [image[first : first + step] for image in images]

@@ -1,4 +1,4 @@
-"""Light of regions of a receiver: how much there is, and how even it is."""
+"""Flux and uniformity of regions of a receiver."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
@@ -11,33 +11,31 @@ from workbench.said import Said
 from workbench.scene import AnyReceiver, AnyRegion
 from workbench.targets.raster import coverage
 
-# A pixel that is less inside than this says more of what is beside the region.
-_INSIDE = 0.5
+_INSIDE = 0.5  # least part of a pixel inside a region for its extremes
 
 
 @dataclass(frozen=True)
 class RegionLight:
-    """The light of a region. All but the share are None where no pixel is half inside."""
+    """Light of a region; the extremes are None if no pixel is half inside."""
 
     name: str  # of the region
-    # Part of the emitted flux that falls on it; of pixels at its edge, the part inside counts.
-    share: float
-    mean: float  # flux per area, or per solid angle in a far field, over all of the region
-    # The same of the darkest and the brightest pixel of which at least half is inside.
+    share: float  # part of the emitted flux
+    mean: float  # flux per area, or per solid angle in a far field
+    # Of the darkest and the brightest pixel with at least half inside.
     least: float | None
     most: float | None
-    unit: LightUnit = field(default=IN_PARTS, repr=False)  # in what it is told
+    unit: LightUnit = field(default=IN_PARTS, repr=False)
 
     @property
     def uniformity(self) -> float | None:
-        """Least over mean (U₀ of EN 12464-1); None without a pixel inside or without light."""
+        """Least over mean (U₀ of EN 12464-1); None without pixels or light inside."""
         if self.least is None or not self.mean:
             return None
         return self.least / self.mean
 
     @property
     def words(self) -> Said:
-        """How much light it gets, and how even that is."""
+        """Flux and uniformity in words."""
         part, even = 100 * self.share, "–" if self.uniformity is None else f"{self.uniformity:.3f}"
         if self.least is None or self.most is None or not self.mean:
             return Said("{part:.3f} % of the light, least / mean {even}", part=part, even=even)
@@ -73,11 +71,9 @@ def light_of_regions(
     irradiance: Array,
     unit: LightUnit = IN_PARTS,
 ) -> tuple[RegionLight, ...]:
-    """The light of each region.
+    """Return the light of each region; regions may overlap.
 
-    `regions`: parts of the receiver; they may overlap; `receiver`: pixel raster; `irradiance` (n_y,
-    n_x): flux per area, or per solid angle, of a source whose flux is 1; row 0 at +y; `unit`: in
-    what they tell their light; by default as parts of all.
+    `irradiance` (n_y, n_x): flux per area, or per solid angle, for a source of flux 1, row 0 at +y.
 
     Examples
     --------
@@ -91,9 +87,9 @@ def light_of_regions(
     return tuple(_light_of(region, receiver, irradiance, unit) for region in regions)
 
 
-@lru_cache(maxsize=64)  # a run shows image after image
+@lru_cache(maxsize=64)  # a run evaluates image after image
 def _inside(region: AnyRegion, receiver: AnyReceiver) -> Array:
-    """The part of each pixel that is in a region, shape (n_y, n_x)."""
+    """Part of each pixel (n_y, n_x) that is in a region."""
     return coverage(2 * region.outline * receiver.half_extent, receiver)
 
 

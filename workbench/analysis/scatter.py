@@ -17,30 +17,29 @@ from workbench.progress import Steps, within
 from workbench.scene import Scene
 
 FEWER = 4
-"""The second image has so many times fewer rays."""
+"""Rays of the image over those of the second image."""
 
 STUDENT_T = 2.131
-"""Student's t for 95 % and as many batches, of which one degree of freedom goes to their mean."""
+"""Student's t for 95 % with one batch less than there are."""
 
 
 class CorrectedDistance(NamedTuple):
-    """A distance of an image of random rays to another one, without the scatter of the rays."""
+    """Distance of an image of random rays to another image, without the noise of the rays.
 
-    # The root of ⟨I − T, I′ − T⟩ / ‖T‖², where I′ is a second image of fewer, other rays. The two
-    # scatter independently, so the mean of the product has no scatter in it; a negative one counts
-    # as 0.
+    It is the root of ⟨I − T, I′ − T⟩ / ‖T‖², where I′ is a second image of fewer, other rays. The
+    noise of the two is independent, so it cancels in the mean; a negative mean counts as 0.
+    """
+
     distance: float
-    # Where it lies: at least 95 % confidence, also where images are evener than independent ones.
-    interval: tuple[float, float]
-    square: float  # its square; scatter may make it negative
+    interval: tuple[float, float]  # with at least 95 % confidence
+    square: float  # of the distance; negative by noise
     standard_error: float  # of the square
 
     @classmethod
     def of(cls, products: Sequence[float]) -> "CorrectedDistance":
         """From the products with each batch of the second image; see `metrics.product`."""
         square = float(np.mean(products))
-        # The scatter of the second image shows in the products. That of the first, which has more
-        # rays, adds less to the variance than its part of the rays says.
+        # The noise of the first image, which has more rays, adds less than its part of the rays.
         rays = math.sqrt((1 + 1 / FEWER) / BATCHES)
         return cls.of_square(square, float(np.std(products, ddof=1)) * rays)
 
@@ -48,14 +47,10 @@ class CorrectedDistance(NamedTuple):
     def of_pairs(
         cls, images: Sequence[npt.NDArray[np.floating]], reference: Array
     ) -> "CorrectedDistance":
-        """From images of other rays each, as many: all pairs of two scatter independently.
+        """From `BATCHES` independent images (n_y, n_x) in any scale.
 
-        The mean of ⟨I_r − T, I_s − T⟩ over all pairs has no scatter in it. How it varies where one
-        of the images is left out tells how far it is off: the jackknife (Arvesen 1969).
-
-        `images` (n_y, n_x): `BATCHES` images by independent rays, in any scale. A dark one has no
-        shape: nothing is then known, and the interval is without end; `reference` (n_y, n_x): what
-        they are compared with, in any scale.
+        The mean of ⟨I_r − T, I_s − T⟩ over all pairs is free of noise; its error is that of the
+        jackknife (Arvesen 1969). With a dark image the interval is infinite.
         """
         count, wanted = len(images), reference / reference.sum()
         if not all(image.any() for image in images):
@@ -74,11 +69,10 @@ class CorrectedDistance(NamedTuple):
     def of_square(
         cls, square: float, standard_error: float, t: float = STUDENT_T
     ) -> "CorrectedDistance":
-        """From an estimate of the square, its standard error, and how many of these make 95 %."""
+        """From an estimate of the square and its standard error; ``t`` of these make 95 %."""
         spread = t * standard_error
-        # A square below 0 by more than its spread tells that images are evener together than ones
-        # that are independent, as parts of a file whose rays are laid out evenly: by so much the
-        # true one may be above 0 as well.
+        # A square below −spread comes from images that are evener than independent ones, as parts
+        # of a ray file on a grid: the true square may be as far above 0.
         most = square if square >= -spread else -square
         interval = root(square - spread), root(most + spread)
         return cls(root(square), interval, square, standard_error)
@@ -89,21 +83,20 @@ class CorrectedDistance(NamedTuple):
 
     @property
     def off(self) -> float:
-        """How far the distance may be off."""
+        """Largest error of the distance."""
         low, high = self.interval
         return max(self.distance - low, high - self.distance)
 
 
-# Rays of all images at first, and at most: some ten seconds on two cores. And for each ray of the
-# check at most.
+# Rays of all images at first and at most (ten seconds on two cores), and most per ray of the check.
 _BEGIN, _MOST, _EACH = 1 << 22, 1 << 24, 4
 
 
 class IndependentError(NamedTuple):
-    """What independent images of random rays say of a lens."""
+    """Error of a lens by independent images of random rays."""
 
-    unscattered: CorrectedDistance  # relative L2 distance of the lens's image to a target
-    rays: int  # rays of all images together
+    unscattered: CorrectedDistance  # relative L2 distance of the image to the target
+    rays: int  # of all images
 
 
 def tracing_independently(
@@ -115,11 +108,9 @@ def tracing_independently(
     threads: int | None = None,
     random_rays: int | None = None,
 ) -> Steps[IndependentError]:
-    """Find the error of a lens from independent images; twice as many rays until it is exact.
+    """Find the error of a lens by independent images, with more rays until ``accuracy`` is met.
 
-    `target` (n_y, n_x): the target image in any scale; `accuracy`: how far the error may be off,
-    unless that takes too many rays; `random_rays`: random rays of the check: the images have at
-    most four times as many.
+    The images have at most four times ``random_rays``.
     """
     images = np.zeros((BATCHES, *target.shape))
     most = _MOST if random_rays is None else min(_EACH * random_rays, _MOST)
@@ -138,7 +129,7 @@ def tracing_independently(
 
 
 def _image(trace: Trace, threads: int | None) -> Steps[Array]:
-    """Flux in the pixels of all batches of a trace."""
+    """Sum the flux in the pixels over all batches of a trace."""
     flux = np.zeros(1)
     for batch in trace.batches(threads):
         if batch is not None:
@@ -148,11 +139,10 @@ def _image(trace: Trace, threads: int | None) -> Steps[Array]:
 
 
 def _done(run: int, image: int, fraction: float) -> float:
-    """The part of the whole that is done with a part of an image."""
+    """Fraction of the whole that is done after a fraction of an image."""
     return 1 - math.pow(0.5, run + (image + fraction) / BATCHES)
 
 
 def _seed(run: int, image: int) -> int:
-    """A seed for rays that have nothing to do with others."""
     mixed = np.random.SeedSequence([25, run, image])
     return int(mixed.generate_state(1, np.uint64)[0])

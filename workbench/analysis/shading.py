@@ -1,8 +1,7 @@
-"""What the design and the check ignore: light that is in its own way, or behind the receiver.
+"""Light that the last face or the receiver blocks, which the design and the check ignore.
 
-A mirror that is a deep bowl sends light to itself, and a screen on the axis stands in the light of
-the mirror. The images count all such light as if nothing were in its way; here it is said how much
-of it there is, by random rays.
+A deep mirror sends light onto itself, and a screen on the axis blocks the light of a mirror. The
+images count such light as if nothing blocked it; random rays measure how much of it there is.
 """
 
 from collections.abc import Mapping
@@ -22,22 +21,20 @@ SHADED = "meets the face again", "comes through the screen"
 """Names of the figures."""
 
 _RAYS = 40_000
-# Parts of the face along x and y; the brightest says where light comes back to it.
-_PARTS = 8
+_PARTS = 8  # of the face along x and y, of which the brightest is reported
 
 
 @dataclass(frozen=True)
 class Shading:
-    """Light that something is in the way of."""
+    """Blocked light, as parts of the emitted flux."""
 
-    meets_again: float  # part of the emitted light that leaves the last face and comes back to it
-    at: tuple[float, float] | None  # about where most of it comes back, x and y in scene units
-    # Part of the emitted light that comes to the first face through the receiver.
-    through_receiver: float
+    meets_again: float  # leaves the last face and meets it again
+    at: tuple[float, float] | None  # x and y of the brightest part, scene units
+    through_receiver: float  # comes to the first face through the receiver
 
     @property
     def figures(self) -> dict[str, Said]:
-        """What there is to say, by the names of `SHADED`; nothing where nothing is in the way."""
+        """Blocked light in words, by the names of `SHADED`; empty without any."""
         parts = dict(zip(SHADED, (self.meets_again, self.through_receiver), strict=True))
         said = {
             name: Said("{part:.3g} % of the light", part=100 * part)
@@ -63,11 +60,10 @@ class Shading:
 def shading_of(
     scene: Scene, heights: Mapping[str, Array], seed: int, pose: Pose | None = None
 ) -> Shading:
-    """Look along some random rays for what is in their way."""
+    """Measure the blocked light by random rays."""
     scene.check_one_element("the search for light that comes back")
     pose = pose or Pose()
     train = OpticalTrain.of(scene, heights, _RAYS, seed, pose, [scene.receiver])
-    # Sources that are somewhere stand at a z; others are far away.
     begin = -np.inf if scene.source.place is None else scene.source.place[2]
     emitted = through = 0.0
     places, fluxes = [], []
@@ -88,7 +84,7 @@ def shading_of(
 
 
 def _brightest(at: Array, flux: Array, half_width: tuple[float, float]) -> tuple[float, float]:
-    """The middle of the light in the part of the face that gets most of it."""
+    """Centre of the light in the brightest part of the face."""
     part = ((at / half_width + 1) / 2 * _PARTS).astype(np.intp).clip(0, _PARTS - 1)
     number = part[:, 0] * _PARTS + part[:, 1]
     most = number == np.bincount(number, flux).argmax()

@@ -10,20 +10,16 @@ from scipy.ndimage import gaussian_filter
 from workbench.arrays import Array
 from workbench.geometry.surface import ControlNet
 
-# Knot spans per length of the noise, which make a spline of any degree follow it.
-_SPANS = 4
+_SPANS = 4  # knot spans per length of the noise, enough for any degree
 
 
 def with_noise(
     net: ControlNet, control_points: Array, amplitude: float, scale: float, rng: np.random.Generator
 ) -> Array:
-    """A face that is wavy.
+    """Return control heights of a face with a random error, on a net as fine as the error needs.
 
-    `control_points` (n_u, n_v): its control heights, scene units; `amplitude`: root mean square of
-    the error over the face, about its mean; scene units; `scale`: distance over which the
-    correlation of the error falls to 1/e: exp(−r² / scale²). From
-    `workbench.analysis.tolerance_fields.FINEST` of the lens's width up to its width; `rng`: which
-    error. Returns control heights on a net as fine as the error needs.
+    `amplitude`: RMS of the error about its mean, scene units; `scale`: correlation length, as in
+    exp(−r² / scale²), from `tolerance_fields.FINEST` of the lens's width up to its width.
     """
     for axis, (r, n, p) in enumerate(zip(net.half_width, net.shape, net.degree, strict=True)):
         split = math.ceil(_SPANS * 2 * r / (scale * (n - p)))
@@ -33,11 +29,11 @@ def with_noise(
 
 
 def _refined(control_points: Array, axis: int, half_width: float, degree: int, split: int) -> Array:
-    """Control heights of the same face with each knot span along an axis split evenly."""
+    """Split each knot span along an axis evenly; the face stays the same."""
     spans = control_points.shape[axis] - degree
     coarse, fine = (_knots(half_width, count, degree) for count in (spans, spans * split))
     face = BSpline(coarse, np.moveaxis(control_points, axis, 0), degree)
-    # The face is a spline on the finer knots as well, the one that interpolates it.
+    # The spline on the finer knots that interpolates the face is the face.
     places = np.array([fine[i + 1 : i + degree + 1].mean() for i in range(len(fine) - degree - 1)])
     places = places.clip(-half_width, half_width)  # which means miss by rounding
     finer = make_interp_spline(places, face(places), degree, t=fine).c
@@ -45,15 +41,15 @@ def _refined(control_points: Array, axis: int, half_width: float, degree: int, s
 
 
 def _noise(net: ControlNet, scale: float, rng: np.random.Generator) -> Array:
-    """Control heights of a random face with a root mean square of 1 about a mean of 0."""
+    """Control heights of a random face with mean 0 and RMS 1."""
     samplers, widths = [], []
     for r, n, p in zip(net.half_width, net.shape, net.degree, strict=True):
         knots = _knots(r, n - p, p)
         middles = (np.arange(4 * (n - p)) + 0.5) * (r / (2 * (n - p))) - r
         samplers.append(BSpline(knots, np.eye(n), p)(middles))
-        # White noise behind a Gaussian of σ is correlated as exp(−r² / 4σ²).
+        # White noise after a Gaussian filter of σ has the correlation exp(−r² / 4σ²).
         widths.append(scale / 2 / (2 * r / (n - p)))
-    # Filtered beyond the edge too, so that the noise is the same there as elsewhere.
+    # Filtered beyond the edge, so that the noise is stationary there.
     margins = [min(math.ceil(4 * width), n) for width, n in zip(widths, net.shape, strict=True)]
     size = [n + 2 * m for n, m in zip(net.shape, margins, strict=True)]
     white = gaussian_filter(rng.standard_normal(size), widths, mode="wrap")

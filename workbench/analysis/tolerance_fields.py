@@ -1,7 +1,7 @@
-"""How far a lens may be off: the tolerances, and what each says of itself.
+"""Tolerances of a lens, with their titles, tips, units and limits.
 
-The command line, the form and the report follow from them. The command line reads this file before
-it knows what is asked of it, so nothing here takes long to import.
+The command line, the form and the report follow from them. The command line imports this module
+for each command, so it imports nothing slow.
 """
 
 import math
@@ -16,27 +16,26 @@ if TYPE_CHECKING:
     from workbench.scene import Scene
 
 FINEST = 1 / 250
-"""Least length of a face's errors, in widths of the lens, that 1000 control points follow."""
+"""Least correlation length of a face's error in widths of the lens: 1000 control points."""
 
 
 @dataclass(frozen=True)
 class ToleranceField:
-    """What a tolerance says of itself."""
+    """Description of a tolerance."""
 
-    title: str  # what a person reads before its field
-    tip: str  # what it is; "{optic}" stands for the lens or the mirror
-    row: str  # what a report calls it
-    # Of its number; of the first, if there are two, for both.
+    title: str  # of its field in the window
+    tip: str  # "{optic}" stands for the lens or the mirror
+    row: str  # its name in a report
     unit: Literal["", "degrees", "length"]
-    there: "Callable[[Scene], bool]" = lambda scene: True  # whether a scene has what could be off
-    absent: str = ""  # why it changes nothing otherwise
+    there: "Callable[[Scene], bool]" = lambda scene: True  # whether it applies to a scene
+    absent: str = ""  # why it does not apply
 
     def tip_of(self, optic: str) -> str:
-        """The tip for what is called so."""
+        """The tip for an element of this name."""
         return self.tip.format(optic=optic)
 
     def shown(self, size: float, unit: str) -> str:
-        """An error with its unit, in scenes of a unit of length."""
+        """An error with its unit; ``unit`` is the scene's unit of length."""
         return {
             "": f"{size:g}",
             "degrees": f"{math.degrees(size):g}°",
@@ -44,7 +43,7 @@ class ToleranceField:
         }[self.unit]
 
     def check(self, name: str, size: float, scene: "Scene") -> None:
-        """Refuse an error of what a scene does not have, and what is no size of an error."""
+        """Refuse an error that does not apply to a scene or is out of range."""
         angle = math.degrees(size)
         if size and not self.there(scene):
             raise Refused(
@@ -74,18 +73,17 @@ _ONE_FACE = Said("a mirror has no other face")
 
 @dataclass(frozen=True)
 class Tolerances:
-    """How far a lens may be off; angles in radians, lengths in scene units, 0 where it is not."""
+    """Largest errors of a lens; angles in radians, lengths in scene units."""
 
-    # Largest angle between lens and optical axis, turned about the middle of the entrance face;
-    # anywhere in the disc of all such tilts, evenly.
+    # About the middle of the front face; uniform in the disc of tilts.
     tilt: float = _tolerance(
         "Tilt", "Largest angle between {optic} and optical axis", "tilt up to", "degrees"
     )
-    # Largest distance of the lens from the axis; evenly in the disc.
+    # Uniform in the disc.
     decentre: float = _tolerance(
         "Decentre", "Largest distance of the {optic} from the axis", "decentre up to", "length"
     )
-    # The same of the exit face alone, against the entrance face: turned about its own middle.
+    # About the middle of the back face.
     exit_tilt: float = _tolerance(
         "Exit tilt",
         "Largest tilt of the exit face against the entrance",
@@ -102,7 +100,7 @@ class Tolerances:
         there=_between_faces,
         absent=_ONE_FACE,
     )
-    # Largest error of the refractive index; evenly to both sides.
+    # Uniform.
     index: float = _tolerance(
         "Index ±",
         "Largest error of the refractive index",
@@ -111,7 +109,7 @@ class Tolerances:
         there=lambda scene: scene.optic.index > 1,
         absent=Said("there is no glass"),
     )
-    # Largest error of the screen's distance; evenly to both sides.
+    # Uniform.
     distance: float = _tolerance(
         "Screen ±",
         "Largest error of the screen's distance",
@@ -120,7 +118,6 @@ class Tolerances:
         there=lambda scene: scene.receiver.at_distance,
         absent=Said("a far field is at no distance"),
     )
-    # As ``tilt``, of the source about its middle.
     source_tilt: float = _tolerance(
         "Source tilt",
         "Largest tilt of the source about its middle",
@@ -129,7 +126,7 @@ class Tolerances:
         there=lambda scene: scene.source.turns,
         absent=Said("this source lights the lens alike however it is turned"),
     )
-    # Largest distance of the source from its place; evenly in the ball.
+    # Uniform in the ball.
     source_shift: float = _tolerance(
         "Source shift",
         "Largest shift of the source, in any direction",
@@ -138,8 +135,7 @@ class Tolerances:
         there=lambda scene: scene.source.moves,
         absent=Said("even light from infinitely far is the same everywhere"),
     )
-    # Root mean square of the error of the exit face, or of a mirror, and of the entrance face; and
-    # the length over which it is alike.
+    # RMS and correlation length.
     surface: tuple[float, float] = _tolerance(
         "Surface",
         "Root mean square of the error of the exit face, or of the mirror, and the length over "
@@ -160,7 +156,7 @@ class Tolerances:
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> "Tolerances":
-        """From values by name, angles in degrees; other names do not count."""
+        """From values by name, angles in degrees; other names are ignored."""
         own: dict[str, Any] = {name: values[name] for name in ABOUT}
         for name, about in ABOUT.items():
             if about.unit == "degrees":
@@ -171,35 +167,32 @@ class Tolerances:
 
     @property
     def any(self) -> bool:
-        """Whether anything is off."""
+        """Whether any error is above 0."""
         return any(self.sizes.values())
 
     @property
     def sizes(self) -> dict[str, float]:
-        """How large each error may be, by name."""
+        """Largest errors by name."""
         values = {name: getattr(self, name) for name in ABOUT}
         return {name: v[0] if name in PAIRS else v for name, v in values.items()}
 
     def check(self, scene: "Scene") -> None:
-        """Refuse what is not possible for a scene, in the words of the command line.
-
-        Raises `Refused` with the tolerance and what is allowed.
-        """
+        """Raise `Refused` with the tolerance if one is not possible for a scene."""
         scene.check_one_image("tolerances")
         scene.check_one_element("tolerances")
         for name, size in self.sizes.items():
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic
         if self.index:
-            _check_room("index", self.index, optic.index - 1, Said("else there may be no glass"))
+            _check_below("index", self.index, optic.index - 1, Said("else there may be no glass"))
         if self.distance:
-            room = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
+            limit = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
             touch = Said("else the screen may touch the {optic}", optic=optic.called)
-            _check_room("distance", self.distance, room, touch)
+            _check_below("distance", self.distance, limit, touch)
         if self.source_shift:
-            room = optic.front_z - scene.source.nearest_z
+            limit = optic.front_z - scene.source.nearest_z
             touch = Said("else the source may touch the {optic}", optic=optic.called)
-            _check_room("source_shift", self.source_shift, room, touch)
+            _check_below("source_shift", self.source_shift, limit, touch)
         width = 2 * max(optic.half_width)
         for name in PAIRS:
             amplitude, scale = getattr(self, name)
@@ -218,20 +211,20 @@ class Tolerances:
 ABOUT: Mapping[str, ToleranceField] = {
     each.name: each.metadata["about"] for each in fields(Tolerances)
 }
-"""What each tolerance says of itself, by name."""
+"""Description of each tolerance by name."""
 
 PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.default, tuple))
-"""Names of those that are an error and the length over which it is alike."""
+"""Names of the tolerances with an RMS and a correlation length."""
 
 
-def _check_room(name: str, size: float, room: float, otherwise: str) -> None:
-    if not size < room:
+def _check_below(name: str, size: float, limit: float, otherwise: str) -> None:
+    if not size < limit:
         raise Refused(
             name,
             Said(
                 "{size:g}; at least 0, less than {room:g}, {otherwise}",
                 size=size,
-                room=room,
+                room=limit,
                 otherwise=otherwise,
             ),
         )

@@ -1,4 +1,4 @@
-"""What an independent check says of a lens."""
+"""Result of the independent check of a lens."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,60 +17,56 @@ from workbench.scene import AnyReceiver
 
 Interval = tuple[float, float]
 
-# Errors of the check that a difference to the run may have.
-_MARGIN = 2.0
+_MARGIN = 2.0  # allowed difference to the run, in errors of the check
 
 
 @dataclass(frozen=True)
 class Validation:
-    """What an independent trace says of a lens.
+    """Result of an independent trace of a lens.
 
     Attributes
     ----------
     loss : float
-        Paper's loss (section 2.4): Frobenius norm of the difference between image and target,
-        each divided by its sum, over √(n_x n_y).
+        Loss of the paper (section 2.4): Frobenius norm of the difference between image and
+        target, each divided by its sum, over √(n_x n_y).
     relative_l2 : float
-        The same norm over that of the normalised target; independent of the number of pixels.
-        Scatter of the rays from pixel to pixel is in it, and falls with the number of rays.
+        The same norm over that of the normalised target; the noise of the rays is in it.
     relative_l2_interval : tuple[float, float]
-        Where it lies for other rays, as many: at least 95 % confidence.
+        Interval of ``relative_l2`` for other rays, with at least 95 % confidence.
     relative_l2_corrected : float
-        The same error without the scatter of the rays, by a second image of a quarter as many
-        other rays; see `CorrectedDistance`.
+        The error without noise, by a second image of other rays; see `CorrectedDistance`.
     relative_l2_corrected_interval : tuple[float, float]
-        Where the lens's error lies: at least 95 % confidence.
+        Interval of the error of the lens, with at least 95 % confidence.
     efficiency : float
-        Part of the emitted flux that lands on the screen.
+        Part of the emitted flux on the receiver.
     account : Account
-        Where the light went.
+        Where the light goes.
     quality : Quality
         Other figures of the image.
     rays : int
-        Rays traced for the image.
+        Rays of the image.
     noise : float
-        Monte-Carlo standard error of ``relative_l2``: standard deviation of its value for 16
-        batches of the rays, over √16. The batches exclude each other, which makes the image of
-        all rays better than this tells: an upper estimate. For the same reason products of two
-        batches would not do for the corrected error.
+        Upper estimate of the standard error of ``relative_l2``: its standard deviation over 16
+        batches of the rays, over √16. The batches are stratified together, so they do not serve
+        as second images for the corrected error.
     irradiance : ndarray, shape (n_y, n_x)
-        Flux per area on the screen, row 0 at +y.
+        Flux per area on the receiver, row 0 at +y.
     image_noise : float
-        What the rays scatter of this image, over its norm.
+        Noise of the image over its norm.
     share : RandomShare
         The efficiency with its noise.
     by_cells : ByCells, optional
-        What cells say, where that was asked for and possible.
+        The deterministic check, if requested and possible.
     left_out : Said, optional
-        Why nothing is said by cells although it was asked for.
+        Why the deterministic check is missing although requested.
     shading : Shading, optional
-        Light that is counted although something is in its way, where cells were asked for.
+        Light that the lens or the receiver blocks, with the deterministic check.
     regions : tuple of RegionLight
-        The light of each region, by cells where there are some.
+        The light of each region.
     further : tuple of Validation
-        The same of each further image, in their order.
+        Results of the further images, in their order.
     weight : float
-        What the square of this image's error counts for beside those of the others.
+        Weight of the square of this image's error.
     """
 
     loss: float
@@ -95,36 +91,25 @@ class Validation:
 
     @property
     def images(self) -> tuple["Validation", ...]:
-        """What is said of each image, the first one first."""
+        """Results of all images, in their order."""
         return (self, *self.further)
 
     @property
     def verified(self) -> "Validation | ByCells | CombinedError":
-        """What has the error of the lens itself: cells, or else random rays.
+        """Result with the error of the lens itself: by cells, or else by random rays.
 
-        That of several images is the root of the weighted mean of their squares, as for a design.
+        The error of several images is the root of the weighted mean of their squares.
         """
         return CombinedError.of(self.images) if self.further else self.by_cells or self
 
     @property
     def contradiction(self) -> Said | None:
-        """That the two traces of the check contradict each other at one of the images.
-
-        A check with a contradiction has failed: none of its figures is reliable.
-        """
+        """Message if the two traces contradict each other: then no figure is reliable."""
         by_cells = (image.by_cells for image in self.images if image.by_cells)
         return next((each.contradiction for each in by_cells if each.contradiction), None)
 
     def beside_run(self, run: Array, receiver: AnyReceiver) -> Said | None:
-        """That the image of a run differs from this check by more than errors explain.
-
-        Parameters
-        ----------
-        run : ndarray, shape (n_y, n_x)
-            Flux per area, or per solid angle, of the image of the run.
-        receiver : AnyReceiver
-            What the images are on.
-        """
+        """Return a message if the image (n_y, n_x) of a run differs by more than the errors."""
         share, noise = self.share, self.image_noise
         cells = self.by_cells
         if cells and cells.agreement and cells.bound < noise:
@@ -139,7 +124,7 @@ class Validation:
 
     @property
     def loss_corrected(self) -> float:
-        """``loss`` of the lens itself, without the scatter of the rays."""
+        """``loss`` of the lens itself, without noise."""
         if self.relative_l2 == 0:
             return self.loss
         return self.loss * self.verified.relative_l2_corrected / self.relative_l2

@@ -1,4 +1,4 @@
-"""How near lenses for the sun come to what no lens is below."""
+"""Errors of lenses for the sun beside their lower bounds."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -22,16 +22,14 @@ _RAYS = 1 << 20
 
 @dataclass(frozen=True)
 class BoundedDesign:
-    """A lens beside its bound; errors are relative L2."""
+    """A lens beside its lower bounds; errors are relative L2."""
 
-    scene: str  # the picture
-    sharp: float  # the error of the target itself, blurred as the source blurs it
-    bound: float  # what no lens is below, certified
-    # What no light is below in spots of the width √(λ · distance), certified: narrower ones are
-    # washed out by diffraction.
-    spots: float
-    light: float  # the error of the best light that is known
-    lens: float  # the verified error of the designed lens
+    scene: str  # name of the picture
+    sharp: float  # error of the target, blurred as by the source
+    bound: float  # certified lower bound
+    spots: float  # certified lower bound for spots of the diffraction width √(λ · distance)
+    light: float  # error of the best known light
+    lens: float  # verified error of the designed lens
 
     @property
     def ratio(self) -> float:
@@ -40,7 +38,7 @@ class BoundedDesign:
 
     @property
     def to_spots(self) -> float:
-        """The lens over what no light in such spots is below."""
+        """The lens over the bound for spots."""
         return self.lens / self.spots
 
     @property
@@ -60,7 +58,7 @@ def lenses(iterations: int | None, notify: Notify) -> Iterator[BoundedDesign]:
 
 
 def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> BoundedDesign:
-    """The bound of an example, and a lens beside it."""
+    """Find the lower bounds of an example and design its lens."""
     scene, target = example.scene, example.target
     notify(name, "its bound")
     bound = Bound(scene, target)
@@ -72,7 +70,7 @@ def compare_with_bound(name: str, example: BenchmarkTask, notify: Notify) -> Bou
     spots = deblur_into_spots(target, blur, diffraction(scene) / pixel).bound
     best = example.designed(partial(notify, name))
     seen = validate(scene, target, best.state.heights, _RAYS, accuracy=ACCURACY)
-    # By cells where they are exact: scatter of so few rays is a third of the error of a good lens.
+    # By cells where they are exact: the noise of few rays is a third of the error of a good lens.
     lens = (seen.by_cells or seen).relative_l2_corrected
     return BoundedDesign(name, _error(blurred, target), found.bound, spots, found.error, lens)
 

@@ -26,7 +26,7 @@ _SEED = 13
 NO_CHANGES: Mapping[str, Any] = MappingProxyType({})
 
 Notify = Callable[[str, str], None]
-"""Called now and then with what is measured, and how far that is."""
+"""Called now and then with the name of a measurement and its progress."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,26 +66,19 @@ class BenchmarkTask:
         return replace(cls.of("photo", cloud(_PHOTO)), name="cloud")
 
     def designed(
-        self, tell: Callable[[str], None], locked: Mapping[str, Mask] = NO_LOCKS
+        self, notify: Callable[[str], None], locked: Mapping[str, Mask] = NO_LOCKS
     ) -> Result:
-        """Run the design to its end.
-
-        `tell`: told how far it is; `locked` (n_u, n_v): control points of each face that stay; see
-        `run`.
-        """
+        """Run the design to its end; ``locked`` as for `run`."""
         history = History()
         for snapshot in run(self.scene, self.target, locked=locked):
-            tell(f"iteration {snapshot.iteration}")
+            notify(f"iteration {snapshot.iteration}")
             history.add(snapshot)
         found = history.result()
         assert found is not None  # a run begins with a lens
         return found
 
     def save(self, folder: Path) -> Path:
-        """Write the scene and its target into a folder.
-
-        Returns the scene file.
-        """
+        """Write the scene and its target into a folder, and return the scene file."""
         np.save(folder / "target.npy", self.target)
         scene = with_values(self.scene, {"images[0].target": {"image": "target.npy"}})
         file = folder / "scene.json"
@@ -94,10 +87,7 @@ class BenchmarkTask:
 
 
 def cloud(size: int) -> Array:
-    """Noise with an amplitude of 1 / frequency: detail of every size, as in photographs of nature.
-
-    Returns (size, size): values in [0, 1], the same ones each time.
-    """
+    """Return an image in [0, 1] of noise with an amplitude of 1 / frequency, as in photographs."""
     noise = np.random.default_rng(_SEED).standard_normal((size, size))
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size))
     frequency[0, 0] = np.inf  # no mean
@@ -106,10 +96,7 @@ def cloud(size: int) -> Array:
 
 
 def wavy(scene: Scene) -> Array:
-    """Control heights of a lens that bends light everywhere, some ten per cent of the screen far.
-
-    Returns (n_u, n_v): scene units, within the scene's height range.
-    """
+    """Return control heights of a lens that bends light everywhere, by a tenth of the screen."""
     x, y = ControlNet.of(scene.optic).positions
     r_x, r_y = scene.optic.half_width
     rise = np.cos(np.pi * x / r_x)[:, None] * np.cos(1.5 * np.pi * y / r_y + 0.5)[None, :]
@@ -125,25 +112,24 @@ def wavy(scene: Scene) -> Array:
 
 @dataclass(frozen=True)
 class TableColumn:
-    """A column."""
+    """Column of a table."""
 
-    name: str  # its key in JSON, and the attribute of a row that it shows
-    heading: str  # what people read; empty for a column that only JSON has
-    form: str = ""  # format specification of its values, such as ".1%"
+    name: str  # key in JSON, and attribute of a row
+    heading: str  # empty for a column of JSON alone
+    form: str = ""  # format specification, such as ".1%"
 
 
 @dataclass(frozen=True)
 class Table:
     """Rows under a title."""
 
-    title: str  # what the rows are
-    columns: tuple[TableColumn, ...]  # what is known of each
-    # Anything with the columns' names as attributes; None for what does not apply.
-    rows: Sequence[Any]
-    note: str = ""  # what has to be known to read it
+    title: str
+    columns: tuple[TableColumn, ...]
+    rows: Sequence[Any]  # with the columns' names as attributes; None where a value is missing
+    note: str = ""
 
     def to_markdown(self) -> str:
-        """Title, table and note, without the columns that have no heading."""
+        """Title, table and note, without columns that have no heading."""
         seen = [column for column in self.columns if column.heading]
         lines = [
             [column.heading for column in seen],

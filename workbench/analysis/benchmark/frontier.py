@@ -27,13 +27,11 @@ from workbench.scene import Scene
 
 
 class MethodLens(NamedTuple):
-    """A lens that a method has found."""
+    """A lens found by a method."""
 
-    seconds: float  # time of the method up to here
-    # (n_u, n_v), control heights of the exit face, on a net that may be the method's own.
-    heights: Array
-    # Relative L2 error of the image as the method itself sees it, if it does.
-    own: float | None = None
+    seconds: float  # of the method so far
+    heights: Array  # (n_u, n_v), control heights of the designed face, on the method's own net
+    own: float | None = None  # relative L2 error as the method computes it
 
 
 Method = Callable[[BenchmarkTask, int | None], Iterator[MethodLens]]
@@ -41,7 +39,7 @@ Method = Callable[[BenchmarkTask, int | None], Iterator[MethodLens]]
 _PAPER_ITERATIONS = 1000  # as in the paper
 # With a finer net and the paper's rays its own loss falls and the verified error rises.
 _PAPER_NET = 64
-_PAPER_SECONDS = 10.0  # no longer, so that all scenes together end soon
+_PAPER_SECONDS = 10.0  # at most, so that the benchmark ends soon
 
 
 def _auto(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
@@ -64,7 +62,7 @@ def _paper_on_torch(example: BenchmarkTask, iterations: int | None) -> Iterator[
 
 
 def _transport(example: BenchmarkTask, iterations: int | None) -> Iterator[MethodLens]:
-    """The first lens of ``auto`` alone."""
+    """The first design of ``auto`` alone."""
     start = time.perf_counter()
     first = transport_start(example.scene, example.target)
     if first is None:
@@ -90,7 +88,7 @@ METHODS: dict[str, Method] = {
     "transport": _transport,
     "auto": _auto,
 }
-"""What is compared, by name."""
+"""Compared methods by name."""
 
 
 TITLE = "Verified error against time"
@@ -110,45 +108,39 @@ _NOTE = (
 
 @dataclass(frozen=True)
 class Effort:
-    """How thoroughly courses are measured."""
+    """Scenes, methods and effort of a measurement."""
 
-    examples: tuple[BenchmarkTask, ...]  # the scenes
-    methods: tuple[str, ...]  # what designs them; speed is measured against the first
-    iterations: int | None  # upper limit of every method; None leaves it to each
-    step: float  # factor from one time at which a lens is verified to the next
+    examples: tuple[BenchmarkTask, ...]
+    methods: tuple[str, ...]  # speed is relative to the first
+    iterations: int | None  # upper limit; None leaves it to each method
+    step: float  # ratio of the times of successive verified lenses
     processes: int  # fresh processes that design each scene
 
 
 class TracedError(NamedTuple):
-    """What an independent tracer says of a lens."""
+    """Relative L2 error of a lens by an independent tracer, its error bound, and efficiency."""
 
-    # Relative L2 error, and how far from the true one it may be.
     error: float
     bound: float
-    efficiency: float  # part of the emitted flux that lands on the screen
+    efficiency: float
 
 
 @dataclass(frozen=True)
 class Course:
     """Verified error of a method on a scene, against time."""
 
-    # Their names.
     scene: str
     method: str
-    pixels: int = 0  # pixels of the screen
-    # Verified error of the best lens after some times, s. The method's own time: verifying is not
-    # in it.
+    pixels: int = 0
+    # Time of the method alone, s, and verified error of its best lens.
     times: tuple[float, ...] = ()
     errors: tuple[float, ...] = ()
-    # Time and own error of the best lens after each iteration.
-    own_curve: tuple[tuple[float, float], ...] = ()
-    last: TracedError | None = None  # what is said of the last lens
-    waited: float | None = None  # time that a fresh process takes, s
+    own_curve: tuple[tuple[float, float], ...] = ()  # time and own error after each iteration
+    last: TracedError | None = None  # of the last lens
+    waited: float | None = None  # time of a fresh process, s
     memory: int | None = None  # peak of that process, bytes
-    # How many times sooner than the first method this one has its lowest error, or a lower one;
-    # None if it never does.
-    sooner: float | None = None
-    failure: str = ""  # why there is no more; empty if all went well
+    sooner: float | None = None  # speed-up over the first method at its lowest error; None: never
+    failure: str = ""  # reason of a failure
 
     @property
     def curve(self) -> list[tuple[float, float]]:
@@ -162,7 +154,7 @@ class Course:
 
     @property
     def microseconds_a_pixel(self) -> float | None:
-        """The same for each pixel."""
+        """Time of the run for each pixel."""
         return None if self.seconds is None else 1e6 * self.seconds / self.pixels
 
     @property
@@ -172,22 +164,22 @@ class Course:
 
     @property
     def bound(self) -> float | None:
-        """How far from the true one that may be."""
+        """Error bound of ``error``."""
         return self.last and self.last.bound
 
     @property
     def efficiency(self) -> float | None:
-        """Part of the light that the last lens brings to the screen."""
+        """Efficiency of the last lens."""
         return self.last and self.last.efficiency
 
     @property
     def own(self) -> float | None:
-        """Error of the last lens as the run itself sees it."""
+        """Error of the last lens as the run computes it."""
         return self.own_curve[-1][1] if self.last and self.own_curve else None
 
     @property
     def own_over_verified(self) -> float | None:
-        """Their ratio: 1 if the run tells the truth."""
+        """Own over verified error: 1 if the run is right."""
         return self.own / self.error if self.own and self.error else None
 
     @property
@@ -196,12 +188,12 @@ class Course:
         return None if self.memory is None else self.memory / 1e6
 
     def time_to(self, error: float) -> float | None:
-        """The first time at which the verified error was no larger; None for never."""
+        """Return the first time with at most this verified error; None for never."""
         return next((t for t, e in self.curve if e <= error), None)
 
 
 def quick(iterations: int | None) -> Effort:
-    """The frontier in small: within two minutes on two cores."""
+    """Two small scenes: within two minutes on two cores."""
     small: dict[str, Any] = {
         "lens.back.control_points": [32, 32],
         "source.rays": [256, 256],
@@ -298,8 +290,7 @@ def _timed(method: Method, example: BenchmarkTask, iterations: int | None) -> It
 
 
 def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) -> TracedError:
-    """Judge a lens by cells of that accuracy; by random rays where the source has many points."""
-    # A method may design on a net of its own.
+    """Verify a lens by cells, or by random rays where the source has many points."""
     scene = example.scene.with_optic(example.scene.optic.shaped(control_points=lens.shape))
     image = finished(imaging(scene, {example.scene.optic.designed_face: lens}, accuracy))
     if image is None:
@@ -311,11 +302,7 @@ def verified(example: BenchmarkTask, lens: Array, accuracy: float = ACCURACY) ->
 
 
 def _sooner(course: Course, yardstick: Course) -> float | None:
-    """Ratio of the times that both took to the lowest error that the yardstick ever has.
-
-    A lens is verified at some times alone: the time found is the first of these, and the true one
-    may be less by the step.
-    """
+    """Ratio of the times of both to the lowest error of the yardstick, rounded up to a step."""
     if not yardstick.errors:
         return None
     goal = min(yardstick.errors)
@@ -324,7 +311,7 @@ def _sooner(course: Course, yardstick: Course) -> float | None:
 
 
 METHOD = "auto"
-"""The method whose curves are compared."""
+"""Method whose curves are compared with earlier ones."""
 
 
 class _Row(BaseModel):
@@ -339,11 +326,7 @@ class _File(BaseModel):
 
 
 def kept_courses(path: Path) -> list[Course]:
-    """Read the curves of a result of ``freeform benchmark``.
-
-    `path`: the JSON file that a benchmark with curves has written. Raises `Refused` if it cannot be
-    read or is no such file.
-    """
+    """Read the curves in a JSON file of ``freeform benchmark``; raise Refused if impossible."""
     try:
         file = _File.model_validate_json(path.read_bytes())
     except OSError as error:
@@ -363,7 +346,7 @@ def kept_courses(path: Path) -> list[Course]:
 
 
 def earlier_courses(path: Path) -> list[Course]:
-    """What ``auto`` was in a result, to be drawn beside a newer one; see `kept_courses`."""
+    """Read the curves of ``auto`` in an earlier result; see `kept_courses`."""
     return [
         replace(course, method=f"{METHOD}, before", own_curve=())
         for course in kept_courses(path)

@@ -26,13 +26,13 @@ _PACKAGES = ("freeform-lens-workbench", "torch", "numba", "numpy", "scipy")
 class Machine:
     """A machine and the software on it."""
 
-    cpu: str  # what the CPU calls itself
-    cores: int  # cores that this process may use
-    threads: int  # threads that the tracer uses
-    memory: int | None  # bytes; None where the system does not say
+    cpu: str
+    cores: int  # usable by this process
+    threads: int  # of the tracer
+    memory: int | None  # bytes; None if unknown
     gpu: str | None  # the first CUDA device
     system: str  # operating system
-    versions: dict[str, str]  # of Python and the packages that matter
+    versions: dict[str, str]  # of Python and the main packages
 
     @classmethod
     def here(cls) -> "Machine":
@@ -63,29 +63,26 @@ class Machine:
 
 
 class PeakMemory:
-    """The most memory that this process has held since this object was made.
-
-    Where the system cannot forget an earlier peak, since the process began.
-    """
+    """Peak memory of this process since the object was made, or since its start."""
 
     def __init__(self) -> None:
         with suppress(OSError):
             Path("/proc/self/clear_refs").write_text("5", "ascii")
 
     def bytes(self) -> int | None:
-        """The peak so far; None where the system does not say."""
+        """Return the peak so far; None if unknown."""
         if found := peak_memory("self"):
             return found
         if sys.platform == "win32":
             return None
-        import resource  # not there on Windows
+        import resource  # not on Windows
 
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         return peak if sys.platform == "darwin" else peak * 1024
 
 
 def peak_memory(process: int | str) -> int | None:
-    """The most memory that a process has held, bytes; None where the system does not say."""
+    """Return the peak memory of a process in bytes; None if unknown."""
     with suppress(OSError):
         for line in Path(f"/proc/{process}/status").read_text("utf-8", "replace").splitlines():
             if line.startswith("VmHWM:"):
@@ -120,17 +117,14 @@ _POLL = 0.05  # s
 
 
 class FreshRun(NamedTuple):
-    """What processes took."""
+    """Time and memory of fresh processes."""
 
-    seconds: float  # median time from the start of a process to its end
-    memory: int | None  # peak of the largest one, bytes; None where the system does not say
+    seconds: float  # median from start to end of a process
+    memory: int | None  # peak of the largest process, bytes; None if unknown
 
 
 def fresh_design(example: BenchmarkTask, iterations: int, times: int) -> FreshRun:
-    """Design an example from the command line, so many times.
-
-    Raises `RunFailed` if a process fails.
-    """
+    """Design an example from the command line ``times`` times; raise RunFailed if one fails."""
     with TemporaryDirectory(prefix="freeform-") as folder:
         scene = example.save(Path(folder))
         found = [_process(scene, iterations) for _ in range(times)]

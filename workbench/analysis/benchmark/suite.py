@@ -1,4 +1,4 @@
-"""The benchmarks: what measures them, and the tables that they make."""
+"""The benchmarks: their measurements and tables."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
@@ -10,10 +10,9 @@ from workbench.analysis.benchmark.examples import Notify, Table
 class Benchmark(NamedTuple):
     """A benchmark."""
 
-    # Given a limit of iterations (None leaves it to each scene) and what to call with the progress,
-    # it yields one row after the other.
+    # Yields rows; takes a limit of iterations (None leaves it to each scene) and a `Notify`.
     measure: Callable[[int | None, Notify], Iterator[Any]]
-    tables: Callable[[Sequence[Any]], tuple[Table, ...]]  # puts rows into tables
+    tables: Callable[[Sequence[Any]], tuple[Table, ...]]
 
 
 def _courses(effort: Callable[[int | None], frontier.Effort]) -> Benchmark:
@@ -35,4 +34,4 @@ SUITE = {
     ),
     "paper": Benchmark(experiments.experiments, experiments.tables),
 }
-"""What `names.BENCHMARKS` lists."""
+"""Benchmarks by the names of `names.BENCHMARKS`."""
