@@ -1,9 +1,10 @@
-"""Opens files for reading, or says in one sentence why not."""
+"""Open files for reading, and tell whether they changed."""
 
 import os
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
+from hashlib import blake2b
 from pathlib import Path
 from typing import BinaryIO
 
@@ -13,15 +14,11 @@ from workbench.said import Said
 
 @contextmanager
 def opened(path: Path) -> Iterator[BinaryIO]:
-    """Open an ordinary file for reading.
-
-    `path`: file to read. Yields the open file. Raises `Refused` if it is missing, no ordinary file,
-    or cannot be read, here or in the block.
-    """
-    if "\0" in str(path):  # which Python would not look for
+    """Open an ordinary file for reading; raise Refused if that fails, here or in the block."""
+    if "\0" in str(path):  # for which Python raises ValueError
         raise Refused(str(path), Said("does not exist; no file can have such a name"))
     try:
-        # Asked first: opening a pipe would wait for someone to write.
+        # Checked first: opening a pipe would wait for a writer.
         kind = os.stat(path).st_mode
         if stat.S_ISDIR(kind):
             raise Refused(str(path), Said("is a folder; a file is needed"))
@@ -35,3 +32,19 @@ def opened(path: Path) -> Iterator[BinaryIO]:
         raise Refused(
             str(path), Said("cannot be read: {problem}", problem=error.strerror or error)
         ) from error
+
+
+def fingerprint(path: Path) -> str | None:
+    """Return a digest of a file's content; None without a file; raise Refused if unreadable."""
+    if not path.exists():
+        return None
+    with opened(path) as file:
+        return digest(file)
+
+
+def digest(file: BinaryIO) -> str:
+    """Return the digest of all that follows in an open file, as `fingerprint` does."""
+    found = blake2b(digest_size=16)
+    while block := file.read(1 << 20):
+        found.update(block)
+    return found.hexdigest()

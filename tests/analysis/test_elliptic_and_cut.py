@@ -8,8 +8,7 @@ import torch
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.cut_lens import tracing_cut
-from workbench.analysis.focus import focus_series, screen_at
-from workbench.analysis.through_focus import with_screen_at
+from workbench.analysis.focus import focus_series, screen_at, with_screen_at
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.trace import BATCHES

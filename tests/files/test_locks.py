@@ -8,8 +8,8 @@ import pytest
 
 from workbench.errors import Refused
 from workbench.files.atomic import locked
-from workbench.files.fingerprint import fingerprint
 from workbench.files.session import Session, write_session
+from workbench.reading import fingerprint
 from workbench.targets import load_target
 
 

@@ -14,9 +14,9 @@ from ui.words import tr
 from workbench.design.session import KeptRun, VerifiedError
 from workbench.design.snapshot import Result
 from workbench.design.task import with_file, with_task
-from workbench.files.fingerprint import fingerprint
 from workbench.files.scene import with_absolute_files
 from workbench.files.session import Session, is_session, open_design, read_session, write_session
+from workbench.reading import fingerprint
 from workbench.scene import Scene
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from workbench.analysis.focus import through_focus
 from workbench.analysis.metrics import product, relative_l2, root
 from workbench.analysis.mitsuba import MitsubaScene
 from workbench.analysis.scatter import CorrectedDistance
-from workbench.analysis.through_focus import through_focus
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body

@@ -1,4 +1,4 @@
-"""The image of a lens on screens at several distances: through focus."""
+"""Light of a lens on screens elsewhere, by the rays of the independent check."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -7,10 +7,51 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.through_focus import through_focus
+from workbench.analysis.tracing.trace import Trace, added
+from workbench.analysis.tracing.train import Tally
 from workbench.arrays import Array
 from workbench.progress import Progress, fraction_of, no_progress
 from workbench.scene import Scene
+
+
+def through_focus(
+    scene: Scene,
+    heights: Mapping[str, Array],
+    distances: Sequence[float] | None,
+    rays: int = 1_000_000,
+    seed: int = 1,
+    progress: Progress = no_progress,
+) -> Array:
+    """Irradiance on screens at several distances, from one trace.
+
+    `distances`: z of each screen; None stands for the scene's receiver alone. Returns (k, n_y,
+    n_x): flux per area on each of the k screens, row 0 at +y. Raises `Refused` if a screen may
+    touch the lens, or the lens is no body.
+    """
+    for z in distances or ():
+        with_screen_at(scene, z)
+    trace = Trace(scene, heights, rays, seed, distances=distances)
+    total: Tally | None = None
+    for batch in trace.batches():
+        total = added(total, batch)
+        del batch
+        progress(trace.part)
+    assert total is not None
+    n_x, n_y = scene.receiver.pixels
+    images: Array = total.flux.reshape(-1, n_y, n_x)
+    images /= total.emitted * scene.receiver.pixel_measure
+    return images
+
+
+def with_screen_at(scene: Scene, z: float) -> Scene:
+    """The scene with its screen elsewhere.
+
+    Raises `Refused` if the screen may touch the lens there, or the receiver is at no distance.
+    """
+    there = scene.with_receiver(scene.receiver.moved_to(z))
+    there.check()
+    return there
+
 
 # Bytes of images that one trace fills.
 _LARGEST_IMAGES = 1 << 27

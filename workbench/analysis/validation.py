@@ -17,11 +17,11 @@ import numpy as np
 import numpy.typing as npt
 
 from workbench.analysis.by_cells import ByCells, RandomShare, without_scatter
+from workbench.analysis.focus import with_screen_at
 from workbench.analysis.metrics import Quality, paper_loss, product, relative_l2, root
 from workbench.analysis.regions import light_of_regions
 from workbench.analysis.scatter import FEWER, STUDENT_T, CorrectedDistance, IndependentError
 from workbench.analysis.shading import shading_of
-from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.sources.cells import BATCHES
 from workbench.analysis.tracing.trace import Trace, added

@@ -10,9 +10,8 @@ from typing import Any
 from workbench.analysis.by_cells import ByCells
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.cross_check import CrossCheck, cross_check
-from workbench.analysis.focus import Focus, focus_series
+from workbench.analysis.focus import Focus, focus_series, with_screen_at
 from workbench.analysis.metrics import relative_l2
-from workbench.analysis.through_focus import with_screen_at
 from workbench.analysis.validation import validate as compute_check
 from workbench.analysis.validation_figures import Validation
 from workbench.arrays import Array

@@ -31,7 +31,6 @@ from workbench.files.designs import (
 )
 from workbench.files.entries import Entries, write_array
 from workbench.files.figures import Figures, VerifiedFigures
-from workbench.files.fingerprint import digest
 from workbench.files.header import (
     MOST_RUNS,
     VERSION,
@@ -45,7 +44,7 @@ from workbench.files.header import (
 from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_files, with_portable_files
 from workbench.geometry.faces import FaceArrays
 from workbench.geometry.surface import freeform_nets
-from workbench.reading import opened
+from workbench.reading import digest, opened
 from workbench.said import Said
 from workbench.scene import Scene
 
