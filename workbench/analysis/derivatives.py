@@ -19,23 +19,19 @@ from workbench.optics.plan import Plan, tensors_of
 from workbench.said import Said
 from workbench.scene import Scene
 
-# Torch has one level of dual numbers for all threads together.
+# Torch has one level of dual numbers for all threads.
 _DUAL_NUMBERS = Lock()
 
 
 @dataclass(frozen=True, eq=False)
 class DerivativeMap:
-    """How the image changes as one control point rises."""
+    """Derivative of the image with respect to one control height."""
 
-    index: tuple[int, int]  # the control point, along x and along y
+    index: tuple[int, int]  # of the control point, along x and along y
     position: tuple[float, float]  # its x and y, scene units
-    # (n_y, n_x), change of flux per area, per scene unit of height; row 0 at +y. Exactly 0 in
-    # pixels out of the control point's reach.
-    map: Array
-    # Change of the flux on the screen per scene unit of height; near 0 where no light crosses the
-    # image's border, since a control point moves light and makes none.
-    sum: float
-    flux: float  # flux on the screen
+    map: Array  # (n_y, n_x), flux per area per scene unit of height, row 0 at +y
+    sum: float  # change of the flux on the receiver; 0 where no light crosses the image's border
+    flux: float  # on the receiver
 
 
 def irradiance_derivative(
@@ -45,16 +41,14 @@ def irradiance_derivative(
     dtype: torch.dtype = torch.float64,
     face: str = "",
 ) -> DerivativeMap:
-    """Derivative of the irradiance image with respect to one control height.
+    """Return the derivative of the image with respect to one control height.
 
-    `scene`: what is traced; `heights` (n_u, n_v); `index`: the control point, along x and along y,
-    counted from 0; `dtype`: float type of the trace; `face`: the name of its face; by default the
-    one that the task shapes. Raises `Refused` if there is no such control point, or if the filter
-    gives pixels that jump instead of changing smoothly as rays move.
+    ``face`` is by default the designed face. Raises `Refused` if there is no such control point, or
+    the filter is not smooth.
 
     Examples
     --------
-    A control point moves light, and makes none:
+    A control point moves light, so the sum is 0:
 
     >>> import numpy as np
     >>> from resources import path
@@ -72,13 +66,12 @@ def irradiance_derivative(
     tensors = tensors_of(heights, scene)
     rise = torch.zeros_like(tensors[face])
     rise[index] = 1.0
-    # Dual numbers rather than `torch.func.jvp`, whose wrapped tensors have no values that the
-    # search for intersections could look at.
+    # Not `torch.func.jvp`: its wrapped tensors have no values for the search for intersections.
     with _DUAL_NUMBERS, torch.no_grad(), forward_ad.dual_level():
         moved = forward_ad.make_dual(tensors[face], rise)  # type: ignore[no-untyped-call]
         dual = plan.flux({**tensors, face: moved})
         flux, change = forward_ad.unpack_dual(dual)  # type: ignore[no-untyped-call]
-    assert change is not None  # every image depends on every height, if only by 0
+    assert change is not None  # every image depends on every height
     change = change.to(torch.float64)
     x, y = net.positions
     return DerivativeMap(

@@ -1,4 +1,4 @@
-"""Light of a lens on screens elsewhere, by the rays of the independent check."""
+"""Images of a lens on screens at several distances, by the rays of the independent check."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,11 +22,10 @@ def through_focus(
     seed: int = 1,
     progress: Progress = no_progress,
 ) -> Array:
-    """Irradiance on screens at several distances, from one trace.
+    """Return the irradiance (k, n_y, n_x) on screens at several z, from one trace.
 
-    `distances`: z of each screen; None stands for the scene's receiver alone. Returns (k, n_y,
-    n_x): flux per area on each of the k screens, row 0 at +y. Raises `Refused` if a screen may
-    touch the lens, or the lens is no body.
+    Without ``distances`` it is that of the scene's receiver. Raises `Refused` if a screen may touch
+    the lens, or the lens is no solid body.
     """
     for z in distances or ():
         with_screen_at(scene, z)
@@ -44,31 +43,24 @@ def through_focus(
 
 
 def with_screen_at(scene: Scene, z: float) -> Scene:
-    """The scene with its screen elsewhere.
-
-    Raises `Refused` if the screen may touch the lens there, or the receiver is at no distance.
-    """
+    """Return the scene with its screen at z; raise Refused if it may touch the lens there."""
     there = scene.with_receiver(scene.receiver.moved_to(z))
     there.check()
     return there
 
 
-# Bytes of images that one trace fills.
-_LARGEST_IMAGES = 1 << 27
-# Most pixels along each side of an image that is kept.
-_MOST_PIXELS = 512
+_LARGEST_IMAGES = 1 << 27  # bytes of all images of a trace
+_MOST_PIXELS = 512  # along each side of an image that is returned
 
 
 @dataclass(frozen=True, eq=False)
 class Focus:
     """The image at one distance."""
 
-    z: float  # where the screen is
-    relative_l2: float  # error against the target, ray noise included; 1 where there is no light
-    efficiency: float  # part of the emitted flux that lands on the screen
-    # (m_y, m_x), flux per area, row 0 at +y; the mean of some pixels where the screen has more than
-    # 512 along a side, so that a long series needs little memory.
-    irradiance: Array
+    z: float  # of the screen
+    relative_l2: float  # error against the target with ray noise; 1 without light
+    efficiency: float  # part of the emitted flux on the screen
+    irradiance: Array  # (m_y, m_x), row 0 at +y, averaged to at most 512 pixels a side
 
     def to_data(self) -> dict[str, float]:
         """The figures by name, for JSON."""
@@ -76,11 +68,7 @@ class Focus:
 
 
 def screen_at(scene: Scene, heights: Mapping[str, Array], fraction: float) -> float:
-    """Where a screen stands at a part of the way from the lens to the scene's screen.
-
-    `heights` (n_u, n_v); `fraction`: above 0, which is as high as the exit face is or may be; 1 is
-    the scene's screen. Returns z of the screen.
-    """
+    """Return z of a screen at a fraction of the distance from the back face to the screen."""
     optic, onwards = scene.optic, scene.optic.onwards
     beyond = float((onwards * heights[optic.designed_face]).max())
     edge = onwards * max(onwards * optic.edge_z, beyond)
@@ -95,10 +83,7 @@ def focus_series(
     rays: int = 1_000_000,
     progress: Progress = no_progress,
 ) -> Iterator[Focus]:
-    """Images at several distances, by the same rays.
-
-    `distances`: z of each screen; as large as the scene's. Raises `Refused` if a screen may touch
-    the lens.
+    """Yield images at several z by the same rays; raise Refused if a screen may touch the lens.
 
     Examples
     --------
@@ -119,11 +104,11 @@ def focus_series(
         for z, image in zip(some, images, strict=True):
             flux = scene.receiver.total(image)
             yield Focus(z, relative_l2(image, target), flux, _small(image))
-        del images, image  # large ones must not wait for the next
+        del images, image  # frees memory before the next trace
 
 
 def _small(image: Array) -> Array:
-    """A copy with few enough pixels, each the mean of those it stands for."""
+    """Average pixels of an image until it has at most 512 along a side."""
     for axis in (0, 1):
         count = image.shape[axis]
         first = np.arange(0, count, -(-count // _MOST_PIXELS))

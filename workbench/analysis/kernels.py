@@ -1,4 +1,4 @@
-"""All that numba compiles for a design and for its check, got ready before it is needed."""
+"""Compilation of all kernels of a design and its check in advance."""
 
 import math
 import multiprocessing
@@ -38,7 +38,7 @@ _TINY = {
         }
     ],
 }
-# Between them they need every loop of the independent traces.
+# Together they use every loop of the independent traces.
 _SOURCES = (
     {"kind": "collimated", "rays": [1, 1]},
     {"kind": "point", "position": [0, 0, -5], "rays": 1},
@@ -50,10 +50,9 @@ _FINE = (torch.float64,)
 def compile_all(
     goes_on: Callable[[], bool] = lambda: True, dtypes: Sequence[torch.dtype] = (torch.float32,)
 ) -> None:
-    """Compile all kernels, or take them from disk.
+    """Compile all kernels, or load them from disk, while ``goes_on`` returns true.
 
-    `goes_on`: asked before each part; the rest is left out once it says no; `dtypes`: float types
-    of the traces of designs.
+    `dtypes`: float types of the traces of designs.
     """
     try:
         kernels.compile_all(goes_on, dtypes)
@@ -68,7 +67,7 @@ def compile_all(
 
 
 def _compile_side_by_side() -> None:
-    """Compile the kernels of both float types at the same time: compiling holds Python's lock."""
+    """Compile the kernels of both float types in two processes."""
     with ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
         parts = [pool.submit(compile_all), pool.submit(kernels.compile_all, dtypes=_FINE)]
         for part in parts:

@@ -1,7 +1,7 @@
-"""What a shop asks of a lens: thickness, slopes, radii of curvature, draft.
+"""Figures of a lens for manufacture: thickness, slopes, radii of curvature, draft.
 
-Each extreme comes twice: as attained at a place that has been looked at, and as a bound that the
-lens does not pass anywhere, from the convex hulls of its polynomials. The truth is in between.
+Each extreme has two values: the extreme of many samples, and a bound for all points from the convex
+hulls of the polynomials.
 """
 
 import math
@@ -21,37 +21,31 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.progress import check_given_up
 from workbench.scene import Element
 
-# Least numbers of parts along each axis that hulls are made of. Twice as many places are looked at.
-_PARTS = 256
-# Curvatures times the half-width that rounding of a plane may bring about.
-_FLAT = 1e-9
+_PARTS = 256  # least parts along each axis for hulls; samples are twice as many
+_FLAT = 1e-9  # curvature of a plane by rounding, times the half-width
 
 
 class Extreme(NamedTuple):
-    """The most or the least of something over the lens."""
+    """Maximum or minimum of a quantity over the lens."""
 
-    value: float  # the extreme among many places
-    bound: float  # what it is not beyond anywhere
-    place: tuple[float, float]  # X and y of the value, scene units
+    value: float  # extreme of the samples
+    bound: float  # of all points
+    place: tuple[float, float]  # x and y of the value, scene units
 
     def to_data(self) -> dict[str, Any]:
-        """The numbers by name, for JSON, which has no infinity: None in its place."""
+        """The numbers by name, for JSON; None for infinity."""
         value, bound = (None if math.isinf(n) else n for n in (self.value, self.bound))
         return {"value": value, "bound": bound, "place": list(self.place)}
 
 
 class SurfaceMaps(NamedTuple):
-    """A freeform face point by point; all of shape (n_y, n_x) with row 0 at +y.
-
-    Places beside the lens, within its bounding rectangle, have no numbers (NaN).
-    """
+    """Maps (n_y, n_x) of a freeform face, row 0 at +y; NaN beside the outline of the lens."""
 
     x: Array  # (n_x,), ascending; scene units
     y: Array  # (n_y,), descending; scene units
-    thickness: Array  # distance between both faces along z, scene units
-    slope: Array  # angle between the face and a plane across the axis, degrees
-    # Largest curvature of a hollow and of a hump there, as the face is seen from outside, 1 / scene
-    # unit; negative where there is none in any direction.
+    thickness: Array  # along z, scene units
+    slope: Array  # against a plane across the axis, degrees
+    # Largest concave and convex curvature, seen from outside, 1 / scene unit; negative if none.
     concave: Array
     convex: Array
 
@@ -60,22 +54,16 @@ class SurfaceMaps(NamedTuple):
 class FaceFigures:
     """Figures of a freeform face, in scene units and degrees."""
 
-    sag_range: float  # height of the highest point of the face over the lowest
-    steepest: Extreme  # angle between the face and a plane across the axis, degrees
-    # Smallest radius of curvature of hollows and humps of the face; infinite where there is none, 0
-    # at the edges that a face of degree 1 has.
+    sag_range: float  # highest less lowest z
+    steepest: Extreme  # slope against a plane across the axis, degrees
+    # Smallest radius of concave and convex curvature; infinite if none, 0 at edges of degree 1.
     tightest_concave: Extreme
     tightest_convex: Extreme
-    # Largest radius of a ball cutter that fits everywhere and cuts into no other part of the face;
-    # infinite where any does, 0 at hollow edges. At the place it is tightest.
-    tool_radius: Extreme
+    tool_radius: Extreme  # of the largest ball cutter that fits everywhere
 
     @property
     def draft(self) -> float:
-        """Least angle between the face and the axis, along which a mould opens, degrees.
-
-        The sides are parallel to the axis and have none.
-        """
+        """Least angle between the face and the axis of the mould, degrees; 0 at the sides."""
         return 90 - self.steepest.value
 
     def to_data(self) -> dict[str, Any]:
@@ -92,15 +80,15 @@ class FaceFigures:
 
 @dataclass(frozen=True)
 class Manufacture(FaceFigures):
-    """Figures of a lens: of its exit face, and of both faces together."""
+    """Figures of a lens: of its designed face, and of both faces together."""
 
     # Thickness along z.
     thinnest: Extreme
     thickest: Extreme
-    entrance: FaceFigures | None = None  # those of a freeform entrance face
+    entrance: FaceFigures | None = None  # of a freeform front face
 
     def to_data(self) -> dict[str, Any]:
-        """The figures by name, for JSON; those of a flat entrance face are left out."""
+        """The figures by name, for JSON."""
         both = {"thinnest": self.thinnest.to_data(), "thickest": self.thickest.to_data()}
         data = both | super().to_data()
         return data if self.entrance is None else data | {"entrance": self.entrance.to_data()}
@@ -109,10 +97,9 @@ class Manufacture(FaceFigures):
 def surface_maps(
     optic: Element, heights: Mapping[str, Array], count: tuple[int, int], face: str = ""
 ) -> SurfaceMaps:
-    """Thickness, slope and curvatures on a regular grid that includes the rim.
+    """Return maps of a face on a regular grid of ``count`` points that includes the rim.
 
-    `heights` (n_u, n_v); `count`: numbers of points along x and y; `face`: the name of the face; by
-    default the one that the task shapes.
+    ``face`` is by default the designed face.
     """
     face = face or optic.designed_face
     u, v = np.linspace(0, 1, count[0]), np.linspace(1, 0, count[1])
@@ -139,7 +126,7 @@ def _other_side(
     u: Array,
     v: Array,
 ) -> Array:
-    """The z of what is opposite to a face: of the other freeform face, or of the flat side."""
+    """Return z of the opposite face: freeform, or the flat side."""
     others = [name for name in nets if name != face]
     if not others:
         return np.full((1, 1), optic.flat_z(heights[face]))
@@ -147,9 +134,7 @@ def _other_side(
 
 
 def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
-    """Figures of a lens.
-
-    `heights` (n_u, n_v).
+    """Return the figures of a lens.
 
     Examples
     --------
@@ -181,7 +166,6 @@ def manufacture(optic: Element, heights: Mapping[str, Array]) -> Manufacture:
 def _figures(
     optic: Element, heights: Mapping[str, Array], face: str
 ) -> tuple[SurfaceMaps, FaceFigures]:
-    """A face at many places, and its figures."""
     net, outward = freeform_nets(optic)[face], optic.outwards(face) * heights[face]
     spans = [n - p for n, p in zip(net.shape, net.degree, strict=True)]
     parts_x, parts_y = (math.ceil(_PARTS / n) for n in spans)
@@ -206,22 +190,21 @@ def _figures(
 
 
 def _tool_radius(face: GridFace, concave: Extreme, bounds: FaceBounds) -> Extreme:
-    """What curvature allows, or less where another part of the face is in the way.
+    """Return the smaller of the concave radius and the radius that another part of the face allows.
 
     A second derivative of z along any line is at most the curvature times (1 + slope²)^1.5. If none
     is above 1 / R, the face lies below each parabola of that second derivative that touches it, and
-    a ball of radius R lies above these: it fits, so far away as the face goes.
+    a ball of radius R lies above these parabolas: it fits everywhere.
     """
     if math.isinf(concave.value) or concave.value == 0:
         return concave
-    # Closer pairs are those that curvature tells of.
+    # Close pairs of points are covered by the curvature.
     value, place = blocked_radius(face.coarser(), concave.value) or (concave.value, concave.place)
     surely = concave.bound / (1 + bounds.slope**2) ** 1.5
     return Extreme(value, min(surely, value), place)
 
 
 def _thicknesses(optic: Element, heights: Mapping[str, Array]) -> tuple[float, float]:
-    """The least and the most that a lens can be thick anywhere."""
     nets = freeform_nets(optic)
     faces = [
         (nets[face], heights[face])
@@ -240,7 +223,7 @@ def _thicknesses(optic: Element, heights: Mapping[str, Array]) -> tuple[float, f
 
 
 def _with_glass(optic: Element, ends: tuple[Array, Array]) -> Mask:
-    """Which parts of the aperture, between such ends in [0, 1], the lens has a share of."""
+    """Mask of the parts, between ends in [0, 1], that overlap the outline of the lens."""
     x, y = ((2 * end - 1) * r for end, r in zip(ends, optic.half_width, strict=True))
     return outline_of(optic).area_inside((x[:-1, None], x[1:, None]), (y[:-1], y[1:])) > 0
 
@@ -249,11 +232,11 @@ def _most(maps: SurfaceMaps, values: Array, bound: float) -> Extreme:
     row, column = np.unravel_index(np.nanargmax(values), values.shape)
     place = float(maps.x[column]), float(maps.y[row])
     value = float(values[row, column])
-    return Extreme(value, max(value, bound), place)  # rounding may put them in the wrong order
+    return Extreme(value, max(value, bound), place)  # by rounding the bound may be less
 
 
 def _radius(curvature: Extreme, flat: float, has_edge: bool) -> Extreme:
-    """The extreme of radii from that of curvatures; what is less than ``flat`` counts as none."""
+    """Extreme of radii from the extreme of curvatures; less than ``flat`` counts as none."""
     if has_edge:
         return Extreme(0.0, 0.0, curvature.place)
     value, bound = (1 / c if c > flat else math.inf for c in (curvature.value, curvature.bound))
@@ -261,7 +244,7 @@ def _radius(curvature: Extreme, flat: float, has_edge: bool) -> Extreme:
 
 
 def _edges(net: ControlNet, heights: Array) -> tuple[bool, bool]:
-    """Whether the slope jumps up somewhere, and down, as it may at the knots of degree 1."""
+    """Whether the slope jumps up, and down, at the knots of degree 1."""
     jumps = [np.zeros(1)]
     for axis, values in ((0, heights), (1, heights.T)):
         if net.degree[axis] == 1:

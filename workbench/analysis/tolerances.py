@@ -1,7 +1,7 @@
-"""What becomes of the image when lens, glass and assembly are a little off.
+"""Tolerance analysis: the error of lenses with random errors of shape, material and assembly.
 
-Lenses are perturbed at random within given tolerances, one after the other, and each is traced by
-the independent tracer with the same rays, so that they differ by their perturbations alone.
+Each perturbed lens is traced by the independent tracer with the same rays, so that results differ
+by the perturbations alone.
 """
 
 import math
@@ -26,21 +26,21 @@ from workbench.scene import CustomIndex, Element, Scene, SplineFace
 
 @dataclass(frozen=True)
 class Perturbation:
-    """How far one lens is off: as `Tolerances`, with directions and signs."""
+    """Errors of one lens: as `Tolerances`, with directions and signs."""
 
-    pose: Pose = field(default_factory=Pose)  # how the lens stands, and its exit face
-    # What is added to the refractive index and to the screen's distance.
+    pose: Pose = field(default_factory=Pose)
+    # Errors of the refractive index and of the screen's distance.
     index: float = 0.0
     distance: float = 0.0
-    # Root mean square and scale of the error of the exit face, and of the entrance face.
+    # RMS and correlation length of the error of the designed face and of the front face.
     surface: tuple[float, float] = (0.0, 1.0)
     entrance_surface: tuple[float, float] = (0.0, 1.0)
-    seed: int = 0  # which errors of the faces
+    seed: int = 0  # of the errors of the faces
 
     def applied(
         self, scene: Scene, heights: Mapping[str, Array]
     ) -> tuple[Scene, Mapping[str, Array]]:
-        """The scene and the control heights of the lens, which may be more, that is off."""
+        """Return scene and control heights of the perturbed lens; nets may be finer."""
         optic = scene.optic
         if self.index:
             index = CustomIndex(index=optic.index + self.index)
@@ -63,7 +63,7 @@ class Perturbation:
 
 
 def _net_of(optic: Element, heights: Mapping[str, Array], face: str) -> tuple[ControlNet, Array]:
-    """Net and control heights of a face; a flat one has as few as there can be."""
+    """Net and control heights of a face; a flat face has the smallest net."""
     nets = freeform_nets(optic)
     if face in nets:
         return nets[face], heights[face]
@@ -72,7 +72,7 @@ def _net_of(optic: Element, heights: Mapping[str, Array], face: str) -> tuple[Co
 
 
 def _with_nets(optic: Element, heights: Mapping[str, Array]) -> Element:
-    """An optic whose faces have as many control points as there are heights."""
+    """Return an element with the nets of the heights."""
     for face, each in heights.items():
         if face not in freeform_nets(optic):
             optic = optic.with_face(face, SplineFace(shape="bspline"))
@@ -82,12 +82,11 @@ def _with_nets(optic: Element, heights: Mapping[str, Array]) -> Element:
 
 @dataclass(frozen=True)
 class Perturbed:
-    """What a trace says of a lens that is off."""
+    """Result of a trace of a perturbed lens."""
 
-    perturbation: Perturbation  # how far it is off
-    # Error of its image, without the scatter of the rays (`Validation.relative_l2_corrected`).
-    relative_l2: float
-    efficiency: float  # part of the emitted flux that lands on the screen
+    perturbation: Perturbation
+    relative_l2: float  # without noise (`Validation.relative_l2_corrected`)
+    efficiency: float  # part of the emitted flux on the receiver
 
     def to_data(self) -> dict[str, Any]:
         """The figures by name, for JSON; angles in degrees."""
@@ -106,7 +105,7 @@ class Perturbed:
 
 
 def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbation]:
-    """Random perturbations within tolerances; the same seed gives the same, of each kind."""
+    """Yield random perturbations within tolerances; the same seed gives the same ones."""
     rng, of_source, of_exit = (
         np.random.default_rng([seed, number]) for number in (2000, 2001, 2002)
     )
@@ -138,16 +137,14 @@ def perturbed(
     rays: int = 1_000_000,
     seed: int = 1,
 ) -> Iterator[Perturbed]:
-    """Trace lenses that are off, one after the other.
+    """Trace the nominal lens, then ``samples`` perturbed lenses.
 
-    `tolerances`: how far they may be off; `samples`: how many; `seed`: the same seed gives the same
-    lenses and rays. Yields first the lens that is not off, then the others. Raises `Refused` if a
-    tolerance is not possible; `RunFailed` if no light of the lens that is not off reaches the
-    screen.
+    Raises `Refused` if a tolerance is not possible; `RunFailed` if no light of the nominal lens
+    reaches the receiver.
 
     Examples
     --------
-    Three plates of glass that are decentred:
+    Three decentred plates of glass:
 
     >>> import numpy as np
     >>> from resources import path
@@ -166,24 +163,22 @@ def perturbed(
     for perturbation in draw(tolerances, samples, seed):
         try:
             yield _trace(scene, target, heights, perturbation, rays, seed)
-        except RunFailed:  # a dark image is as wrong as its target is bright
+        except RunFailed:  # a dark image has an error of 1
             yield Perturbed(perturbation, relative_l2=1.0, efficiency=0.0)
 
 
 @dataclass(frozen=True)
 class Distribution:
-    """How the error is distributed over perturbed lenses."""
+    """Distribution of the error of perturbed lenses."""
 
-    nominal: float  # error of the lens that is not off
-    # Of the others.
+    nominal: float  # error of the nominal lens
     mean: float
     worst: float
-    # Error that so many percent of them do not exceed: "5", "50", "95".
-    percentiles: dict[str, float]
+    percentiles: dict[str, float]  # by "5", "50", "95"
 
     @classmethod
     def of(cls, nominal: Perturbed, others: list[Perturbed]) -> "Distribution":
-        """Summarise what `perturbed` yields: its first lens, and at least one of the others."""
+        """Summarise the results of `perturbed`: the nominal lens and at least one other."""
         errors = np.array([each.relative_l2 for each in others])
         return cls(
             nominal.relative_l2,
@@ -211,14 +206,14 @@ def _trace(
 
 
 def _check_faces(optic: Element, heights: Mapping[str, Array], tolerances: Tolerances) -> None:
-    """Refuse an exit face so far out of its place that it may touch the entrance face."""
+    """Refuse errors by which the back face may touch the front face."""
     if not (tolerances.exit_tilt or tolerances.exit_decentre):
         return
     found = manufacture(optic, heights)
     steepest = math.tan(math.radians(found.steepest.bound))
     rim = math.tan(tolerances.exit_tilt) * math.hypot(*optic.half_width)
     for name, lower in (("exit_tilt", rim), ("exit_decentre", tolerances.exit_decentre * steepest)):
-        if lower >= found.thinnest.bound / 2:  # each has half of the thickness to itself
+        if lower >= found.thinnest.bound / 2:  # half of the thickness for each of the two errors
             raise Refused(
                 name,
                 Said(
@@ -231,13 +226,11 @@ def _check_faces(optic: Element, heights: Mapping[str, Array], tolerances: Toler
 
 
 def _in_disc(rng: np.random.Generator, size: float) -> tuple[float, float]:
-    """A point of a disc, evenly."""
     radius, angle = math.sqrt(rng.random()), 2 * math.pi * rng.random()
     return size * (radius * math.cos(angle)), size * (radius * math.sin(angle))
 
 
 def _in_ball(rng: np.random.Generator, size: float) -> tuple[float, float, float]:
-    """A point of a ball, evenly."""
     x, y, z = rng.normal(size=3)
     far = math.cbrt(rng.random()) / math.hypot(x, y, z)
     return size * float(x * far), size * float(y * far), size * float(z * far)

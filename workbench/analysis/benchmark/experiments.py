@@ -1,7 +1,4 @@
-"""The experiments of de Koning et al. (2023), as the example scenes hold them.
-
-Designs whose example runs ``auto`` are run by the method of the paper as well.
-"""
+"""The experiments of de Koning et al. (2023) in the example scenes, also by ``auto``."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -41,24 +38,23 @@ _RAYS = 16_000_000
 class ExampleDesign:
     """One designed lens."""
 
-    # The example, what it belongs to, and what ran.
     name: str
     group: str
     method: str
     scene: Scene
-    target: Array  # (n_y, n_x), the target image
-    result: Result | None = None  # the lens, if there is one
+    target: Array  # (n_y, n_x)
+    result: Result | None = None
     times: tuple[float, ...] = ()  # time after each iteration, s
-    # Verified; see `Validation`.
+    # Verified figures.
     error: float | None = None
     noise: float | None = None
     efficiency: float | None = None
-    memory: int | None = None  # peak of the process while it ran, bytes
-    failure: str = ""  # why there is no more; empty if all went well
+    memory: int | None = None  # peak of the process, bytes
+    failure: str = ""  # reason of a failure
 
     @property
     def loss(self) -> float | None:
-        """Loss of the best lens, as the optimiser sees it."""
+        """Loss of the best lens, by the optimiser."""
         return None if self.result is None else self.result.state.loss
 
     @property
@@ -73,7 +69,7 @@ class ExampleDesign:
 
     @property
     def milliseconds_an_iteration(self) -> float | None:
-        """Time of an iteration, the start of the run left out."""
+        """Time of an iteration, without the start of the run."""
         if len(self.times) < 2:
             return None
         return 1e3 * (self.times[-1] - self.times[0]) / (len(self.times) - 1)
@@ -86,14 +82,14 @@ class ExampleDesign:
 
 @dataclass(frozen=True, eq=False)
 class Derivative:
-    """How the image of a flat lens answers to the control point in its middle."""
+    """Derivative of the image of a flat lens with respect to its middle control height."""
 
-    name: str  # the example
+    name: str  # of the example
     scene: Scene
     map: Array  # (n_y, n_x), change of flux per area, per scene unit of height
     sum: float  # change of the flux on the screen
-    moved: float  # change of the flux where it grows: what the sum is small against
-    pixels: int  # pixels in reach
+    moved: float  # sum of the positive changes of flux
+    pixels: int  # with a change
 
     @property
     def balance(self) -> float:
@@ -103,7 +99,7 @@ class Derivative:
 
 def experiments(iterations: int | None, notify: Notify) -> Iterator[ExampleDesign | Derivative]:
     """Run all experiments, the quickest first."""
-    ready.compile_all()  # which is no part of any run's time
+    ready.compile_all()  # not part of the run times
     for name in DERIVATIVES:
         notify(name, "")
         yield derivative(BenchmarkTask.of(name))
@@ -113,10 +109,7 @@ def experiments(iterations: int | None, notify: Notify) -> Iterator[ExampleDesig
 
 
 def design(example: BenchmarkTask, method: str, rays: int, notify: Notify) -> ExampleDesign:
-    """Run one experiment and verify its lens with so many rays.
-
-    What cannot be run, or cannot go on, is said by the result.
-    """
+    """Run one experiment and verify its lens; the result holds the reason of a failure."""
     case = f"{example.name}, {method}"
     found = ExampleDesign(example.name, example.group, method, example.scene, example.target)
     history = History()
@@ -144,7 +137,7 @@ def design(example: BenchmarkTask, method: str, rays: int, notify: Notify) -> Ex
 
 
 def derivative(example: BenchmarkTask) -> Derivative:
-    """Derivative of the flat lens's image with respect to the control point in its middle."""
+    """Compute the derivative of a flat lens's image for its middle control point."""
     scene = example.scene
     n_u, n_v = scene.optic.net_shape
     flat = {"lens.back": np.full((n_u, n_v), scene.optic.base.height)}
@@ -202,7 +195,7 @@ def _methods(name: str) -> Iterator[tuple[BenchmarkTask, str]]:
 
 
 def _limited(example: BenchmarkTask, iterations: int | None) -> BenchmarkTask:
-    """The same with other iterations; those of its stages change in proportion."""
+    """Return the example with other iterations; stages change in proportion."""
     if iterations is None:
         return example
     data = example.scene.to_data()

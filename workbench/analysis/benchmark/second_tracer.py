@@ -1,4 +1,4 @@
-"""The independent check beside a tracer that is not ours: every source, receiver and outline."""
+"""The independent check beside Mitsuba 3: every source, receiver and outline."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -96,16 +96,15 @@ OPTICS: dict[str, dict[str, Any]] = {
 class SeenTwice:
     """A lens or mirror in both tracers."""
 
-    # What is traced.
     optic: str
     source: str
     receiver: str
     outline: str
-    found: CrossCheck  # what both see
+    found: CrossCheck
 
     @property
     def scene(self) -> str:
-        """All of that in one."""
+        """Name of the case."""
         return f"{self.optic}, {self.source}, {self.receiver}, {self.outline}"
 
     @property
@@ -120,16 +119,13 @@ class SeenTwice:
 
     @property
     def without_noise(self) -> str:
-        """The difference without the scatter of the rays, with its interval."""
+        """The difference without noise, with its interval."""
         low, high = self.found.difference_corrected_interval
         return f"{self.found.difference_corrected:.2%} ({low:.2%} to {high:.2%})"
 
     @property
     def deviations(self) -> float:
-        """How many of its standard deviations the square without noise is above none.
-
-        The scatter of rays alone brings one case of 40 beyond 2.
-        """
+        """Squared difference without noise in standard deviations; by noise one of 40 exceeds 2."""
         square = self.found.difference_corrected**2
         spread = self.found.difference_corrected_interval[1] ** 2 - square
         return 0.0 if spread == 0 else 1.96 * square / spread
@@ -141,13 +137,7 @@ class SeenTwice:
 
 
 def comparisons(notify: Notify, rays: int = RAYS) -> Iterator[SeenTwice]:
-    """Trace a bent face in the light of every source, on every receiver, within every outline.
-
-    Two faces and a mirror follow, in parallel light and in that of a point.
-
-    `notify`: called with what is traced, and how far that is; `rays`: rays for each of the two
-    tracers.
-    """
+    """Trace a curved face with every source, receiver and outline; then two faces and a mirror."""
     for case in cases():
         scene = scene_of(*case)
         target = np.ones(scene.receiver.pixels[::-1])
@@ -182,7 +172,7 @@ def scene_of(optic: str, source: str, receiver: str, outline: str) -> Scene:
 
 
 def bent(scene: Scene) -> Mapping[str, Array]:
-    """Faces that gather light beside the axis, differently along x and y."""
+    """Return faces that focus light beside the axis, differently along x and y."""
     heights = {}
     for face, net in freeform_nets(scene.optic).items():
         x, y = net.positions[0][:, None], net.positions[1][None, :]
