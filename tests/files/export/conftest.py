@@ -104,7 +104,9 @@ def read_solid():
 
     Lengths come in millimetres, whatever the file's unit.
     """
+    from OCP.Bnd import Bnd_Box
     from OCP.BRep import BRep_Tool
+    from OCP.BRepBndLib import BRepBndLib
     from OCP.BRepCheck import BRepCheck_Analyzer
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
@@ -129,10 +131,18 @@ def read_solid():
         assert reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone
         reader.TransferRoots()
         shape = reader.OneShape()
-        properties = GProp_GProps()
+        return described(shape)
+
+    def described(shape):
+        properties, box = GProp_GProps(), Bnd_Box()
         BRepGProp.VolumeProperties_s(shape, properties, 1e-12)
+        BRepBndLib.AddOptimal_s(shape, box, False, False)
         shells = parts(shape, TopAbs_ShapeEnum.TopAbs_SHELL)
         return SimpleNamespace(
+            solids=[described(s) for s in parts(shape, TopAbs_ShapeEnum.TopAbs_SOLID)]
+            if shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_COMPOUND
+            else [],
+            box=np.array([(p.X(), p.Y(), p.Z()) for p in (box.CornerMin(), box.CornerMax())]),
             is_solid=shape.ShapeType() == TopAbs_ShapeEnum.TopAbs_SOLID,
             is_valid=BRepCheck_Analyzer(shape).IsValid(),
             is_closed=len(shells) == 1 and BRep_Tool.IsClosed_s(shells[0]),

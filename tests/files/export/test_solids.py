@@ -11,7 +11,8 @@ from OCP.GeomAPI import GeomAPI_IntCS
 from OCP.gp import gp_Dir, gp_Lin, gp_Pnt
 
 from workbench.files.export.iges import write_iges, write_iges_face
-from workbench.files.export.step import _real, write_step, write_step_face
+from workbench.files.export.step import write_step, write_step_face
+from workbench.files.export.step_model import real
 from workbench.files.export.tessellation import Tessellation
 
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
@@ -78,7 +79,7 @@ class TestReadByOpenCascade:
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_reals_are_read_as_the_same_number(value):
-    text = _real(value)
+    text = real(value)
     assert re.fullmatch(r"-?\d+\.\d*(E[+-]\d+)?", text)
     assert float(text) == value
 

@@ -60,6 +60,7 @@ OF_ONE_FACE = (
 
 FORMATS = (
     Format((".step", ".stp"), "STEP solid", "step", "write_step"),
+    Format((".train.step", ".train.stp"), "STEP, all elements", "step_train", "write_step_train"),
     Format((".iges", ".igs"), "IGES solid", "iges", "write_iges"),
     Format((".stl",), "STL mesh", "meshes", "write_stl", takes_unit=True),
     Format((".obj",), "OBJ mesh", "meshes", "write_obj", takes_unit=True),
@@ -80,8 +81,8 @@ FORMATS = (
     Format((".irradiance.csv",), "irradiance", "maps", "write_csv", "irradiance"),
     Format((".ies",), "intensity, IES LM-63", "photometric", "write_ies"),
     Format((".ldt",), "intensity, EULUMDAT", "photometric", "write_ldt"),
-    Format((".tm25ray",), "rays behind the lens, IES TM-25", "rays", "write_tm25"),
-    Format((".rays.csv",), "rays on the screen", "rays", "write_rays"),
+    Format((".tm25ray",), "rays behind the lens, IES TM-25", "tables", "write_tm25"),
+    Format((".rays.csv",), "rays on the screen", "tables", "write_rays"),
     *(each.of_entrance for each in OF_ONE_FACE),
 )
 """All formats; formats of the same kind of file are distinguished by a double ending."""
