@@ -239,6 +239,29 @@ class NumbersRow(TextRow):
         return [Typed(each, self.measure) for each in text.split(";") if text.strip()]
 
 
+class PairsRow(TextRow):
+    """Any number of pairs of numbers as one line, with a semicolon between pairs."""
+
+    def show_scene(self, scene: Any, pending: Set[str]) -> None:
+        """Show the scene's pairs, the first ones where there is no room for all."""
+        super().show_scene(scene, pending)
+        if self.path not in pending:
+            self.editor.home(False)
+
+    def text_of(self, value: Any) -> str:
+        """Numbers and semicolons."""
+        return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value or ())
+
+    def value_of(self, text: str) -> object:
+        """The pairs; the text itself where it has others, which the scene refuses."""
+        if self._optional and not text.strip():
+            return None
+        try:
+            return [[float(number) for number in pair.split(",")] for pair in text.split(";")]
+        except ValueError:
+            return text
+
+
 class ChoiceRow(Row):
     """One of a few, entered at once."""
 

@@ -1,9 +1,6 @@
 """The regions of a scene as a list."""
 
-from collections.abc import Set
-from typing import Any
-
-from ui.panels.fields import Row, TextRow
+from ui.panels.fields import PairsRow, Row
 from ui.panels.lists import ListedPanel, PartListRow, another_name
 from ui.panels.rows import Rows
 from ui.words import inside, tr
@@ -82,30 +79,9 @@ class RegionsPanel(ListedPanel):
         return rows.of_kinds(self._field, kinds, f"regions[{number}]", tr("Shape"))
 
 
-class CornersRow(TextRow):
-    """Places as text: two numbers each, with a semicolon between places."""
-
-    def show_scene(self, scene: Any, pending: Set[str]) -> None:
-        """Show the scene's places, the first ones where there is no room for all."""
-        super().show_scene(scene, pending)
-        if self.path not in pending:
-            self.editor.home(False)
-
-    def text_of(self, value: Any) -> str:
-        """Numbers and semicolons."""
-        return "; ".join(f"{x:.6g}, {y:.6g}" for x, y in value)
-
-    def value_of(self, text: str) -> object:
-        """Numbers of places; the text itself where it has others, which the scene refuses."""
-        try:
-            return [[float(number) for number in place.split(",")] for place in text.split(";")]
-        except ValueError:
-            return text
-
-
 def _corner_rows(field: FieldDescription, path: str) -> list[Row]:
     return [
-        CornersRow(
+        PairsRow(
             path,
             tr(field.title),
             f"{tr(field.tip)} {tr('As x, y; x, y; …')}",

@@ -16,6 +16,7 @@ from ui.panels.fields import (
     NumberRow,
     NumbersRow,
     OptionalRow,
+    PairsRow,
     Row,
     TextRow,
 )
@@ -126,6 +127,8 @@ def value_row(field: FieldDescription, path: str, otherwise: str = "") -> Row:
         return ChoiceRow(path, label, tip, choices, otherwise if field.optional else "")
     if field.type is bool:
         return CheckRow(path, label, tip)
+    if field.number is None and field.several:
+        return PairsRow(path, label, tip, optional=field.optional)
     if field.number is None:
         return TextRow(path, label, tip, optional=field.optional)
     if field.several:

@@ -1,7 +1,7 @@
 """Two tracers that share nothing, on one lens: the independent check and Mitsuba 3."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -96,10 +96,12 @@ def cross_check(
     scene.check_one_image("the comparison with Mitsuba")
     check_body(scene, heights)
     scene, left_out = bare_and_clear(scene)
-    theirs = MitsubaScene(scene, heights)
+    theirs = [(line.part, MitsubaScene(line.scene, heights)) for line in scene.lines]
     half, measure = -(-rays // 2), scene.receiver.pixel_measure
     light = {
-        "mitsuba": [theirs.flux(half, seed + k, fraction_of(progress, k, 1, 4)) for k in (0, 1)],
+        "mitsuba": [
+            _by_mitsuba(theirs, half, seed + k, fraction_of(progress, k, 1, 4)) for k in (0, 1)
+        ],
         "ours": [
             through_focus(
                 scene,
@@ -131,6 +133,17 @@ def cross_check(
         rays=2 * half,
         left_out=left_out,
     )
+
+
+def _by_mitsuba(
+    lines: Sequence[tuple[float, MitsubaScene]], rays: int, seed: int, progress: Progress
+) -> Array:
+    """The image of all lines of the light, each with its part of the flux and as many rays."""
+    count, images = len(lines), []
+    for number, (part, scene) in enumerate(lines):
+        each = scene.flux(-(-rays // count), seed + 2 * number, fraction_of(progress, number, 1, count))
+        images.append(part * each)
+    return np.asarray(sum(images[1:], images[0]))
 
 
 def bare_and_clear(scene: Scene) -> tuple[Scene, tuple[str, ...]]:

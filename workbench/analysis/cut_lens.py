@@ -61,17 +61,25 @@ def tracing_cut(
     if optic.onwards < 0:
         raise Refused("mirror", Said("its cut is not traced; only that of an exit face is"))
     images: list[list[Array]] = [[], []]
+    lines = scene.lines
     for number in range(BATCHES):
-        designed, train = (
-            OpticalTrain.of(scene, heights, each // BATCHES, number, Pose(), (scene.receiver,))
-            for each in (4 * rays, rays)
-        )
-        *before, (face, boundary) = train.faces
-        surface = CutSurface(face, raster, optic.front_z)
-        cut = OpticalTrain(train.source, [*before, (surface, boundary)], train.detector)
-        for which, each in enumerate((designed, cut)):
-            part = partial(of_equal, 2 * BATCHES, 2 * number + which)
-            images[which].append((yield from within(_imaging(each, target.shape), part)))
+        sums = [np.zeros(target.shape), np.zeros(target.shape)]
+        for k, line in enumerate(lines):
+            seed = number + BATCHES * k
+            designed, train = (
+                OpticalTrain.of(line.scene, heights, each, seed, Pose(), (scene.receiver,))
+                for each in (4 * rays // BATCHES, rays // BATCHES)
+            )
+            *before, (face, boundary) = train.faces
+            surface = CutSurface(face, raster, optic.front_z)
+            cut = OpticalTrain(train.source, [*before, (surface, boundary)], train.detector)
+            for which, each in enumerate((designed, cut)):
+                done = 2 * (len(lines) * number + k) + which
+                part = partial(of_equal, 2 * len(lines) * BATCHES, done)
+                image = yield from within(_imaging(each, target.shape), part)
+                sums[which] += line.part * image
+        for which, image in enumerate(sums):
+            images[which].append(image)
     found = (CorrectedDistance.of_pairs(each, target) for each in images)
     return CutLens(*found)
 

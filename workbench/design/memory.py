@@ -147,7 +147,7 @@ def _of_image(scene: Scene) -> float:
 def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
     """The same by so many cells, with so many times finer pixels where light is blurred."""
     grids = cells.origins * scene.source.point_count
-    nodes = (cells.x + 1) * (cells.y + 1) * grids
+    nodes = (cells.x + 1) * (cells.y + 1) * grids * len(scene.lines)
     traced = _OF_SAMPLES if cells.of_source else _TRACED
     traced += _OF_TWO_FACES * (scene.optic.designed_front is not None)
     if not CompiledTrain.matches(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)):

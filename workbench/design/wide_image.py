@@ -92,7 +92,7 @@ class WideImage:
             origins = math.prod(corners.of_source)
         boxes = isinstance(self._plan, BeamPlan) and self._plan.boxes
         each = _OF_A_BOX[len(freeform_nets(scene.optic)) - 1] if boxes else 1.0
-        self.effort = each * corners.x * corners.y * origins / halves
+        self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))
         device = device_of(scene)

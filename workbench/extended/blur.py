@@ -314,4 +314,4 @@ def diffraction(scene: Scene) -> float:
 
 def wavelength_um(scene: Scene) -> float:
     """Wavelength of the scene's light; that of green light by default."""
-    return scene.source.wavelength_um or 0.55
+    return scene.source.stated_wavelength or 0.55

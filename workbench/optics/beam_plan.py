@@ -13,9 +13,9 @@ from workbench.optics.account import Account
 from workbench.optics.beams import beam_image
 from workbench.optics.boxes import box_image
 from workbench.optics.choice import Choice
-from workbench.optics.light import BeamTracer, Light
+from workbench.optics.light import BeamTracer, Light, sum_of_lines
 from workbench.optics.path import Path
-from workbench.optics.plan import device_of
+from workbench.optics.plan import device_of, notes_of_lines
 from workbench.optics.precision import precision_of
 from workbench.optics.reference import Reference
 from workbench.optics.rim import rim_light
@@ -33,6 +33,8 @@ _SPLIT = 1e-4
 
 class BeamPlan:
     """Images of beams, by fused kernels where there are some, else by the torch reference.
+
+    Each line of the light is traced by itself, and the image is their sum; see `Scene.lines`.
 
     Parameters
     ----------
@@ -73,7 +75,15 @@ class BeamPlan:
     ) -> None:
         net = net or ControlNet.of(scene.optic)
         needed = precision_of(scene, net)
-        path = Path.of(scene, net, dtype or needed, device_of(scene), Corners(*cells))
+        fine = dtype is None and needed == torch.float64
+        self._lines = []
+        for line in scene.lines:
+            path = Path.of(line.scene, net, dtype or needed, device_of(scene), Corners(*cells))
+            compiled = CompiledTrain.name if CompiledTrain.matches(path) else None
+            choice = Choice(path, compiled, fused, fine)
+            self._lines.append(_TracedLine(line.part, choice, mirrored))
+        # It tells what all lines have nearly alike.
+        self._strongest = max(self._lines, key=lambda line: line.part)
         self._called, self._back = scene.receiver.called, scene.optic.onwards < 0
         self._pixels, self._half_extent = scene.receiver.pixels, scene.receiver.half_extent
         corners = Corners(*cells)
@@ -83,16 +93,14 @@ class BeamPlan:
         self.boxes = many and corners.of_source is None
         self._missed, self._of_light = path.steps[0].missed, path.emitter.origins.note
         self._beside = path.steps[-1].missed
-        self._promised = mirrored
-        fine = dtype is None and needed == torch.float64
-        compiled = CompiledTrain.name if CompiledTrain.matches(path) else None
-        self._choice = Choice(path, compiled, fused, fine)
+        self._fused = fused
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
-        notes = self._choice.notes(self._tracer.notes)
-        rays = math.prod(len(split) for split in self._tracer.splits)
+        choice, tracer = self._strongest.choice, self._strongest.tracer
+        notes = choice.notes(tracer.notes) + notes_of_lines(len(self._lines))
+        rays = math.prod(len(split) for split in tracer.splits)
         notes.append(
             Said("beams of light between {rays} rays: no noise, and no filter", rays=f"{rays:,}")
         )
@@ -107,12 +115,16 @@ class BeamPlan:
                     receiver=self._called,
                 )
             )
-        return (*filter(None, (*notes, self._of_light)), *self._choice.defects())
+        return (*filter(None, (*notes, self._of_light)), *choice.defects())
 
     def light_extent(self, heights: Mapping[str, Tensor]) -> tuple[float, float]:
-        """How far from the receiver's middle, along u and v, nearly all light falls."""
+        """How far from the receiver's middle, along u and v, nearly all light of a line falls."""
+        far_x, far_y = zip(*(self._extent(line, heights) for line in self._lines), strict=True)
+        return max(far_x), max(far_y)
+
+    def _extent(self, line: "_TracedLine", heights: Mapping[str, Tensor]) -> tuple[float, float]:
         with torch.no_grad():
-            column, row, flux = self._tracer.nodes(heights).hits
+            column, row, flux = line.tracer.nodes(heights).hits
         lands = (flux > 0) & column.isfinite() & row.isfinite()
         if not lands.any():
             return 0.0, 0.0
@@ -136,13 +148,13 @@ class BeamPlan:
         if self._of_source is None:
             raise TypeError("these beams run between samples of the lens")
         with torch.no_grad():
-            tracer = self._tracer
+            tracer = self._strongest.tracer
             return light_apart(tracer.nodes(heights), self._of_source, tracer.mirrored)
 
     def spots(self, heights: Mapping[str, Tensor]) -> Spots:
         """What samples make of the source, of which 2 x 2 cells were asked for; see `spots_of`."""
         with torch.no_grad():
-            return spots_of(self._tracer.nodes(heights))
+            return spots_of(self._strongest.tracer.nodes(heights))
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens.
@@ -159,7 +171,13 @@ class BeamPlan:
         Light
             With an image of shape (n_y + 2 m_y, n_x + 2 m_x).
         """
-        tracer = self._tracer
+        return sum_of_lines(
+            (line.part, self._of_line(line.tracer, heights, margin)) for line in self._lines
+        )
+
+    def _of_line(
+        self, tracer: BeamTracer, heights: Mapping[str, Tensor], margin: tuple[int, int]
+    ) -> Light:
         found, splits = tracer.nodes(heights), tracer.splits
         if self._of_source is not None:
             found, splits = between_origins(found, self._of_source, tracer.mirrored)
@@ -170,10 +188,10 @@ class BeamPlan:
         if m_x or m_y:  # or all hits are copied for nothing
             nodes = hits + hits.new_tensor([m_x, m_y, 0.0])[:, None, None]
         drawn = box_image if self.boxes else beam_image
-        image, landed = drawn(nodes, wide, splits, self._choice.fused)
+        image, landed = drawn(nodes, wide, splits, self._fused)
         cut = 0.0
         if room is not None:
-            rim = rim_light(nodes, room, wide, splits, self._choice.fused, not self.boxes)
+            rim = rim_light(nodes, room, wide, splits, self._fused, not self.boxes)
             image, landed, cut = image + rim.flux, landed + rim.landed, rim.counted - rim.landed
         # Of all rays that are refracted, what is neither drawn nor cut is in split cells.
         copies = 2 ** sum(tracer.mirrored)
@@ -191,14 +209,21 @@ class BeamPlan:
         lost[self._missed] += 1 - account.on_screen - sum(account.lost.values())
         return Light(image, Account(on_screen, lost))
 
+
+class _TracedLine:
+    """One line of the light: its part of the flux, and what traces it."""
+
+    def __init__(self, part: float, choice: Choice, promised: tuple[bool, bool]) -> None:
+        self.part, self.choice, self._promised = part, choice, promised
+
     @property
-    def _tracer(self) -> BeamTracer:
-        return self._compiled if self._choice.compiled else self._reference
+    def tracer(self) -> BeamTracer:
+        return self._compiled if self.choice.compiled else self._reference
 
     @cached_property
     def _reference(self) -> Reference:
-        return Reference(self._choice.path)
+        return Reference(self.choice.path)
 
     @cached_property
     def _compiled(self) -> BeamTracer:
-        return CompiledTrain(self._choice.path, self._promised)
+        return CompiledTrain(self.choice.path, self._promised)

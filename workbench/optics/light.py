@@ -1,8 +1,9 @@
 """What every way to trace a lens gives, be it reference or kernel."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple, Protocol
 
+import torch
 from torch import Tensor
 
 from workbench.arrays import Array
@@ -23,6 +24,21 @@ class Light(NamedTuple):
 
     flux: Tensor
     account: Account
+
+
+def sum_of_lines(lights: Iterable[tuple[float, Light]]) -> Light:
+    """Sum of the light of all lines of a scene, each given as its part of the flux and its light."""
+    lines = list(lights)
+    if len(lines) == 1:
+        return lines[0][1]
+    flux = torch.stack([part * light.flux for part, light in lines]).sum(0)
+    on_screen = sum(part * light.account.on_screen for part, light in lines)
+    names = dict.fromkeys(name for _, light in lines for name in light.account.lost)
+    lost = {
+        name: sum(part * light.account.lost.get(name, 0.0) for part, light in lines)
+        for name in names
+    }
+    return Light(flux, Account(on_screen, lost))
 
 
 class Nodes(NamedTuple):

@@ -1,6 +1,7 @@
 """The plan of a trace: which steps a scene needs, and all that stays constant while it runs."""
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import torch
 from torch import Tensor
@@ -9,7 +10,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
 from workbench.optics.choice import Choice
-from workbench.optics.light import Light, Tracer
+from workbench.optics.light import Light, Tracer, sum_of_lines
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Samples
@@ -20,6 +21,8 @@ from workbench.scene import Filter, Scene
 
 class Plan:
     """A trace that is ready to go: fused kernels where there are some, else the torch reference.
+
+    Each line of the light is traced by itself, and the image is their sum; see `Scene.lines`.
 
     Parameters
     ----------
@@ -62,9 +65,12 @@ class Plan:
         # Fine by the scene's need, not by that of the caller.
         fine = dtype is None and needed == torch.float64
         self._redrawn = scene.source.redrawn
-        path = Path.of(scene, net, dtype or needed, device_of(scene), samples)
-        self._tracers = Tracers(path, mirrored)
-        self._choice = Choice(path, self._tracers.compiled, fused, fine)
+        self._lines = []
+        for line in scene.lines:
+            path = Path.of(line.scene, net, dtype or needed, device_of(scene), samples)
+            tracers = Tracers(path, mirrored)
+            choice = Choice(path, tracers.compiled, fused, fine)
+            self._lines.append(_TracedLine(line.part, tracers, choice))
 
     def trace(self, heights: Mapping[str, Tensor]) -> Light:
         """Image and light account of a lens.
@@ -74,27 +80,48 @@ class Plan:
         heights : mapping of str to Tensor, shape (n_u, n_v)
             Control heights of each freeform face by its name, scene units.
         """
-        return self._tracer().image(heights, self._filter)
+        return sum_of_lines(
+            (line.part, line.tracer.image(heights, self._filter)) for line in self._lines
+        )
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen for this scene and what is left out, in words, for a run's log."""
-        notes = self._choice.notes(self._tracer().notes)
+        line = self._lines[0]
+        notes = line.choice.notes(line.tracer.notes) + notes_of_lines(len(self._lines))
         if not self._filter.smooth:
             notes.append(Said("box filter: one pixel a ray, no ghost pixels"))
-        return tuple(notes + self._choice.defects())
+        return tuple(notes + line.choice.defects())
 
     def next_iteration(self) -> None:
         """Take new rays, if the source is to have fresh ones for each iteration."""
         if self._redrawn:
-            self._tracers.path.redraw()
+            for line in self._lines:
+                line.tracers.path.redraw()
 
     def flux(self, heights: Mapping[str, Tensor]) -> Tensor:
         """The image alone, for `torch.func` transforms such as jvp: always by the reference."""
-        return self._tracers.reference.flux(heights, self._filter)
+        images = [
+            line.part * line.tracers.reference.flux(heights, self._filter) for line in self._lines
+        ]
+        return sum(images[1:], images[0])
 
-    def _tracer(self) -> Tracer:
-        return self._tracers.kernel if self._choice.compiled else self._tracers.reference
+
+class _TracedLine(NamedTuple):
+    part: float
+    tracers: Tracers
+    choice: Choice
+
+    @property
+    def tracer(self) -> Tracer:
+        return self.tracers.kernel if self.choice.compiled else self.tracers.reference
+
+
+def notes_of_lines(count: int) -> list[str]:
+    """What a log says of so many lines of light; nothing of one."""
+    if count == 1:
+        return []
+    return [Said("{count} lines of light, each with its own refractive indices", count=count)]
 
 
 def device_of(scene: Scene) -> torch.device:

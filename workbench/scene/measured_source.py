@@ -160,7 +160,7 @@ class PhotometricSource(MeasuredSource):
     @property
     def sharp(self) -> PointSource:
         """As if it shone alike everywhere."""
-        return PointSource(kind="point", position=self.position, wavelength_um=self.wavelength_um)
+        return PointSource(kind="point", position=self.position, **self.colour)
 
 
 class RayFileSource(MeasuredSource):

@@ -107,9 +107,7 @@ def _seen_from_behind(source: Source, before: Sequence[Element], element: Elemen
     if place is None and (math.isinf(seen.z) or not 0 < away < _FAR * size):
         return source
     width = 0.0 if place is None else _angle(source, vertices[0].z)
-    return CollimatedSource(
-        kind="collimated", angular_diameter=width, wavelength_um=source.wavelength_um
-    )
+    return CollimatedSource(kind="collimated", angular_diameter=width, **source.colour)
 
 
 def _angle(source: Source, front_z: float) -> float:

@@ -16,6 +16,7 @@ from workbench.scene.emission import Emission, ExactMethod, Fresh, Intersection,
 from workbench.scene.fields import LENGTH, PLACE, Fallback, Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
+from workbench.scene.spectrum import Lines, mean_wavelength
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -39,14 +40,33 @@ class AnySource(Part):
         about(
             "Wavelength",
             "Vacuum wavelength at which the indices of materials are taken. Left empty, it is "
-            "0.5876 µm (helium d).",
+            "0.5876 µm (helium d), or the mean of the spectrum.",
+        ),
+    ] = None
+    spectrum: Annotated[
+        Lines | None,
+        about(
+            "Spectrum",
+            "Up to 16 lines of light in place of one wavelength: wavelength in µm and part of the "
+            "flux, as in 0.45, 0.3; 0.55, 0.5; 0.63, 0.2. Each line is traced with its own "
+            "refractive indices, and an image is the sum of all lines. The parts may have any sum.",
         ),
     ] = None
 
     @property
     def wavelength(self) -> float:
-        """Vacuum wavelength in µm: as stated, or that of the helium d line."""
-        return self.wavelength_um or DEFAULT_WAVELENGTH
+        """Vacuum wavelength in µm: as stated, or the mean of its flux, or the helium d line."""
+        return self.stated_wavelength or DEFAULT_WAVELENGTH
+
+    @property
+    def stated_wavelength(self) -> float | None:
+        """Vacuum wavelength in µm, of a spectrum the mean of the flux; None if nothing is stated."""
+        return mean_wavelength(self.spectrum) if self.spectrum else self.wavelength_um
+
+    @property
+    def colour(self) -> dict[str, Any]:
+        """The fields of its wavelengths, for a source that stands for it."""
+        return {"wavelength_um": self.wavelength_um, "spectrum": self.spectrum}
 
     @property
     def along_axis(self) -> bool:
@@ -311,7 +331,7 @@ class PointSource(LightOfPoints):
 
 
 def _point(source: AnySource, place: Place) -> "PointSource":
-    return PointSource(kind="point", position=place, wavelength_um=source.wavelength_um)
+    return PointSource(kind="point", position=place, **source.colour)
 
 
 def check_place(path: str, place: Place, optic: Element) -> None:

@@ -31,6 +31,7 @@ from workbench.scene.part import Part
 from workbench.scene.region import Region, check_regions
 from workbench.scene.run import AutoRun, Run
 from workbench.scene.source import Source
+from workbench.scene.spectrum import Line, check_spectrum, lines_of
 from workbench.scene.stages import stage_scenes
 from workbench.scene.target import Target
 from workbench.scene.train_checks import check_behind, check_elements, too_many
@@ -124,6 +125,7 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
+        check_spectrum(self.source, self.elements)
         check_elements(self)
         self.source.measured_in(self.unit)
         if len(self.elements) > 1:
@@ -171,6 +173,11 @@ class Scene(Part):
     def first(self) -> Element:
         """The element that light meets first: its outline is the aperture of all light."""
         return self.elements[0].lit(self.source.wavelength)
+
+    @property
+    def lines(self) -> tuple[Line, ...]:
+        """Its light line by line: an image is the sum over `Line.part` times that of each."""
+        return lines_of(self)
 
     def with_optic(self, optic: Element) -> Self:
         """Return the scene with another element in place of `optic`, which goes with all else."""

@@ -36,7 +36,7 @@ class WideSource(AnySource):
             kind="point",
             position=self.position,
             emission=self.emission,
-            wavelength_um=self.wavelength_um,
+            **self.colour,
         )
 
     def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:

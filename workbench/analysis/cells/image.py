@@ -1,7 +1,7 @@
 """An image of a lens whose error is bounded: lattices refined until two of them agree."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -17,7 +17,7 @@ from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
 from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
-from workbench.progress import Steps, within
+from workbench.progress import Steps, of_equal, within
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -116,7 +116,7 @@ def imaging(
 
 
 class Levels:
-    """Images of a lens by finer and finer cells.
+    """Images of a lens by finer and finer cells, each the sum over all lines of the light.
 
     `possible`: whether the source has few enough points for three levels.
     """
@@ -126,10 +126,15 @@ class Levels:
     ) -> None:
         scene.check_one_element("the image by cells")
         check_body(scene, heights)
-        train = OpticalTrain.of(scene, heights, 1, 0, pose or Pose(), [scene.receiver])
-        self._scene, self._train, self._wide = scene, train, Spots.suit(scene, train)
+        lines = [
+            (line.part, OpticalTrain.of(line.scene, heights, 1, 0, pose or Pose(), [scene.receiver]))
+            for line in scene.lines
+        ]
+        train = lines[0][1]
+        self._scene, self._lines, self._source = scene, lines, train.source
+        self._wide = Spots.suit(scene, train)
         each = Spots.work if self._wide else train.source.finer(2).origins
-        self._first = _first(scene, each)
+        self._first = _first(scene, len(lines) * each)
         self.possible = min(self._first) >= _FEWEST
         self.sized = _more(train.source, 0) > 1
 
@@ -138,16 +143,42 @@ class Levels:
         n_x, n_y = self._first
         return n_x << level, n_y << level
 
-    def drawing(self, level: int) -> Drawing:
-        """What draws the image of a level: spots of wide light, or cells from some origins."""
+    def drawing(self, level: int) -> "LinesDrawing":
+        """What draws the image of a level."""
+        return LinesDrawing([(part, self._of_line(train, level)) for part, train in self._lines])
+
+    def _of_line(self, train: OpticalTrain, level: int) -> Drawing:
+        """Spots of wide light, or cells from some origins."""
         if self._wide:
-            return Spots(self._scene, self._train, self.cells(level), level)
-        light = self._train.source.finer(level)
-        return CellLattice(self._scene, self._train.lit_by(light), self.cells(level))
+            return Spots(self._scene, train, self.cells(level), level)
+        light = train.source.finer(level)
+        return CellLattice(self._scene, train.lit_by(light), self.cells(level))
 
     def more(self, level: int) -> float:
         """How many times as many origins there are at the next level."""
-        return 1.0 if self._wide else _more(self._train.source, level)
+        return 1.0 if self._wide else _more(self._source, level)
+
+
+class LinesDrawing:
+    """The image of all lines of the light, of which each has its part of the flux and a drawing.
+
+    Attributes
+    ----------
+    rays : int
+        Rays followed; known once all is traced.
+    """
+
+    def __init__(self, lines: Sequence[tuple[float, Drawing]]) -> None:
+        self._lines, self.rays = lines, 0
+
+    def tracing(self, threads: int | None = None) -> Steps[Array]:
+        """See `Drawing.tracing`."""
+        image: Array | float = 0.0
+        for done, (part, drawing) in enumerate(self._lines):
+            steps = within(drawing.tracing(threads), partial(of_equal, len(self._lines), done))
+            image = image + part * (yield from steps)
+            self.rays += drawing.rays
+        return np.asarray(image)
 
 
 def _done(level: int, fraction: float) -> float:

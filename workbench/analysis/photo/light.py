@@ -1,6 +1,7 @@
 """Spectra of light, and their colours in a camera."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -106,9 +107,10 @@ class Illuminant:
 
     name: str  # what it is called
     title: Said  # what a person reads
-    # (m,), flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit.
-    power: Array = field(repr=False)
-    line_um: float | None = None  # its only wavelength, where it has but one
+    # (m,), flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit; none of lines.
+    power: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    # Of light that has a few wavelengths only: each in µm, growing, and its part of the flux.
+    lines: tuple[tuple[float, float], ...] = ()
 
     def weights(self, wavelengths_um: Array) -> Array:
         """What images at some wavelengths count for in the linear sRGB of all light.
@@ -119,18 +121,30 @@ class Illuminant:
         `wavelengths_um` (k,): the wavelengths, growing. Returns (k, 3): each column sums to 1 where
         the camera sees this light as white; otherwise their luminance sums to 1.
         """
-        between = [np.interp(_GRID, wavelengths_um, each) for each in np.eye(len(wavelengths_um))]
-        rgb = linear_rgb(np.stack(between) @ (self.power[:, None] * tristimulus(_GRID)))
+        if self.lines:
+            power = np.array([part for _, part in self.lines])
+            seen = power[:, None] * tristimulus(wavelengths_um)
+        else:
+            count = len(wavelengths_um)
+            between = [np.interp(_GRID, wavelengths_um, each) for each in np.eye(count)]
+            seen = np.stack(between) @ (self.power[:, None] * tristimulus(_GRID))
+        rgb = linear_rgb(seen)
         white = rgb.sum(axis=0)
         return np.asarray(rgb / (luminance(white) if white.min() <= 0 else white))
 
 
 def line(wavelength_um: float) -> Illuminant:
     """Light of a single wavelength from 0.38 to 0.78 µm, as of a laser."""
-    power = np.zeros(_GRID.size)
-    power[np.abs(_GRID - wavelength_um).argmin()] = 1.0
     title = Said("laser of {wavelength:g} µm", wavelength=wavelength_um)
-    return Illuminant("laser", title, power, wavelength_um)
+    return Illuminant("laser", title, lines=((wavelength_um, 1.0),))
+
+
+def of_spectrum(spectrum: Iterable[tuple[float, float]]) -> Illuminant:
+    """Light of the visible lines of a spectrum; white light if it has none."""
+    lines = sorted((w, part) for w, part in spectrum if part and _GRID[0] <= w <= _GRID[-1])
+    if not lines:
+        return LIGHTS["equal"]
+    return Illuminant("spectrum", Said("the spectrum of the source"), lines=tuple(lines))
 
 
 def _lobe(middle: float, width: float) -> Array:
@@ -155,10 +169,12 @@ LIGHTS = {
 def light_of(scene: Scene) -> Illuminant:
     """The light that the source of a scene is likely to be.
 
-    Light from infinitely far is daylight, a Gaussian beam that of a laser of the wavelength
-    stated, and what stands somewhere is an LED. A beam of no stated or no visible wavelength counts
+    A spectrum is that of the source. Else light from infinitely far is daylight, a Gaussian beam
+    that of a laser of the wavelength stated, and what stands somewhere is an LED. A beam of no stated or no visible wavelength counts
     as white.
     """
+    if scene.source.spectrum:
+        return of_spectrum(scene.source.spectrum)
     if scene.source.place is not None:
         return LIGHTS["led"]
     if not scene.source.moves:

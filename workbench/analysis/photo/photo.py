@@ -10,7 +10,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from itertools import count
+from itertools import count, pairwise
 from typing import BinaryIO
 
 import numpy as np
@@ -135,8 +135,10 @@ def photographing(
     weights = light.weights(wavelengths)
     rgb, tracer = np.zeros((*target.shape, 3)), _Tracer(heights, threads)
     for done, (wavelength, weight) in enumerate(zip(wavelengths.tolist(), weights, strict=True)):
-        steps = tracer.trace(at_wavelength(scene, wavelength))
-        image = yield from within(steps, partial(of_equal, len(wavelengths), done))
+        lit = at_wavelength(scene, wavelength)
+        if done == 0 or lit is not scene:  # else all wavelengths make the same image
+            steps = tracer.trace(lit)
+            image = yield from within(steps, partial(of_equal, len(wavelengths), done))
         rgb += (image / scene.receiver.pixel_measure)[..., None] * weight
     if not rgb.any():
         dark = Said("no light of this lens reaches the screen, so there is nothing to see")
@@ -170,9 +172,15 @@ def _material(scene: Scene) -> Material | None:
 def _wavelengths(
     scene: Scene, heights: Mapping[str, Array], light: Illuminant
 ) -> tuple[Array, float]:
-    """Wavelengths at equal steps of the index, and how far their images are apart, in pixels."""
-    if light.line_um is not None:
-        return np.array([light.line_um]), 0.0
+    """Wavelengths at equal steps of the index, and how far their images are apart, in pixels.
+
+    Of light of a few lines these.
+    """
+    if light.lines:
+        lines = [wavelength for wavelength, _ in light.lines]
+        lit = [at_wavelength(scene, wavelength) for wavelength in lines]
+        apart = (_apart(one, other, heights) for one, other in pairwise(lit))
+        return np.array(lines), max(apart, default=0.0)
     material = _material(scene)
     if material is None:
         return np.array([(SHORTEST + LONGEST) / 2]), 0.0

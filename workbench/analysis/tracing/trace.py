@@ -8,6 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from threading import Event
 
+import numpy as np
+
 from workbench.analysis.tracing.in_order import in_order
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.ray_limit import MOST_RAYS
@@ -25,7 +27,7 @@ class Trace:
 
     One ray starts at a random place in each of ``rays`` equal cells of the entrance face, or in a
     random direction in each of as many equal cells of a point's cone. Memory does not grow with
-    them.
+    them. Each line of the light has an equal share of the rays.
 
     Parameters
     ----------
@@ -72,8 +74,15 @@ class Trace:
         at = [scene.receiver] if distances is None else map(scene.receiver.moved_to, distances)
         receivers = tuple(at)
         check_body(scene, heights, receivers or (scene.receiver,))
-        self._train = OpticalTrain.of(scene, heights, rays, seed, pose, receivers)
-        self.rays, self.sampled = self._train.source.rays, self._train.source.sampled
+        lines = scene.lines
+        each = -(-rays // len(lines))
+        self._trains = [
+            OpticalTrain.of(line.scene, heights, each, _seed(seed, number), pose, receivers)
+            for number, line in enumerate(lines)
+        ]
+        self._parts = [line.part for line in lines]
+        sources = [train.source for train in self._trains]
+        self.rays, self.sampled = sum(source.rays for source in sources), sources[0].sampled
         self._traced = [0] * BATCHES  # rays of each batch up to now
 
     @property
@@ -89,19 +98,26 @@ class Trace:
         threads : int, optional
             How many trace; as many as there are cores by default. Fewer do if images are large.
         """
-        detector = self._train.detector
+        detector = self._trains[0].detector
         works = [partial(self._batch, number) for number in range(BATCHES)]
         yield from in_order(works, 8 * detector.images * detector.pixels, threads)
 
     def _batch(self, number: int, left: Event) -> Tally:
-        tally = Tally(self._train.detector.images, self._train.detector.pixels)
+        detector = self._trains[0].detector
+        tally = Tally(detector.images, detector.pixels)
         self._traced[number] = 0
-        for rays in self._train.source.batch(number):
-            if left.is_set():  # nobody takes this batch
-                break
-            self._train.walk(rays, tally)
-            self._traced[number] += len(rays.flux)
+        for part, train in zip(self._parts, self._trains, strict=True):
+            for rays in train.source.batch(number):
+                if left.is_set():  # nobody takes this batch
+                    return tally
+                train.walk(rays._replace(flux=part * rays.flux) if part < 1 else rays, tally)
+                self._traced[number] += len(rays.flux)
         return tally
+
+
+def _seed(seed: int, line: int) -> int:
+    """The seed of the rays of a line of the light; each line has other rays."""
+    return seed if line == 0 else int(np.random.SeedSequence([seed, line]).generate_state(1)[0])
 
 
 def added(total: Tally | None, batch: Tally | None) -> Tally | None:
