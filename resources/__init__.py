@@ -142,6 +142,12 @@ EXAMPLES = (
         "Measured LED",
         "A file of 9,000 rays lights the lens; see how their grain shows in the check.",
     ),
+    Example(
+        "white-light",
+        _LIGHTS,
+        "White light",
+        "Polycarbonate turns blue light more than red; see coloured edges in the predicted photo.",
+    ),
     *(
         Example(
             f"{shape}-x{magnification}",

@@ -70,6 +70,12 @@ SCENES = {
         screen(150, [100, 100], [40, 40]),
         "rectangle-20x20",
     ),
+    # Light turned by 17 degrees and more: blue and red land 1.4 mm apart.
+    "white-light": in_mm(
+        {"kind": "collimated", "spectrum": [[0.45, 0.3], [0.55, 0.5], [0.63, 0.2]]},
+        lens([15, 15], 12, "PC", bspline()),
+        shown("letter-256", screen(80, [20, 20], [128, 128], center=[25, 0]), viewed_from="front"),
+    ),
 }
 """Scenes by the names of their examples."""
 

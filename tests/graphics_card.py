@@ -18,6 +18,7 @@ EXAMPLES = [
     "street-light",
     "beam-shaper",
     "measured-led",
+    "white-light",
     "mirror-photo",
     "two-distances",
     "wide-angle",

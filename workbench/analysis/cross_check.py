@@ -141,7 +141,9 @@ def _by_mitsuba(
     """The image of all lines of the light, each with its part of the flux and as many rays."""
     count, images = len(lines), []
     for number, (part, scene) in enumerate(lines):
-        each = scene.flux(-(-rays // count), seed + 2 * number, fraction_of(progress, number, 1, count))
+        each = scene.flux(
+            -(-rays // count), seed + 2 * number, fraction_of(progress, number, 1, count)
+        )
         images.append(part * each)
     return np.asarray(sum(images[1:], images[0]))
 

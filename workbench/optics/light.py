@@ -27,7 +27,7 @@ class Light(NamedTuple):
 
 
 def sum_of_lines(lights: Iterable[tuple[float, Light]]) -> Light:
-    """Sum of the light of all lines of a scene, each given as its part of the flux and its light."""
+    """Sum of the light of all lines of a scene: of each its part of the flux, and its light."""
     lines = list(lights)
     if len(lines) == 1:
         return lines[0][1]

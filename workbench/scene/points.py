@@ -60,7 +60,7 @@ class AnySource(Part):
 
     @property
     def stated_wavelength(self) -> float | None:
-        """Vacuum wavelength in µm, of a spectrum the mean of the flux; None if nothing is stated."""
+        """Vacuum wavelength in µm, of a spectrum the mean; None if nothing is stated."""
         return mean_wavelength(self.spectrum) if self.spectrum else self.wavelength_um
 
     @property

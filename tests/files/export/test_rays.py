@@ -1,4 +1,5 @@
 import csv
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -6,7 +7,9 @@ import pytest
 from workbench.analysis.tracing.elements import TracedRays
 from workbench.analysis.tracing.interfaces import DielectricBoundary
 from workbench.analysis.tracing.surfaces import SplineFace
-from workbench.files.export.tables import write_rays
+from workbench.files.export.tables import write_rays, write_tm25
+from workbench.measured.rays import read_rays
+from workbench.scene.paths import with_values
 
 
 def load(path):
@@ -51,3 +54,17 @@ def test_collimated_light_by_another_tracer(gentle, write):
     way /= np.linalg.norm(way, axis=1, keepdims=True)
     assert np.column_stack([cos_x, cos_y, cos_z]) == pytest.approx(way, abs=1e-12)
     assert flux == pytest.approx(0.96 * behind.flux / len(places), rel=1e-9)
+
+
+def test_rays_of_several_lines_have_their_wavelengths_in_both_formats(make_design, write):
+    glass = {"lens.refractive_index": "N-BK7", "lens.wavelength_um": 0.55}
+    one = make_design({"source.rays": [10, 10], **glass}, np.full((12, 10), 0.5))
+    lines = {"source.wavelength_um": None, "source.spectrum": [[0.45, 1], [0.6, 3]]}
+    design = replace(one, scene=with_values(one.scene, lines))
+    for name, writer in (("lens.rays.csv", write_rays), ("lens.tm25ray", write_tm25)):
+        path, _ = write(writer, design, name)
+        with path.open("rb") as file:
+            rays = read_rays(path, file)
+        blue = rays.wavelength_nm == 450
+        assert set(rays.wavelength_nm[~blue]) == {600}
+        assert rays.flux[blue].sum() == pytest.approx(rays.flux.sum() / 4, rel=5e-3)

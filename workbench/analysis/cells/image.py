@@ -127,7 +127,10 @@ class Levels:
         scene.check_one_element("the image by cells")
         check_body(scene, heights)
         lines = [
-            (line.part, OpticalTrain.of(line.scene, heights, 1, 0, pose or Pose(), [scene.receiver]))
+            (
+                line.part,
+                OpticalTrain.of(line.scene, heights, 1, 0, pose or Pose(), [scene.receiver]),
+            )
             for line in scene.lines
         ]
         train = lines[0][1]

@@ -169,9 +169,9 @@ LIGHTS = {
 def light_of(scene: Scene) -> Illuminant:
     """The light that the source of a scene is likely to be.
 
-    A spectrum is that of the source. Else light from infinitely far is daylight, a Gaussian beam
-    that of a laser of the wavelength stated, and what stands somewhere is an LED. A beam of no stated or no visible wavelength counts
-    as white.
+    A spectrum counts as it is. Else light from infinitely far is daylight, a Gaussian beam that of
+    a laser of the wavelength stated, and what stands somewhere is an LED. A beam of no stated or no
+    visible wavelength counts as white.
     """
     if scene.source.spectrum:
         return of_spectrum(scene.source.spectrum)

@@ -179,8 +179,8 @@ def _wavelengths(
     if light.lines:
         lines = [wavelength for wavelength, _ in light.lines]
         lit = [at_wavelength(scene, wavelength) for wavelength in lines]
-        apart = (_apart(one, other, heights) for one, other in pairwise(lit))
-        return np.array(lines), max(apart, default=0.0)
+        steps_apart = [_apart(one, other, heights) for one, other in pairwise(lit)]
+        return np.array(lines), max(steps_apart, default=0.0)
     material = _material(scene)
     if material is None:
         return np.array([(SHORTEST + LONGEST) / 2]), 0.0

@@ -8,13 +8,14 @@ file. Points without any cell on an elliptic lens are flagged as without data.
 """
 
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import torch
 from scipy.interpolate import CubicHermiteSpline, RectBivariateSpline
+from torch import Tensor
 
 from workbench import __version__
 from workbench.arrays import Array, Mask
@@ -22,6 +23,7 @@ from workbench.files.export.design import Design, Deviation
 from workbench.measured.rays.tm25 import HEADER, VERSION
 from workbench.optics.arrival import Arrival
 from workbench.optics.path import Path
+from workbench.optics.rays import Vector
 
 _ROWS_AT_ONCE = 1 << 16  # limits the memory for text
 _UNIT_FLAG = {"mm": 0, "cm": 1, "inch": 2, "m": 3}
@@ -148,60 +150,76 @@ def write_points(design: Design, file: BinaryIO) -> Deviation:
 _MM = 1e-3  # lengths of the format, in metres
 
 
-class LeavingRays(NamedTuple):
-    """Rays at the exit face: position in scene units, unit direction (m, 3), flux (m,) > 0."""
+class Rays(NamedTuple):
+    """Rays: position in scene units and unit direction (m, 3), flux (m,) > 0, wavelength (m,), nm.
+
+    There are wavelengths only where the light has several; see `Scene.lines`.
+    """
 
     position: Array
     direction: Array
     flux: Array
+    nm: Array | None
 
 
-def traced(design: Design) -> tuple[Path, Arrival]:
-    """Return the traced path of the scene in float64, and its rays at the receiver."""
-    path = Path.of(design.scene, design.net, torch.float64)
+def _traced(design: Design, ends: Callable[[Path, Arrival], tuple[Vector, Tensor]]) -> Rays:
+    """Rays of all lines of the light in float64: those that ``ends`` takes, and where they end."""
     heights = {face: torch.tensor(each) for face, each in design.result.state.heights.items()}
-    with torch.no_grad():
-        return path, path.walk(heights)
+    lines = design.scene.lines
+    tables, wavelengths = [], []
+    for line in lines:
+        path = Path.of(line.scene, design.net, torch.float64)
+        with torch.no_grad():
+            arrival = path.walk(heights)
+        places, taken = ends(path, arrival)
+        parts = *places, *arrival.rays.direction, line.part * arrival.rays.flux
+        columns = [part.expand(taken.shape)[taken].numpy() for part in parts]
+        tables.append(np.column_stack(columns))
+        wavelengths.append(np.full(len(columns[0]), 1000 * line.scene.source.wavelength))
+    table = np.concatenate(tables)
+    nm = np.concatenate(wavelengths) if len(lines) > 1 else None
+    return Rays(table[:, :3], table[:, 3:6], table[:, 6], nm)
 
 
-def leaving(design: Design) -> LeavingRays:
+def _leaving(path: Path, arrival: Arrival) -> tuple[Vector, Tensor]:
+    x, y, z = arrival.rays.position
+    return (x, y, z + path.datum), arrival.rays.flux > 0
+
+
+def _arriving(path: Path, arrival: Arrival) -> tuple[Vector, Tensor]:
+    arrives = (arrival.rays.flux > 0) & arrival.column.isfinite() & arrival.row.isfinite()
+    return path.ends(arrival.rays), arrives
+
+
+def leaving(design: Design) -> Rays:
     """Trace the rays of the scene in float64 up to the exit face."""
-    path, arrival = traced(design)
-    rays = arrival.rays
-    leaves = rays.flux > 0
-    x, y, z, d_x, d_y, d_z, flux = (
-        part.expand(leaves.shape)[leaves].numpy()
-        for part in (*rays.position, *rays.direction, rays.flux)
-    )
-    position = np.column_stack([x, y, z + path.datum])
-    return LeavingRays(position, np.column_stack([d_x, d_y, d_z]), flux)
+    return _traced(design, _leaving)
 
 
 def write_rays(design: Design, file: BinaryIO) -> Deviation:
     """Trace the scene's rays in float64 and write a line for each that reaches the receiver.
 
     Position, direction cosines and flux; their total is the flux on and beside the receiver. Rays
-    to a far field are written at a distance behind the lens.
+    to a far field are written at a distance behind the lens. The wavelength follows where the light
+    has several.
     """
-    path, arrival = traced(design)
-    arrives = (arrival.rays.flux > 0) & arrival.column.isfinite() & arrival.row.isfinite()
-    ends = path.ends(arrival.rays)
-    x, y, z, flux, *direction = (
-        part.expand(arrives.shape)[arrives].numpy()
-        for part in (*ends, arrival.rays.flux, *arrival.rays.direction)
-    )
-    unit = design.unit
+    rays, unit = _traced(design, _arriving), design.unit
+    columns = [*rays.position.T, *rays.direction.T, rays.flux]
     header = f"x [{unit}],y [{unit}],z [{unit}],cos x,cos y,cos z,flux"
-    written = write_table(file, [x, y, z, *direction, flux], header, delimiter=",")
-    return Deviation("rounding", max(rounding(written, 0, x), rounding(written, 1, y)), unit)
+    if rays.nm is not None:
+        columns, header = [*columns, rays.nm], f"{header},wavelength [nm]"
+    written = write_table(file, columns, header, delimiter=",")
+    off = (rounding(written, axis, rays.position[:, axis]) for axis in (0, 1))
+    return Deviation("rounding", max(off), unit)
 
 
 def write_tm25(design: Design, file: BinaryIO) -> Deviation:
     """Write the rays at the exit face as IES TM-25-13; radiant flux, of 1 W of the source."""
     rays = leaving(design)
     scale = design.metres / _MM
-    table = np.empty((len(rays.flux), 7), "<f4")
-    table[:, :3], table[:, 3:6], table[:, 6] = scale * rays.position, rays.direction, rays.flux
+    coloured = [] if rays.nm is None else [rays.nm]
+    columns = scale * rays.position, rays.direction, rays.flux, *coloured
+    table = np.column_stack(columns).astype("<f4")
     header = np.zeros((), HEADER)
     header["magic"], header["version"], header["method"] = b"TM25", VERSION, 0
     header["luminous_flux"], header["radiant_flux"] = np.nan, rays.flux.sum()
@@ -210,7 +228,9 @@ def write_tm25(design: Design, file: BinaryIO) -> Deviation:
     header["start"] = 7  # on some other surface: the exit face
     for wavelength in ("wavelength", "shortest", "longest"):
         header[wavelength] = np.nan
-    header["flags"] = [1, 1, 1, 0, 0, 0, 0, 0]
+    if rays.nm is not None:
+        header["shortest"], header["longest"] = rays.nm.min(), rays.nm.max()
+    header["flags"] = [1, 1, 1, len(coloured), 0, 0, 0, 0]
     program = f"Freeform Lens Workbench {__version__}"
     header["descriptions"] = ["Freeform lens", "", program, program, program, "", "", "", ""]
     file.write(header.tobytes())
