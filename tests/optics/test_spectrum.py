@@ -16,8 +16,8 @@ from workbench.materials import refractive_index
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.plan import Plan
 from workbench.optics.samples import Corners
+from workbench.progress import finished
 from workbench.scene import Scene
-from workbench.watch import finished
 
 LINES = ((0.45, 0.3), (0.55, 0.5), (0.63, 0.2))
 SLOPE, THICK, FAR = 0.4, 5.0, 60.0
@@ -47,7 +47,7 @@ def scene_of(light, elements=(), **receiver):
 
 def wedge(scene):
     x, _ = ControlNet.of(scene.optic).positions
-    return {"exit": np.repeat(THICK + SLOPE * x[:, None], 8, axis=1)}
+    return {"lens.back": np.repeat(THICK + SLOPE * x[:, None], 8, axis=1)}
 
 
 def behind_wedge(scene):
@@ -110,10 +110,10 @@ def test_the_gradient_of_white_light_is_that_of_central_differences(rng):
     scene = scene_of({"spectrum": LINES})
     plan = BeamPlan(scene, (24, 24), dtype=torch.float64)
     wanted = torch.as_tensor(rng.random((24, 80)))
-    heights = torch.as_tensor(wedge(scene)["exit"] + 0.02 * rng.random((8, 8)))
+    heights = torch.as_tensor(wedge(scene)["lens.back"] + 0.02 * rng.random((8, 8)))
 
     def figure(heights):
-        return (plan.trace({"exit": heights}).flux * wanted).sum()
+        return (plan.trace({"lens.back": heights}).flux * wanted).sum()
 
     leaf = heights.clone().requires_grad_()
     (gradient,) = torch.autograd.grad(figure(leaf), leaf)

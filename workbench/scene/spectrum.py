@@ -7,10 +7,8 @@ from pydantic import Field
 
 from workbench.errors import Refused
 from workbench.said import Said
-from workbench.scene.element import Element
 
 if TYPE_CHECKING:
-    from workbench.scene.points import AnySource
     from workbench.scene.task import Scene
 
 MOST_LINES = 16
@@ -63,7 +61,7 @@ def mean_wavelength(spectrum: Iterable[tuple[float, float]]) -> float:
     return sum(each * part for each, part in lines) / sum(part for _, part in lines)
 
 
-def check_spectrum(source: "AnySource", elements: Iterable[Element]) -> None:
+def check_spectrum(scene: "Scene") -> None:
     """Refuse a spectrum that makes no light, or for which a material has no data.
 
     Raises
@@ -71,7 +69,7 @@ def check_spectrum(source: "AnySource", elements: Iterable[Element]) -> None:
     Refused
         With the path of the field in the scene, the value and what is allowed.
     """
-    spectrum = source.spectrum
+    source, spectrum = scene.source, scene.source.spectrum
     if spectrum is None:
         return
     path = "source.spectrum"
@@ -87,7 +85,7 @@ def check_spectrum(source: "AnySource", elements: Iterable[Element]) -> None:
     if not any(part for _, part in spectrum):
         raise Refused(path, Said("all parts of the flux are 0; one above 0"))
     for number, (wavelength, _) in enumerate(spectrum):
-        for element in elements:
+        for element in scene.elements:
             try:
                 _ = element.lit(wavelength).index
             except Refused as refused:

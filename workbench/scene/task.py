@@ -125,7 +125,7 @@ class Scene(Part):
 
     def check(self) -> None:
         """Refuse parts that do not go together, and stages that are not possible."""
-        check_spectrum(self.source, self.elements)
+        check_spectrum(self)
         check_elements(self)
         self.source.measured_in(self.unit)
         if len(self.elements) > 1:
