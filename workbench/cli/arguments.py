@@ -18,14 +18,14 @@ from workbench.cli.parser import Parser
 
 VERBS: dict[str, tuple[str, Callable[[Any], None]]] = {
     "design": ("design a lens", add_design),
-    "bound": ("tell the least error that any lens can reach", add_bound),
+    "bound": ("compute the least error that any lens can reach", add_bound),
     "sweep": ("design many lenses: several scenes, fields that vary", add_sweep),
     "validate": ("check a lens by an independent trace", add_validate),
-    "tolerances": ("see what small errors of a lens do to its image", add_tolerances),
-    "manufacture": ("tell thickness, slope and radii, and judge them by limits", add_manufacture),
+    "tolerances": ("find how small errors of a lens change its image", add_tolerances),
+    "manufacture": ("compute thickness, slope and radii; compare with limits", add_manufacture),
     "export": ("write a lens for manufacture and for other programs", add_export),
     "pictures": ("draw a lens and its light", add_pictures),
-    "report": ("tell all of a lens on some pages (HTML, PDF)", add_report),
+    "report": ("write a report of a lens (HTML, PDF)", add_report),
     "benchmark": ("measure run time against error", add_benchmark),
 }
 _EXAMPLES = """\
@@ -35,7 +35,7 @@ examples:
   freeform export flame.freeform flame.step
 
 SCENE is a scene file (JSON) or a session (.freeform), SESSION a session with a designed lens.
-freeform COMMAND --help tells more of each.
+freeform COMMAND --help describes each command.
 
 Exit status: 0 done, 1 failed, 2 refused; 130 after Ctrl-C, 143 after SIGTERM,
 129 when the terminal is closed."""

@@ -87,7 +87,7 @@ def _measure(
     progress = _Progress(name)
     stop = None
     try:
-        for row in SUITE[name].measure(iterations, progress.tell):
+        for row in SUITE[name].measure(iterations, progress.show):
             rows.append(row)
     except KeyboardInterrupt as error:
         stop = error
@@ -137,7 +137,7 @@ class _Progress:
         self._last = -self._SECONDS
         self._is_terminal = sys.stderr.isatty()
 
-    def tell(self, case: str, state: str) -> None:
+    def show(self, case: str, state: str) -> None:
         now = time.perf_counter()
         line = f"{self._name}: {case}  {state}".rstrip()
         if self._is_terminal:

@@ -165,7 +165,7 @@ def add_export(commands: Any) -> None:
     parser = add_verb(
         commands,
         "export",
-        f"Write the lens of a session and its light; endings tell the formats.\n\n{endings}",
+        f"Write the lens of a session and its light; the endings select the formats.\n\n{endings}",
         [
             "export flame.freeform flame.step flame.irradiance.tiff",
             "export flame.freeform flame.stl flame.3mf --chord-error 1e-5",

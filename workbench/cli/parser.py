@@ -201,7 +201,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Raise Refused."""
-        raise Refused("usage", f"{message}; {self.prog} --help tells more")
+        raise Refused("usage", f"{message}; {self.prog} --help explains its arguments")
 
 
 def _paths(options: argparse.Namespace, dest: str) -> Iterator[Path]:

@@ -44,7 +44,7 @@ def sweep(
             f"{folder}, the same command goes on",
         )
     if failed:
-        raise RunFailed(f"{failed} of {len(points)} points have no lens; the table tells why")
+        raise RunFailed(f"{failed} of {len(points)} points have no lens; the table has the reasons")
 
 
 def _workers(jobs: int | None, dask: str | None, points: int) -> Cluster | Processes:

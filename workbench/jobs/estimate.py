@@ -1,13 +1,8 @@
-"""What a design of a task will reach, estimated by a coarse design of the same task.
+"""Estimate of the error and efficiency of a design by a coarse design of the same task.
 
-The coarse design has fewer pixels and control points, and few iterations. It traces the same source
-through the same lens to the same receiver: light that misses the lens, total reflection, reflection
-at faces, the largest deflection of the faces and the size of the source are all in it.
-
-For 17 of 18 converged designs of jobs drawn with other seeds than the first one, the middle of the
-range was 0.67 to 1.47 times the error, 1 % counting as the least, and for one, of a rectangle in
-collimated light, 2.5 times. The upper end of `_FAR` is of another such rectangle among them. All
-had 0.2 to 2.0 points more light than estimated.
+The coarse design has fewer pixels, control points and iterations, and includes all losses of light
+and the size of the source. For 17 of 18 converged designs the middle of the range was 0.67 to 1.47
+times the error; the efficiency was 0.2 to 2.0 points above the estimate.
 """
 
 import math
@@ -30,48 +25,39 @@ from workbench.scene.faces import LARGEST_NET
 
 
 class _Coarse(NamedTuple):
-    """How coarse a design is, and what its error says of that of the whole design."""
+    """Size of a coarse design, and the ratio of the error of the full design to its error."""
 
-    # Pixels along the longer side, control points along an axis and iterations, at most.
+    # At most, along the longer side and along an axis.
     pixels: int
     net: int
     iterations: int
-    # Error of the whole design over that of the coarse one.
+    # Ratio of the errors.
     least: float
     most: float
 
 
-# Where whole designs of drawn jobs have ended: fewer pixels leave their finest detail, such as that
-# of a flame, to fewer control points.
+# Ratios of random jobs.
 _FAR = _Coarse(96, LARGEST_NET, 45, 0.65, 1.5)
-# Where each part of the lens blurs its own way, the design has to see the blur, and takes more
-# pixels. A step with 240 control points takes twice the time of one with 96.
+# Where the blur depends on the point of the lens, the design includes it and needs more pixels.
 _NEAR = _Coarse(128, 96, 18, 0.55, 1.2)
-# The error of the source's blur that a design reaches, over the least error of any lens: 1.07 to
-# 1.30 in seven drawn designs.
+# Error of a design by the source's blur over its lower bound: 1.07 to 1.30 in seven designs.
 _OF_LEAST = 1.25
-# Coarse designs see up to 1.5 % more light on the receiver than the designs themselves.
-_LIGHT = 0.98
-# A blur of fewer pixels of the coarse design is left out of it, as part of a source's width.
+_LIGHT = 0.98  # coarse designs have up to 1.5 % more light on the receiver
+# A narrower blur, in pixels, is left out by scaling the source.
 _NARROW, _SHRUNK = 2.0, 0.01
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """What a design is expected to reach."""
+    """Expected range of the relative L2 error, and efficiency."""
 
-    # Relative L2 error: between these.
     least: float
     most: float
-    light: float  # part of the light of the source that lands on the receiver
+    light: float  # part of the emitted flux on the receiver
 
 
 def estimating(session: Session) -> Generator[float, None, Estimate | None]:
-    """Design a task coarsely, step by step, so that one can leave it.
-
-    `session`: the task, its target drawn. Yields the part that is done. Returns None where no light
-    arrives, or where another method than the automatic one designs.
-    """
+    """Estimate a design in steps; return None without light or for methods other than ``auto``."""
     if session.scene.run.method != "auto":
         return None
     from workbench.design.run import run  # late: torch takes seconds to import
@@ -98,7 +84,7 @@ def estimating(session: Session) -> Generator[float, None, Estimate | None]:
 
 
 def _least(session: Session) -> Generator[float, None, float]:
-    """The error that the blur of a source allows; 0 for a source that sets no bound."""
+    """Lower bound of the error by the blur of the source; 0 without one."""
     bound = Bound(session.scene, session.target)
     if not bound.known:
         return 0.0
@@ -112,10 +98,7 @@ def _least(session: Session) -> Generator[float, None, float]:
 
 
 def _coarse(session: Session, how: _Coarse, near: bool) -> Session:
-    """The task with few pixels and control points.
-
-    The blur of a source that is far away is left out where it is narrow: its error is known.
-    """
+    """Return the task with few pixels and control points, without a narrow blur."""
     scene = session.scene
     receiver, given = scene.receiver, scene.optic.known_shape or (LARGEST_NET, LARGEST_NET)
     part = min(1.0, how.pixels / max(receiver.pixels))

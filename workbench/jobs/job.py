@@ -1,4 +1,4 @@
-"""What jobs have in common: their questions, and what they propose."""
+"""Base of the jobs, and the proposal of what their questions leave open."""
 
 import json
 import math
@@ -16,35 +16,26 @@ from workbench.scene import Part, Scene
 
 
 class Job(Part):
-    """A few questions, in millimetres, whose answers make a scene.
-
-    A job that exists has a scene that is possible.
-    """
+    """A few questions, in millimetres, whose answers make a valid scene."""
 
     asked_by: ClassVar[dict[str, str]] = {}
-    """Beginnings of paths of the scene, and the fields whose answers stand there."""
+    """Field of the job by the beginning of a path in the scene."""
 
     unit: Literal["mm"] = "mm"
 
     @abstractmethod
     def scene(self) -> Scene:
-        """The design task, with all that is proposed.
-
-        Raises `Refused` if the answers make no scene; the path is one of the scene.
-        """
+        """Return the proposed scene; raise Refused with a path of the scene if it is invalid."""
 
     def check(self) -> None:
-        """Refuse answers that make no scene, at the field that asked for them."""
+        """Refuse answers without a valid scene, with the path of the job's field."""
         try:
             self.scene()
         except Refused as refused:
             raise Refused(self._asking(refused.path), refused.reason) from None
 
     def with_answers(self, answers: dict[str, Any]) -> Self:
-        """The job with other answers, plain data by the names of fields.
-
-        Raises `Refused` with the path of the field, the value and what is allowed.
-        """
+        """Return the job with other answers, plain data by field; raise Refused if invalid."""
         data = self.model_dump(mode="json", exclude_none=True) | answers
         try:
             return self.model_validate_json(json.dumps(data))
@@ -52,7 +43,7 @@ class Job(Part):
             raise refusal(error, type(self)) from None
 
     def _asking(self, path: str) -> str:
-        """The field of the job for a path of the scene; the path itself, if none asks for it."""
+        """Field of the job for a path of the scene, or else the path."""
         if path.startswith("images[0].target"):
             return path.removeprefix("images[0].")
         for beginning, field in (*self.asked_by.items(), *_USUAL):
@@ -61,7 +52,7 @@ class Job(Part):
         return path
 
 
-# Later ones count only where no earlier one does.
+# The first match counts.
 _USUAL = (
     ("images[0].receiver.position[2]", "distance"),
     ("images[0].receiver", "image_size"),
@@ -77,9 +68,9 @@ _USUAL = (
 
 
 class LensJob(Job):
-    """A lens of some size and material brings light into a picture."""
+    """A lens of some size and material forms a picture."""
 
-    if TYPE_CHECKING:  # each job asks for these, at their places in the form
+    if TYPE_CHECKING:  # fields of each job, in its own order
         target: Picture
         size: Size
         material: Material
@@ -88,10 +79,7 @@ class LensJob(Job):
     def through_lens(
         self, source: dict[str, Any], receiver: dict[str, Any], wavelength_um: float = GREEN_UM
     ) -> Scene:
-        """Return the proposed scene with a source and a receiver, both as plain data.
-
-        Raises `Refused` if this is no possible scene.
-        """
+        """Return the proposed scene with a source and a receiver, both as plain data."""
         return proposed(
             {
                 "source": source | {"wavelength_um": wavelength_um},
@@ -102,20 +90,16 @@ class LensJob(Job):
         )
 
 
-# A lens is at least this thick, in half-widths and in millimetres, so that it can be made.
-_THINNEST, _LEAST_MM = 0.05, 1.0
-# The middle of the exit face is above that by this part of what the face rises, and of the lens.
+_THINNEST, _LEAST_MM = 0.05, 1.0  # least thickness, in half-widths and in millimetres
+# Thickness in the middle above the least, in parts of the rise of the face and of the half-width.
 _RISE, _BODY = 0.75, 0.04
-# Pixels along the longer side of an image; so many pixels describe what is blurred.
-_MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8
+_MOST, _FEWEST, _MULTIPLE, _IN_BLUR = 256, 96, 8, 8  # pixels along the longer side and in a blur
 
 
 def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
-    """The scene of a task in millimetres, with what it leaves open.
+    """Return the scene of a task in millimetres with thickness and pixels, where it lacks them.
 
-    `task`: plain data of a scene with one element and one image. A lens may lack its thickness, and
-    the receiver its pixels; `thickness`: of the stock that a lens is cut from. Raises `Refused` if
-    this is no possible scene.
+    `task`: plain data of a scene with one element and one image; `thickness`: of the stock.
     """
     (element,), (image,) = task["elements"], task["images"]
     receiver = image["receiver"]
@@ -143,16 +127,13 @@ def proposed(task: dict[str, Any], thickness: float | None = None) -> Scene:
 
 
 def resolution(scene: Scene) -> float:
-    """Width of the finest detail that light of the source can draw, in the receiver's measure.
-
-    The larger of the source's blur and of the scale of diffraction.
-    """
+    """Width of the finest detail, by blur of the source or diffraction, in receiver units."""
     blur = min(blur_widths(scene))
     return max(blur, diffraction(scene))
 
 
 def blur_widths(scene: Scene) -> tuple[float, float]:
-    """Full widths of the source's blur along x and y, in the receiver's measure."""
+    """Full widths of the source's blur along x and y, in receiver units."""
     receiver = scene.receiver
     x, y = (
         2 * half * width / pixels
@@ -174,6 +155,5 @@ def _lens(given: dict[str, Any], thickness: float | None) -> dict[str, Any]:
 
 
 def _pixels(extent: tuple[float, float], longer: int) -> list[int]:
-    """As many along the longer side, and square ones along both."""
     side = max(extent)
     return [max(round(longer * each / side / _MULTIPLE), 1) * _MULTIPLE for each in extent]

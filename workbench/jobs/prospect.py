@@ -1,4 +1,4 @@
-"""What can be expected of a task before anything is designed, and its picture as at best."""
+"""Figures of a task that are known before the design, and its best possible picture."""
 
 from collections.abc import Generator
 from dataclasses import dataclass
@@ -21,38 +21,35 @@ from workbench.scene import Scene
 from workbench.units import sized
 
 _BLACK = 0.01  # parts of a target's peak up to where a pixel is dark
-_SMALL = 0.01  # designs stop before an estimate can tell smaller errors apart
-_ALL = 0.995  # more light than this is all of it
-_HALF = 0.5  # of the light: less than that is a lamp that is too far away
-_RAYS, _NET = 1 << 16, 4  # that find how much of it meets the optic, whatever its face is like
-_STEEP = 0.85  # of the largest turn, from where much light is reflected
+_SMALL = 0.01  # least error that an estimate resolves
+_ALL = 0.995  # part of the light that counts as all
+_HALF = 0.5  # part of the light below which the lamp is too far away
+_RAYS, _NET = 1 << 16, 4  # of the trace to the first face
+_STEEP = 0.85  # of the largest deflection, from where much light is reflected
 
 
 class Figure(NamedTuple):
-    """One thing that is known beforehand."""
+    """A figure that is known before the design."""
 
-    name: str  # what it is
+    name: str
     value: str  # with its unit
-    meaning: str  # what follows from it, in a sentence
-    warns: bool = False  # whether the task will not end well for it
+    meaning: str  # its consequence, in a sentence
+    warns: bool = False  # whether the design will fail by it
 
 
 @dataclass(frozen=True, eq=False)
 class Prospect:
-    """What can be expected of a task."""
+    """What can be expected of a task: resolution, slopes, light, and the best image."""
 
-    # (n_y, n_x), the image as it would look at best: blurred by the source; None while that is not
-    # known.
-    picture: Array | None
-    # What can be resolved, how steep the face becomes, how much light can arrive.
+    picture: Array | None  # (n_y, n_x), blurred by the source; None while unknown
     figures: tuple[Figure, ...]
 
 
 def prospecting(session: Session) -> Generator[Prospect | float | None, None, Prospect]:
-    """Find what can be expected of a task, step by step, so that one can leave it.
+    """Find the figures of a task in steps.
 
-    `session`: the task, its target drawn. Yields what is known: at first what is known at once,
-    then with the estimate. Between, the part of the estimate that is done.
+    Yields first the figures without the estimate, then the progress of the estimate, then the
+    figures with it.
     """
     scene = session.scene
     slopes = needed_slopes(scene, _lit(session))
@@ -78,7 +75,6 @@ def prospecting(session: Session) -> Generator[Prospect | float | None, None, Pr
 
 
 def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
-    """What the design will reach."""
     name = Said("Estimate")
     if estimate is None:
         why = (
@@ -100,14 +96,13 @@ def _estimated(scene: Scene, estimate: Estimate | None) -> Figure:
 
 
 def _range(estimate: Estimate) -> str:
-    """Between which errors a design ends; small ones are not told apart."""
     if estimate.most < _SMALL:
         return f"< {percent(_SMALL)}"
     return f"{percent(estimate.least).removesuffix(' %')} – {percent(estimate.most)}"
 
 
 def _lit(session: Session) -> tuple[float, float, float, float]:
-    """Left, right, bottom and top of what the target lights, in coordinates of the receiver."""
+    """Left, right, bottom and top of the lit part of the receiver."""
     bright = session.target > _BLACK * session.target.max()
     left, right, bottom, top = session.scene.receiver.bounds
     n_y, n_x = bright.shape
@@ -122,7 +117,6 @@ def _lit(session: Session) -> tuple[float, float, float, float]:
 
 
 def _resolved(scene: Scene) -> tuple[Figure, ...]:
-    """How fine the image can be."""
     unit = scene.receiver.measure.sign_in(scene.unit)
     wide = 2 * min(scene.receiver.half_extent)
     x, y = blur_widths(scene)
@@ -155,7 +149,6 @@ def _resolved(scene: Scene) -> tuple[Figure, ...]:
 
 
 def _steepness(scene: Scene, slopes: Slopes) -> Figure:
-    """Whether the face can turn the light as far as it is wanted to."""
     optic = scene.optic
     name = Said("Largest slope")
     value = Said(
@@ -182,7 +175,7 @@ def _steepness(scene: Scene, slopes: Slopes) -> Figure:
 
 
 def _slant(scene: Scene) -> tuple[Figure, ...]:
-    """How aslant the receiver is met; nothing is said where that does no harm."""
+    """Grazing incidence on the receiver; empty where it does no harm."""
     said = grazed(scene)
     if said is None:
         return ()
@@ -191,14 +184,14 @@ def _slant(scene: Scene) -> tuple[Figure, ...]:
 
 
 class _Light(NamedTuple):
-    """Parts of the light of a source: what meets the optic, and what can leave it at most."""
+    """Parts of the emitted flux that meet the element, and that can leave it at most."""
 
     caught: float
     leaves: float
 
 
 def _light_of(scene: Scene) -> _Light:
-    """Trace a flat face, which reflects the least light."""
+    """Trace a flat face, which has the least losses."""
     optic = scene.optic
     scene = scene.with_net((_NET, _NET))
     flat = {scene.optic.designed_face: np.full(scene.optic.net_shape, optic.leaving_z)}
@@ -212,7 +205,7 @@ def _light_of(scene: Scene) -> _Light:
 
 
 def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
-    """How much light meets the optic at all; nothing is said where all of it does."""
+    """Part of the light that meets the element; empty where all of it does."""
     optic, caught = scene.optic, light.caught
     if caught > _ALL:
         return ()
@@ -230,7 +223,7 @@ def _caught(scene: Scene, light: _Light) -> tuple[Figure, ...]:
 
 
 def _light_at_best(bound: Bound, light: _Light) -> Figure:
-    """The most light that can land where the picture is bright, by what is known for certain."""
+    """Certified upper bound of the light on the bright part of the picture."""
     etendue = min(bound.on_receiver, bound.on_target) if bound.certified else 1.0
     meaning = Said("The rest misses the {optic} or is lost at its faces.", optic=_called(bound))
     if etendue <= _ALL:
@@ -246,7 +239,7 @@ def _light_at_best(bound: Bound, light: _Light) -> Figure:
 
 
 def _error_at_best(bound: Bound, slopes: Slopes) -> Figure:
-    """What no lens can be below, where that is known."""
+    """Lower bound of the error, where it is known."""
     name, unknown = Said("Error at best"), Said("not known")
     if not slopes.possible:
         why = Said("The {optic} cannot turn all the light that far.", optic=_called(bound))
@@ -270,7 +263,6 @@ def _called(bound: Bound) -> str:
 
 
 def _proposal(session: Session) -> Figure:
-    """What the program has chosen."""
     optic, receiver = session.scene.optic, session.scene.receiver
     n_u, n_v = optic.net_shape
     n_x, n_y = receiver.pixels

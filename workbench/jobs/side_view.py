@@ -1,4 +1,4 @@
-"""A scene seen from the side, to scale: light, lens or mirror, image, widths and distances."""
+"""Side view of a scene to scale: rays, lens or mirror, image, widths and distances."""
 
 from dataclasses import dataclass, replace
 
@@ -9,7 +9,7 @@ from workbench.powers import written
 from workbench.scene import Scene
 
 _RAYS = 5
-_BEFORE = 0.25  # of all the way, that light from infinitely far is drawn before the optic
+_BEFORE = 0.25  # length of collimated rays before the element, of the whole length
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,36 +17,34 @@ class Dimension:
     """A length between two places."""
 
     ends: Array  # (2, 2), along the axis and across it
-    text: str  # what stands there
-    # Whether it is one between parts, where nothing else is drawn, and no size of a part.
-    distance: bool = False
+    text: str
+    distance: bool = False  # between parts; else the size of a part
 
 
 @dataclass(frozen=True, eq=False)
 class SideView:
-    """Lines in the plane of the axis, scene units: to the right, then upwards.
+    """Points (to the right, upwards) in the plane of the axis, scene units.
 
-    To the right is along the axis, or across the image where that is tilted before a lens.
+    To the right is along the axis, or across the image where it is tilted before a lens.
     """
 
     across: str  # the axis that is drawn upwards
-    # (n, 2), what shines: ends of a line, a point, or none for light from infinitely far.
-    source: Array
-    optic: Array  # (n, 2), outline of the lens or mirror
+    source: Array  # (n, 2), ends of a line, a point, or none for collimated light
+    optic: Array  # (n, 2), outline of the element
     receiver: Array  # (n, 2), the image, seen edge on
-    rays: tuple[Array, ...]  # (3, 2), from the source by the optic to the image
-    dimensions: tuple[Dimension, ...]  # widths and distances, in the unit of the scene
+    rays: tuple[Array, ...]  # (3, 2) each, from the source to the image
+    dimensions: tuple[Dimension, ...]
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Lowest and highest along the axis, and across it."""
+        """Least and greatest coordinate along the axis, and across it."""
         ends = [dimension.ends for dimension in self.dimensions]
         points = np.concatenate([self.source, self.optic, self.receiver, *self.rays, *ends])
         low, high = points.min(axis=0), points.max(axis=0)
         return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
     def upright(self) -> "SideView":
-        """The same, turned until the image stands upright: a wall does, whatever a lamp faces."""
+        """Return the view turned until the image is upright, as a wall is."""
         side = self.receiver[-1] - self.receiver[0]
         along, up = side / np.linalg.norm(side)
         turn = np.array([[up, along], [-along, up]])
@@ -84,7 +82,7 @@ def side_view(scene: Scene) -> SideView:
 
 
 def _seen(scene: Scene, axis: int, steps: Array) -> Array:
-    """Places (n, 3) along the receiver's side that is drawn."""
+    """Points (n, 3) along the drawn side of the receiver."""
     receiver = scene.receiver
     coordinates = [np.full_like(steps, middle) for middle in receiver.middle]
     coordinates[axis] = receiver.middle[axis] + receiver.half_extent[axis] * steps
@@ -92,7 +90,7 @@ def _seen(scene: Scene, axis: int, steps: Array) -> Array:
 
 
 def _beginnings(scene: Scene, places: Array, image: Array, axis: int) -> Array:
-    """Where rays begin that meet the optic at places."""
+    """Starts of the rays to points of the element."""
     source = scene.source
     if source.place is not None:
         return np.broadcast_to(np.array(source.place)[[2, axis]], places.shape)
@@ -123,6 +121,6 @@ def _distance(first: Array, last: Array, unit: str) -> Dimension:
 
 
 def _straight_to(here: Array, image: Array) -> Array:
-    """The place nearest to here on the line that the image is part of."""
+    """Nearest point on the line through the image."""
     along = image[-1] - image[0]
     return np.asarray(image[0] + along * ((here - image[0]) @ along) / (along @ along))

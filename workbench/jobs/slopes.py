@@ -1,7 +1,7 @@
-"""How steep a face has to be, before it is designed: each place sends light to its place.
+"""Estimate of the slopes that a face needs, before it is designed.
 
-The light keeps its order: the left edge of the optic lights the left edge of the picture, evenly
-between. Designs differ where pictures are uneven; the steepest places are about the same.
+Each point of the face sends light to the point of the picture in the same relative position. The
+steepest slopes of designs are about the same.
 """
 
 from dataclasses import dataclass
@@ -11,42 +11,37 @@ import numpy as np
 from workbench.arrays import Array
 from workbench.scene import Scene
 
-_PLACES = 17  # along each axis
+_POINTS = 17  # along each axis
 
 
 @dataclass(frozen=True, eq=False)
 class Slopes:
-    """What a face needs."""
+    """Slopes that a face needs."""
 
-    # (n, n, 2), slope along x and y at places with x along the first axis; NaN where no slope sends
-    # light there.
-    gradient: Array
-    turn: float  # the largest angle by which the face has to turn light, degrees
-    # The largest angle by which it can turn light, degrees; less just inside that is lost to
-    # reflection.
-    most: float
-    rise: float  # highest less lowest place of the face, about, scene units
+    gradient: Array  # (n, n, 2), slope along x and y, x along the first axis; NaN where impossible
+    turn: float  # largest deflection that is needed, degrees
+    most: float  # largest possible deflection, degrees
+    rise: float  # estimate of highest less lowest z of the face, scene units
 
     @property
     def possible(self) -> bool:
-        """Whether every place can send its light where it is wanted."""
+        """Whether all points can deflect their light as needed."""
         return bool(np.isfinite(self.gradient).all())
 
     @property
     def steepest(self) -> float:
-        """The largest slope, degrees, of places that have one."""
+        """Largest slope, degrees."""
         slope = np.hypot(*np.moveaxis(self.gradient, -1, 0))
         return float(np.degrees(np.arctan(np.nanmax(slope, initial=0.0))))
 
 
 def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None = None) -> Slopes:
-    """The slopes that the last face of an optic needs.
+    """Return the slopes that the last face needs for a point source or collimated light.
 
-    `scene`: its source counts as a point, or as light from one direction; `part`: left, right,
-    bottom and top of what shall be lit, in coordinates of the receiver; all of it by default.
+    `part`: left, right, bottom and top of the lit part of the receiver; all of it by default.
     """
     optic, receiver = scene.optic, scene.receiver
-    steps = np.linspace(-1, 1, _PLACES)
+    steps = np.linspace(-1, 1, _POINTS)
     x, y = np.meshgrid(*(half * steps for half in optic.half_width), indexing="ij")
     left, right, bottom, top = part or receiver.bounds
     u, v = np.meshgrid(
@@ -69,14 +64,14 @@ def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None =
     with np.errstate(divide="ignore", invalid="ignore"):
         gradient = -normal[..., :2] / normal[..., 2:]
     gradient[(turns >= most) | (normal[..., 2] <= 0)] = np.nan
-    half = _PLACES // 2
+    half = _POINTS // 2
     across, up = gradient[:, half, 0], gradient[half, :, 1]
     rise = sum(_range(slope, h) for slope, h in zip((across, up), optic.half_width, strict=True))
     return Slopes(gradient, float(turns.max()), float(most), rise)
 
 
 def _coming(scene: Scene, x: Array, y: Array) -> Array:
-    """Unit vectors (n, n, 3) of light before it meets the optic, of a source that is small."""
+    """Directions (n, n, 3) of the light before the element, as of a small source."""
     source, optic = scene.source.sharp, scene.optic
     if source.place is None:
         way = source.heading
@@ -87,7 +82,7 @@ def _coming(scene: Scene, x: Array, y: Array) -> Array:
 
 
 def _range(slope: Array, half: float) -> float:
-    """How far heights along a line are apart whose slopes are these; steps are even."""
+    """Range of the heights along a line with these slopes at equal steps."""
     slope = np.nan_to_num(slope)
     step = 2 * half / (len(slope) - 1)
     heights = np.append(0.0, np.cumsum((slope[1:] + slope[:-1]) / 2 * step))

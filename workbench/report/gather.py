@@ -53,28 +53,12 @@ def gather(
 ) -> Report:
     """Check a lens and assemble its report.
 
-    Parameters
-    ----------
-    session : Session
-        A session with a lens.
-    name : str
-        Name of the session.
-    dated : datetime
-        Date of the session, not of today: two reports of one session must be equal.
-    rays : int
-        Least number of rays of the independent check.
-    tolerances : tuple[Tolerances, int], optional
-        Tolerances and number of perturbed lenses, each traced with a quarter of the rays.
-    with_mitsuba : bool
-        Whether Mitsuba 3 traces the lens too; see `cross_check`.
-
-    Raises
-    ------
-    Refused
-        If the session has no lens, a tolerance is not possible, or Mitsuba cannot trace the scene
-        or is not installed.
-    RunFailed
-        If no light reaches the receiver.
+    `session`: A session with a lens; `name`: name of the session; `dated`: date of the session, not
+    of today: two reports of one session must be equal; `rays`: least number of rays of the
+    independent check; `tolerances`: tolerances and number of perturbed lenses, each traced with a
+    quarter of the rays; `with_mitsuba`: whether Mitsuba 3 traces the lens too; see `cross_check`.
+    Raises `Refused` if the session has no lens, a tolerance is not possible, or Mitsuba cannot
+    trace the scene or is not installed; `RunFailed` if no light reaches the receiver.
     """
     scene, target, result = session.scene, session.target, result_of(session)
     if tolerances is not None:
