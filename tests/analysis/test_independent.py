@@ -54,7 +54,7 @@ def test_independent_images_give_the_error_of_a_near_emitter_where_cells_do_not(
     lens, target, monkeypatch
 ):
     train = OpticalTrain.of(lens[0], lens[1], 1, 0, Pose(), [lens[0].receiver])
-    fine = CellLattice(lens[0], train.lit_by(train.source.finer(2)), (70, 70))
+    fine = CellLattice(lens[0], train.lit_by(train.source.finer(2)), (100, 100))
     error = relative_l2(finished(fine.tracing()), target)
     monkeypatch.setattr(image, "_BEGIN", 1 << 19)
     monkeypatch.setattr(scatter, "_BEGIN", 1 << 19)

@@ -7,6 +7,7 @@ import pytest
 
 from tests.analysis.lenses import net_of
 from workbench.analysis.cells.image import imaging
+from workbench.analysis.validation import validate
 from workbench.errors import RunFailed
 
 POINT = {"kind": "point", "position": [0.3, -0.2, -4.0]}
@@ -50,11 +51,34 @@ def test_an_image_is_the_same_each_time(make_scene):
     assert np.array_equal(first.irradiance, again.irradiance)
 
 
-def test_a_lens_without_light_on_the_screen_fails(make_scene):
+def test_a_lens_without_light_on_the_screen_has_no_image(make_scene):
     scene = make_scene({"screen.half_width": [0.01, 0.01]})
     slope = net_of(scene, lambda x, y: 0.5 + 0.45 * x + 0 * y)
+    assert found(scene, slope) is None
     with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
-        found(scene, slope)
+        validate(scene, np.ones((32, 32)), {"exit": slope}, rays=10_000, accuracy=1e-3)
+
+
+@pytest.mark.parametrize("kind", ["area", "point"])
+@pytest.mark.parametrize("distance", [1e-4, 1e-9])
+def test_a_source_that_nearly_touches_the_lens_is_checked(make_scene, kind, distance):
+    """Cells that meet no light leave the check to random rays, which find what a plate does."""
+    place = {"position" if kind == "point" else "center": [0, 0, -distance]}
+    wide = {"half_width": [0.1, 0.1]} if kind == "area" else {}
+    source = {"kind": kind, "emission": "lambertian"} | place | wide
+    scene = make_scene({"version": 2, "source": source, "lens.reflection": "none"})
+    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    check = validate(scene, np.ones((32, 32)), plate, rays=50_000, accuracy=1e-2)
+    assert check.contradiction is None
+    square, around, *off = np.random.default_rng(1).random((4, 400_000))
+    inside = 0.5 * np.sqrt(square / (1.5**2 - square)) + 4.5 * np.sqrt(square / (1 - square))
+    x, y = (
+        inside * turn(2 * np.pi * around) + (kind == "area") * 0.1 * (2 * each - 1)
+        for turn, each in zip((np.cos, np.sin), off, strict=True)
+    )
+    exact = np.mean((abs(x) < 1) & (abs(y) < 1))
+    assert check.efficiency == pytest.approx(exact, rel=0.05)
+    assert check.verified.efficiency == pytest.approx(exact, rel=0.05)
 
 
 def test_leaving_it_ends_its_threads(make_scene):

@@ -27,7 +27,7 @@ _FAR = 1e7
 class Drawing(ABC):
     """What is common to images by cells of the entrance face.
 
-    The cells are equal on a square. `Grading` draws them together where the light is near, and
+    The cells are equal on a square. `Grading` draws them together where an origin is near, and
     `workbench.geometry.outlines` maps them onto the outline of the lens: no cell is cut by it.
 
     Parameters
@@ -47,7 +47,9 @@ class Drawing(ABC):
 
     def __init__(self, scene: Scene, train: OpticalTrain, cells: tuple[int, int]) -> None:
         self._train, self._pixels = train, scene.receiver.pixels
-        self._outline, self._grading = outline_of(scene.optic), Grading.of(scene)
+        self._outline = outline_of(scene.optic)
+        places, half_width = train.source.places, scene.optic.half_width
+        self._grading = None if places is None else [Grading.of(p, half_width) for p in places]
         self._width = tuple(2 / n for n in cells)
         self._strips: list[tuple[int, int]] = []
         self.rays = self._done = 0
@@ -104,11 +106,14 @@ class Drawing(ABC):
 
     def _through(self, origin: int, u: Array, v: Array) -> tuple[TracedRays, Array]:
         """Rays through places of the square, and the areas of cells there."""
-        (u, along_u), (v, along_v) = (
-            grade(part) for grade, part in zip(self._grading, (u, v), strict=True)
-        )
+        along: Array | float = 1.0
+        if self._grading is not None:
+            (u, along_u), (v, along_v) = (
+                grade(part) for grade, part in zip(self._grading[origin], (u, v), strict=True)
+            )
+            along = along_u * along_v
         x, y = (np.ravel(part) for part in self._outline.from_square(u, v))
-        area = (self._outline.stretch(u, v) * along_u * along_v).ravel() * math.prod(self._width)
+        area = (self._outline.stretch(u, v) * along).ravel() * math.prod(self._width)
         return self._train.lit(origin, x, y), area
 
     def _count(self, canvas: Canvas, rays: TracedRays) -> None:
@@ -121,6 +126,8 @@ class Drawing(ABC):
 
 # Light from farther than so many half-widths away is as good as parallel: cells are equal.
 _BEYOND = 16.0
+# A point in the plane of the face, or behind it where the face leans, gives no light.
+_LEAST = 1e-15
 
 
 class Grading:
@@ -143,15 +150,10 @@ class Grading:
         self._middle, self._half = (low + high) / 2, (high - low) / 2
 
     @classmethod
-    def of(cls, scene: Scene) -> tuple[Self, Self]:
-        """Those along x and y for the light of a scene."""
-        optic, place = scene.optic, scene.source.place
-        if place is None:
-            return cls(np.inf, 0.0), cls(np.inf, 0.0)
-        away = optic.front_z - place[2]
-        x, y = (
-            cls(away / r, foot / r) for r, foot in zip(optic.half_width, place[:2], strict=True)
-        )
+    def of(cls, place: Array, half_width: tuple[float, float]) -> tuple[Self, Self]:
+        """Those along x and y for a point before a face in the plane z = 0."""
+        away = max(-place[2], _LEAST * max(half_width))
+        x, y = (cls(away / r, foot / r) for r, foot in zip(half_width, place[:2], strict=True))
         return x, y
 
     def __call__(self, even: Array) -> tuple[Array, Array]:

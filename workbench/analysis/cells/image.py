@@ -15,10 +15,8 @@ from workbench.analysis.tracing.elements import LightSource
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array
-from workbench.errors import RunFailed
 from workbench.geometry.body import check_body
 from workbench.progress import Steps, of_equal, within
-from workbench.said import Said
 from workbench.scene import Scene
 
 ACCURACY = 1e-3
@@ -79,8 +77,9 @@ def imaging(
     as there are cores by default; `random_rays`: random rays of the check. Up to 16 rays of cells
     are followed at each level for each of these, or 8 million, and never more than 67 million, the
     default. The third level may take twice as many. Returns None if three levels would take too
-    many rays, or light passes several elements. Raises `Refused` if the lens is no body or may
-    touch the screen; see `check_body`; `RunFailed` if no light reaches the screen.
+    many rays, light passes several elements, or no cell has light on the receiver, as before an
+    emitter that nearly touches the lens. Raises `Refused` if the lens is no body or may touch the
+    screen; see `check_body`.
     """
     if len(scene.elements) > 1:
         return None
@@ -108,9 +107,8 @@ def imaging(
         elif 4 * levels.more(level) * drawing.rays > _PARTLY * most:
             return None
         level += 1
-    if not image.any():
-        dark = Said("no light of this lens reaches the screen, so there is no image to judge")
-        raise RunFailed(dark)
+    if not image.any():  # random rays tell whether there is light that these cells do not meet
+        return None
     irradiance = image / scene.receiver.pixel_measure
     return CellImage(irradiance, bound, levels.cells(level), accuracy, levels.sized)
 

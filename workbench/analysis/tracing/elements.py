@@ -101,6 +101,14 @@ class FaceLight(Protocol):
     origins: int
     emitted: float
 
+    @property
+    def places(self) -> Array | None:
+        """Points of the origins, shape (origins, 3), over the plane of the face.
+
+        None where the light is collimated.
+        """
+        ...
+
     def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays of one origin through places of the face, or of another before or behind it.
 

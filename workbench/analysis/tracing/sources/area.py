@@ -40,7 +40,7 @@ class AreaLight(Unspread):
         self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays, self.emitted = self._cells.count, 1.0
         self.origins = _ORIGINS << doubled
-        self._points = self._on_emitter(*self._even(self.origins))
+        self.places: Array = self._on_emitter(*self._even(self.origins))
         met = float(self._met().mean())
         self.beside = max(1 - met, 0.0) / met
 
@@ -60,7 +60,7 @@ class AreaLight(Unspread):
 
     def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Rays through places of the entrance face; see `FaceLight.through`."""
-        rays = self._between(self._points[origin : origin + 1], x, y, z)
+        rays = self._between(self.places[origin : origin + 1], x, y, z)
         return rays._replace(flux=rays.flux / self.origins)
 
     def _even(self, count: int) -> tuple[Array, Array]:

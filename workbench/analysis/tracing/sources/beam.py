@@ -34,6 +34,7 @@ class BeamLight:
     """
 
     sampled = False
+    places: Array | None = None
 
     def __init__(
         self,

@@ -42,7 +42,7 @@ class PhotometricLight(Unspread):
         )
         self._cells = Cells(rays, r_x / r_y, seed)
         self.rays = self._cells.count + BATCHES
-        self.origins, self.emitted = 1, table.lumens
+        self.origins, self.emitted, self.places = 1, table.lumens, self._point[None]
         self._near = -self._point[2] < max(r_x, r_y)
 
     def batch(self, number: int) -> Iterator[TracedRays]:

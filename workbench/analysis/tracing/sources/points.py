@@ -31,13 +31,13 @@ class PointLight(Unspread):
         # Flux goes with the cosine to this; even light has none.
         lambertian = source.emission == "lambertian"
         self._upwards = pose.axis() if lambertian else np.zeros(3)
-        self._points = pose.to_lens(source.positions, optic.front_z)
-        cones = covering_cones(self._points, optic.half_width, 0.0)
+        self.places: Array = pose.to_lens(source.positions, optic.front_z)
+        cones = covering_cones(self.places, optic.half_width, 0.0)
         # In one order of memory always, or the loops would be compiled for each.
         self._cones = Cones(*map(np.ascontiguousarray, cones))
         self._cells = Cells(rays, 1.0, seed)
         self.rays = self._cells.count
-        self.origins = len(self._points)
+        self.origins = len(self.places)
         self.emitted = float(powers(cones, self._upwards).sum())
 
     def batch(self, number: int) -> Iterator[TracedRays]:
@@ -60,7 +60,7 @@ class PointLight(Unspread):
         Intensity is 1 / 2π, so that an even cone has the power of its versine.
         """
         position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
-        direction = position - self._points[origin]
+        direction = position - self.places[origin]
         distance = np.linalg.norm(direction, axis=1)
         direction /= distance[:, None]
         flux = direction[:, 2] / (2 * math.pi * distance**2)

@@ -46,8 +46,8 @@ class RayFileLight(Unspread):
         self._beside = 2 * optic.half_width[0]
         self._model = ray_model(source, optic, _POINTS)
         self._to_scene, _ = pose.to_scene(optic.front_z)
-        self._points = pose.to_lens(self._model.places, optic.front_z)
-        self.origins, self.emitted = len(self._points), 1.0
+        self.places: Array = pose.to_lens(self._model.places, optic.front_z)
+        self.origins, self.emitted = len(self.places), 1.0
 
     def batch(self, number: int) -> Iterator[TracedRays]:
         """Rays where they come to the plane of the entrance face; see `RandomSource.batch`."""
@@ -69,7 +69,7 @@ class RayFileLight(Unspread):
     def through(self, origin: int, x: Array, y: Array, z: Array | float = 0.0) -> TracedRays:
         """Light of one of the points that stand for the rays; see `FaceLight.through`."""
         position = np.column_stack([x, y, np.broadcast_to(z, x.shape)])
-        way = position - self._points[origin]
+        way = position - self.places[origin]
         square = np.einsum("ij,ij->i", way, way)
         direction = way / np.sqrt(square)[:, None]
         x_scene, y_scene, z_scene = (direction @ self._to_scene.T).T

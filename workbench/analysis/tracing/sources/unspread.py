@@ -10,6 +10,7 @@ class Unspread:
     """What sources have in common that no disc of directions is; see `LightSource`."""
 
     sampled = False
+    places: Array | None = None
 
     def finer(self, level: int) -> Self:
         """The same: see `LightSource`."""
