@@ -73,6 +73,16 @@ def test_refused(freeform, lens, tmp_path, monkeypatch, arguments, reason):
     assert list(tmp_path.iterdir()) == [lens]
 
 
+def test_files_that_are_refused_stop_no_other_and_are_named(freeform, lens, tmp_path):
+    files = [tmp_path / name for name in ("a.stl", "a.step", "a.obj", "a.height.csv")]
+    status, stdout, stderr = freeform("export", lens, *files, "--chord-error", "1e-12")
+    assert status == 2
+    assert [line.split(":")[0] for line in stdout.splitlines()] == [str(files[1]), str(files[3])]
+    assert stderr.count("\n") == 1
+    assert all(f"{file}: " in stderr and not file.exists() for file in files[::2])
+    assert all(file.exists() for file in files[1::2])
+
+
 def test_a_tool_path_tells_the_cutter_and_what_it_leaves(freeform, lens, tmp_path):
     path = tmp_path / "a.nc"
     given = "--tool-radius", "0.05", "--scallop", "1e-3", "--rim", "0.1", "--feed", "250"

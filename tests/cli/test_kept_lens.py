@@ -15,6 +15,7 @@ import pytest
 
 from workbench.cli import checkpoints
 from workbench.files.session import read_session
+from workbench.interruption import check_interruption
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
@@ -56,6 +57,45 @@ class TestSignals:
         assert read_session(out).result.iterations == 4
         last = stderr.splitlines()[-1]
         assert last == f"freeform: interrupted; the best lens so far is in {out}"
+
+    def test_a_second_ctrl_c_does_not_wait_for_the_iteration(
+        self, freeform, scene_file, out, fake_run
+    ):
+        def press_twice():
+            sent(signal.SIGINT, signal.SIGINT)()
+            raise AssertionError("the iteration went on")
+
+        fake_run({4: press_twice})
+        status, _, stderr = freeform("design", scene_file, "-o", out)
+        assert status == 130
+        assert read_session(out).result.iterations == 3
+        assert stderr.splitlines()[-1] == "freeform: interrupted"
+
+    @pytest.mark.parametrize("number", SIGNALS)
+    def test_a_signal_that_the_parent_ignores_is_ignored(
+        self, freeform, scene_file, out, fake_run, number
+    ):
+        """As nohup has it ignored."""
+        fake_run({4: sent(number)})
+        signal.signal(number, signal.SIG_IGN)  # `usual_signals` puts it back
+        assert freeform("design", scene_file, "-o", out)[0] == 0
+        assert read_session(out).result.iterations == 10
+
+    @pytest.mark.parametrize("ends", [sent(signal.SIGINT), None], ids=["Ctrl-C", "--seconds"])
+    def test_long_work_within_an_iteration_ends(self, freeform, scene_file, out, fake_run, ends):
+        def work():
+            if ends:
+                ends()
+            for _ in range(3000):
+                check_interruption()
+                time.sleep(0.01)
+            raise AssertionError("the work went on")
+
+        fake_run({1: work})
+        limit = () if ends else ("--seconds", 0.05)
+        status = freeform("design", scene_file, "-o", out, *limit)[0]
+        assert status == (130 if ends else 0)
+        assert read_session(out).result.iterations == 0
 
     def test_nothing_interrupts_the_last_write(
         self, freeform, scene_file, out, fake_run, monkeypatch
@@ -113,6 +153,20 @@ def at_first(later):
 
 @pytest.mark.usefixtures("often")
 class TestCheckpoint:
+    def test_a_run_that_is_continued_from_a_checkpoint_removes_only_its_own(
+        self, freeform, scene_file, out, fake_run
+    ):
+        left, seen = out.with_name("lens.checkpoint.freeform"), []
+        fake_run({4: lambda: seen.append(read_session(left).result.iterations)})
+        assert freeform("design", scene_file, "-o", out)[0] == 0
+        assert seen == [3] and not left.exists()
+        fake_run({})
+        assert freeform("design", scene_file, "-o", left)[0] == 0
+        status, _, stderr = freeform("design", left, "-o", out)
+        assert status == 0 and "cut off" not in stderr
+        assert read_session(out).result.iterations == 20
+        assert left.exists()
+
     def test_a_killed_run_leaves_its_checkpoint(self, endless, out):
         program = (
             "import sys, workbench.cli.checkpoints as checkpoints; checkpoints._SECONDS = 0.0; "

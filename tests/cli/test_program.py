@@ -1,11 +1,13 @@
 """The program itself: help, both ways in, and errors that nobody expected."""
 
 import json
+import logging
 import signal
 import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -86,6 +88,19 @@ def test_ctrl_c_keeps_the_best_lens_and_ends_with_130(scene_file, out):
     result = read_session(out).result
     assert json.loads(stdout)["iterations"] == result.iterations > 0
     assert result.state.loss <= result.losses.min()
+
+
+def test_the_log_goes_to_standard_error_while_the_command_runs(capsys, monkeypatch):
+    log = logging.getLogger("workbench.some_part")
+
+    def work(_):
+        log.info("compiling; this takes a while")
+
+    monkeypatch.setattr(arguments, "parse", lambda _: SimpleNamespace(command=work))
+    assert main([]) == 0
+    assert capsys.readouterr() == ("", "freeform: compiling; this takes a while\n")
+    log.info("of another program, which did not ask for it")
+    assert capsys.readouterr() == ("", "")
 
 
 def test_help_and_refusals_do_not_wait_for_torch(scene_file):

@@ -73,3 +73,19 @@ def test_closed_streams_do_not_keep_files_from_being_written(lens, tmp_path):
             written = tmp_path / name  # nothing was printed into it
             assert written.read_bytes() == (tmp_path / other).read_bytes()
             written.unlink()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="elsewhere names of files are in UTF-8")
+def test_a_locale_without_utf_8_finds_files_and_gets_plain_characters(lens, tmp_path):
+    (tmp_path / "Maß.freeform").write_bytes(lens.read_bytes())
+    locale = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    done = subprocess.run(
+        [FREEFORM, "export", "Maß.freeform", "Öl.stl", "--chord-error", "1e-3"],
+        capture_output=True,
+        env={name: value for name, value in os.environ.items() if name != "PYTHONIOENCODING"}
+        | locale,
+        cwd=tmp_path,
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.startswith(rb"\xd6l.stl: STL mesh, chord error ") and b"e-" in done.stdout
+    assert (tmp_path / "Öl.stl").exists()

@@ -68,6 +68,22 @@ class TestTable:
         assert len(json.loads(stdout)["points"]) == 1
         assert "interrupted; 1 of 3 points are finished" in stderr
 
+    def test_another_sweep_in_the_folder_is_refused(self, freeform, scene_file, folder):
+        from workbench.sweep.sweep import Store
+
+        with Store(folder).locked():
+            status, stdout, stderr = freeform("sweep", scene_file, "-o", folder, *FEW)
+        assert (status, stdout) == (2, "")
+        assert stderr.startswith(f"freeform: {folder}: another sweep is at work in this folder; ")
+        assert freeform("sweep", scene_file, "-o", folder, *FEW)[0] == 0
+
+    def test_a_point_that_fails_is_a_row(self, freeform, scene_file, folder):
+        vary = ("--vary", "lens.back.control_points=3,12")
+        status, stdout, stderr = freeform("sweep", scene_file, *vary, "-o", folder, *FEW)
+        assert status == 1
+        assert "1 of 2 points have no lens" in stderr.splitlines()[-1]
+        assert "3 is too few for degree 3" in stdout
+
 
 def start(scene_file, folder):
     vary = ("--vary", "run.seed=0..1", "--vary", "run.iterations=1,2")

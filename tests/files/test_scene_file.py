@@ -87,3 +87,10 @@ def linked(tmp_path, scene_data):
 def test_files_are_found_beside_the_scene_that_a_link_means(linked):
     files = dict(read_scene(linked / "link.json").files())
     assert sorted(files.values()) == [str(linked / "real/files" / n) for n in ("F.png", "lamp.ies")]
+
+
+def test_backslashes_separate_folders_too(linked, scene_data):
+    scene_data["target"] = {"image": "files\\F.png"}
+    path = linked / "real/windows.json"
+    path.write_text(json.dumps(scene_data))
+    assert read_scene(path).target.image == str(linked / "real/files/F.png")

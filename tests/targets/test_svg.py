@@ -1,5 +1,7 @@
 """Targets drawn from SVG files."""
 
+import gzip
+
 import numpy as np
 import pytest
 
@@ -63,6 +65,34 @@ def test_all_of_the_drawing_is_seen_in_its_own_aspect(save, outline, shape):
     read = read_image(save(f'<rect x="{x}" y="{y}" {size} fill="white"/>', outline), 900)
     assert read.shape == shape
     assert read.mean() > 0.998
+
+
+BARE = f'<svg viewBox="0 0 10 10">{DISC.format("")}</svg>'
+LINKED = '<svg viewBox="0 0 10 10"><circle id="c" cx="5" cy="5" r="4"/><use {}href="#c"/></svg>'
+WRITTEN = {
+    "UTF-16": ("a.svg", BARE.encode("utf-16")),
+    "UTF-16 that is declared": (
+        "a.svg",
+        ('<?xml version="1.0" encoding="utf-16"?>' + BARE).encode("utf-16"),
+    ),
+    "UTF-16 without a mark": ("a.svg", BARE.encode("utf-16-be")),
+    "a link within": ("a.svg", LINKED.format("").encode()),
+    "a link within of old": ("a.svg", LINKED.format("xlink:").encode()),
+    "packed": ("a.svgz", gzip.compress(BARE.encode())),
+}
+
+
+@pytest.mark.parametrize(("name", "content"), WRITTEN.values(), ids=WRITTEN.keys())
+def test_drawings_as_programs_write_them_are_read(tmp_path, name, content):
+    path = tmp_path / name
+    path.write_bytes(content)
+    light = read_image(path, 32)
+    assert light[16, 16] == 1 and light[0, 0] == 0
+
+
+def test_a_letter_that_no_font_has_is_named(save):
+    with pytest.raises(Refused, match=r"U\+0378"):
+        read_image(save('<text y="9">A\u0378</text>'), 32)
 
 
 @pytest.mark.parametrize(

@@ -159,3 +159,15 @@ def test_a_larger_picture_is_reduced_to_its_means(tmp_path, name, shape):
     assert found.light[-1, -1] == pytest.approx(last.mean())
     (remark,) = found.remarks
     assert f"{shape[1]} × {shape[0]} pixels" in remark and "is reduced to" in remark
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_16_bits_with_zero_as_white_are_read(tmp_path, order):
+    levels = np.array([[0, 1, 40_000], [65_535, 7, 512]], dtype=f"{order}u2")
+    tags = {256: 3, 257: 2, 258: 16, 259: 1, 262: 0, 273: 8, 277: 1, 278: 2, 279: levels.nbytes}
+    table = struct.pack(f"{order}H", len(tags))
+    for tag, value in tags.items():
+        table += struct.pack(f"{order}HHIH2x", tag, 3, 1, value)
+    begin = (b"II*\0" if order == "<" else b"MM\0*") + struct.pack(f"{order}I", 8 + levels.nbytes)
+    (tmp_path / "a.tif").write_bytes(begin + levels.tobytes() + table + bytes(4))
+    np.testing.assert_allclose(read_image(tmp_path / "a.tif"), 1 - levels / 65535)

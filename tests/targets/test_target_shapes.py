@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from workbench.errors import Refused
 from workbench.scene import (
     RectangleTarget,
     RingTarget,
@@ -59,3 +60,15 @@ def test_text_stands_upright_and_fills_the_width():
     wide = draw(TextTarget(text="Light for all"), screen((90, 60)), 1.0)
     lit = np.flatnonzero(wide.sum(axis=0))
     assert (lit[0], lit[-1]) == (0, 89)
+
+
+@pytest.mark.parametrize("letter", ["\u0378", "\x07"])
+def test_a_letter_that_no_font_has_is_named(letter):
+    with pytest.raises(Refused, match=rf"^target\.text: .*U\+{ord(letter):04X}"):
+        draw(TextTarget(text=f"A{letter}"), screen(), 1.0)
+
+
+@pytest.mark.parametrize(("text", "same"), [("A\tB", "A B"), ("A\r\nB", "A\nB"), ("e\u0301", "é")])
+def test_a_tab_is_a_space_and_letters_may_be_composed(text, same):
+    drawn = [draw(TextTarget(text=each), screen((60, 60)), 1.0) for each in (text, same)]
+    np.testing.assert_array_equal(*drawn)

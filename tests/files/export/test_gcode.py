@@ -89,6 +89,18 @@ def test_a_program_is_in_millimetres_and_travels_at_a_safe_height(program):
     assert 0 < deviation.size < 2 * 0.002
 
 
+def test_a_program_starts_the_spindle_and_waits_before_it_plunges(program):
+    values = {"feed": 480.0, "plunge_feed": 90.0, "spindle_speed": 12_000.0, "dwell": 2.5}
+    text = program(**values)[0].getvalue().decode()
+    lines = [line for line in text.splitlines() if not line.startswith("(")]
+    kinds = [re.sub(r"([XYZ])\S+", r"\1", line) for line in lines]
+    begin = ["G0 Z", "M3 S12000", "G4 P2.5", "G0 X Y", "G1 Z F90", "G1 X Y Z F480"]
+    assert kinds[1:7] == begin
+    assert set(kinds[7:-3]) == {"G1 X Y Z"}
+    assert kinds[-3:] == ["G0 Z", "M5", "M30"]
+    assert "spindle speed: 12000 clockwise" in text
+
+
 @pytest.mark.parametrize("unit", ["mm", "m"])
 def test_every_line_is_one_that_grbl_and_linuxcnc_read(program, unit):
     text = program(unit=unit)[0].getvalue().decode("ascii")

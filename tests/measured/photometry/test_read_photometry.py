@@ -1,4 +1,6 @@
 import io
+import warnings
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -87,6 +89,103 @@ def test_factors_of_lamp_and_ballast_count() -> None:
     table = read(ies(FULL, GAMMA, values, multiplier=3, ballast=0.5))
 
     assert np.allclose(table.candela, 1.5 * values)
+
+
+@pytest.mark.parametrize(
+    ("first", "counts"),
+    [
+        ("IESNA86", True),
+        ("IESNA91", True),
+        ("A lamp", True),
+        ("IES file of lab 12", True),
+        ("IESNA:LM-63-95", False),
+        ("IES:LM-63-2019", False),
+    ],
+)
+def test_the_ballast_lamp_factor_counts_in_files_of_1986_and_1991(first: str, counts: bool) -> None:
+    values = candela(FULL, GAMMA)
+    text = ies(FULL, GAMMA, values, first, ballast=0.5).replace("\n0.5 1 10\n", "\n0.5 0.8 10\n")
+
+    assert np.allclose(read(text).candela, (0.4 if counts else 0.5) * values)
+
+
+def _lines(change: Callable[[list[str]], list[str]]) -> Callable[[str], str]:
+    return lambda text: "\r\n".join(change(text.splitlines()))
+
+
+# As programs write files: what is changed of a plain file, which keeps its intensities.
+WRITTEN: dict[str, tuple[str, Callable[[str], str | bytes]]] = {
+    "spaces at the tilt": ("ies", lambda text: text.replace("TILT=NONE", "TILT =\tnone ")),
+    "quotes at the tilt": ("ies", lambda text: text.replace("TILT=NONE", 'TILT="NONE"')),
+    "factors of a tilted lamp": (
+        "ies",
+        lambda text: text.replace("TILT=NONE", "TILT=INCLUDE\n1\n3\n0 45 90\n1 0.9 0.8"),
+    ),
+    "one number a line": (
+        "ies",
+        lambda text: "TILT=NONE\n" + "\n".join(text.partition("TILT=NONE")[2].split()),
+    ),
+    "Fortran's exponents": ("ies", lambda text: text.replace("\n1.0 1 10", "\n1.0D+00 1D0 10")),
+    "a little below zero": ("ies", lambda text: text.rstrip()[:-1].rsplit(" ", 1)[0] + " -0.02\n"),
+    "text behind the numbers of IES": ("ies", lambda text: text + "END OF FILE\n"),
+    "the mark of CP/M": ("ies", lambda text: text + "\x1a\0rubbish 5\n"),
+    "a comment behind LDT": ("ldt", lambda text: text + "; by X, 1.5\r\n"),
+    "no direct ratios": ("ldt", _lines(lambda lines: lines[:32] + [""] * 10 + lines[42:])),
+    "marks of thousands": ("ldt", _lines(lambda lines: [*lines[:28], "1,000", *lines[29:]])),
+} | {
+    f"{ending} in {encoding}{' with a mark' * bool(mark)}": (
+        ending,
+        lambda text, encoding=encoding, mark=mark: (mark + text).encode(encoding),
+    )
+    for ending in ("ies", "ldt")
+    for encoding, mark in [
+        ("utf-16", ""),
+        ("utf-16-le", ""),
+        ("utf-16-be", ""),
+        ("utf-16-be", "\ufeff"),
+        ("utf-8-sig", ""),
+        ("latin-1", ""),
+    ]
+}
+
+
+@pytest.mark.parametrize(("ending", "written"), WRITTEN.values(), ids=WRITTEN.keys())
+def test_files_as_programs_write_them_are_read(
+    ending: str, written: Callable[[str], str | bytes]
+) -> None:
+    values = candela(FULL, GAMMA)
+    text = (
+        ies(FULL, GAMMA, values, keywords="[OTHER] Straße 5°")
+        if ending == "ies"
+        else ldt(0, AROUND, GAMMA, values[:-1]).replace("nobody", "Straße 5°")
+    )
+
+    table = read(written(text), f"lamp.{ending}")
+
+    assert np.allclose(table.candela, values, atol=1e-9)
+
+
+@pytest.mark.parametrize("symmetry", [1, 2, 3, 4])
+def test_ldt_files_may_list_the_stored_planes_alone(symmetry: int) -> None:
+    stored = {1: AROUND[:1], 2: AROUND[:13], 3: np.roll(AROUND, 6)[:13], 4: AROUND[:7]}[symmetry]
+    text = ldt(symmetry, AROUND, GAMMA, candela(stored, GAMMA))
+    lines = text.splitlines()
+    listed = lines[:42] + [f"{c:g}" for c in stored] + lines[42 + len(AROUND) :]
+
+    assert np.allclose(read("\n".join(listed), "a.ldt").candela, read(text, "a.ldt").candela)
+
+
+@pytest.mark.parametrize("value", [1e39, 1e300, 1e-46, 1e-320])
+@pytest.mark.parametrize("ending", ["ies", "ldt"])
+def test_intensities_beyond_all_lamps_are_refused_without_a_warning(
+    value: float, ending: str
+) -> None:
+    values = np.array([[value, value]])
+    text = ies([0], [0, 90], values) if ending == "ies" else ldt(1, [0.0], [0, 90], values)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(Refused, match="its largest intensity is"):
+            read(text, f"lamp.{ending}")
 
 
 def good() -> str:

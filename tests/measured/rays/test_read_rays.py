@@ -52,6 +52,31 @@ def test_opticstudio_files_hold_their_rays_and_unit(number: int, unit: str) -> N
     assert found.unit == unit
 
 
+OPTICSTUDIO = "led.dat", "mm"  # the head of such text has the number of a unit
+WRITTEN = {
+    "tabs at the end of lines": ("led.csv", None, text(TABLE, "\t", "\t\n")),
+    "commas at the end of lines": ("led.csv", None, text(TABLE, ",", ",\r\n")),
+    "decimal commas": ("led.csv", None, text(TABLE, ";").replace(b".", b",")),
+    "names of columns": ("led.txt", None, text(TABLE, "\t", "\t\n", "x\ty\t\n")),
+    "a head": (*OPTICSTUDIO, text(TABLE, " ", head="1000 4\n")),
+    "a head of 7 numbers": (*OPTICSTUDIO, text(TABLE, " ", head="1000.0 4.0 0 0 0 0 0\n")),
+    "a head with tabs": (*OPTICSTUDIO, text(TABLE, head="\n  1000\t4\t0\t0\t0\t0\t0\t\n")),
+    "a head in a text file": ("led.txt", "mm", text(TABLE, " ", head="1000 4\n")),
+} | {
+    f"{name} in {encoding}": (name, "cm", text(TABLE, " ", "\r\n", head).decode().encode(encoding))
+    for name, head in (("led.csv", "x [cm],y,z\n"), ("led.dat", "1000 2\n"))
+    for encoding in ("utf-16", "utf-16-le", "utf-16-be", "utf-8-sig")
+}
+
+
+@pytest.mark.parametrize(("name", "unit", "content"), WRITTEN.values(), ids=WRITTEN.keys())
+def test_text_as_programs_write_it_is_read(name: str, unit: str | None, content: bytes) -> None:
+    found = read(content, name)
+
+    assert holds(found, TABLE)
+    assert found.unit == unit
+
+
 def with_value(row: int, column: int, value: float) -> np.ndarray:
     table = TABLE.copy()
     table[row, column] = value
