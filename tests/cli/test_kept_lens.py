@@ -15,7 +15,7 @@ import pytest
 
 from workbench.cli import checkpoints
 from workbench.files.session import read_session
-from workbench.interruption import check_interruption
+from workbench.progress import check_interruption
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 

@@ -56,7 +56,7 @@ def test_a_lens_without_light_on_the_screen_has_no_image(make_scene):
     slope = net_of(scene, lambda x, y: 0.5 + 0.45 * x + 0 * y)
     assert found(scene, slope) is None
     with pytest.raises(RunFailed, match="no light of this lens reaches the screen"):
-        validate(scene, np.ones((32, 32)), {"exit": slope}, rays=10_000, accuracy=1e-3)
+        validate(scene, np.ones((32, 32)), {"lens.back": slope}, rays=10_000, accuracy=1e-3)
 
 
 @pytest.mark.parametrize("kind", ["area", "point"])
@@ -67,7 +67,7 @@ def test_a_source_that_nearly_touches_the_lens_is_checked(make_scene, kind, dist
     wide = {"half_width": [0.1, 0.1]} if kind == "area" else {}
     source = {"kind": kind, "emission": "lambertian"} | place | wide
     scene = make_scene({"version": 2, "source": source, "lens.reflection": "none"})
-    plate = {"exit": np.full(scene.optic.net_shape, 0.5)}
+    plate = {"lens.back": np.full(scene.optic.net_shape, 0.5)}
     check = validate(scene, np.ones((32, 32)), plate, rays=50_000, accuracy=1e-2)
     assert check.contradiction is None
     square, around, *off = np.random.default_rng(1).random((4, 400_000))
