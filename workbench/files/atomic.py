@@ -4,12 +4,13 @@ import errno
 import os
 import secrets
 import stat
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from hashlib import blake2b
 from pathlib import Path
 from typing import BinaryIO
+
+from filelock import FileLock, Timeout
 
 from workbench.errors import Refused
 from workbench.said import Said
@@ -22,14 +23,10 @@ except ImportError:  # Windows
 
 @contextmanager
 def replacing(path: Path) -> Iterator[BinaryIO]:
-    """Open a file for writing that takes the place of ``path`` once it is safe on the disk.
+    """Open a temporary file that replaces ``path`` at the end of the block, once it is on the disk.
 
-    Until the block has ended well, whatever is at ``path`` stays as it is; if the block raises,
-    it stays for good. A replaced file hands on its permissions; a symbolic link is followed.
-
-    Yields a temporary file in the same folder, open for writing and reading. Raises `Refused` if
-    writing fails, here or in the block: missing or read-only folder, full disk, a folder or a
-    write-protected file at ``path``.
+    If the block raises, ``path`` stays as it is. A replaced file keeps its permissions; a symbolic
+    link is followed. Raises `Refused` if writing fails, here or in the block.
     """
     with _refusing(path):
         target = Path(os.path.realpath(path))
@@ -40,17 +37,14 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
             os.fsync(file.fileno())
             if mode is not None:
                 os.chmod(file.name, mode)
-            if os.name == "nt":  # renames no open file; elsewhere it stays locked until then
+            if os.name == "nt":  # where an open file cannot be renamed
                 file.close()
             os.replace(file.name, target)
         _sync(target.parent)
 
 
 def check_writable(path: Path) -> None:
-    """Find out beforehand whether `replacing` can write a file.
-
-    Raises `Refused` if it cannot.
-    """
+    """Raise Refused if `replacing` cannot write a file."""
     with _refusing(path):
         target = Path(os.path.realpath(path))
         _mode(target)
@@ -59,7 +53,7 @@ def check_writable(path: Path) -> None:
 
 
 def remove_left_behind(path: Path) -> None:
-    """Remove what processes left that were killed while they wrote a file; `replacing` does too."""
+    """Remove temporary files of killed processes for a path; `replacing` does so too."""
     for left in path.parent.glob(f".{_mark(path)}.*.tmp"):
         _remove_if_left(left)
 
@@ -77,7 +71,7 @@ def _refusing(path: Path) -> Iterator[None]:
 
 
 def _mode(target: Path) -> int | None:
-    """Permissions of the file that is there; None where there is none."""
+    """Permissions of an existing file; None without one."""
     try:
         found = target.stat().st_mode
     except FileNotFoundError:
@@ -93,16 +87,15 @@ def _mode(target: Path) -> int | None:
 
 @contextmanager
 def _temporary(target: Path) -> Iterator[BinaryIO]:
-    """A file beside ``target`` for as long as the block lasts, or until it is renamed.
+    """Open a locked temporary file in the folder of ``target``.
 
-    A process that is killed leaves its file behind. The next that writes the same target, which
-    the name tells, takes it away, since nobody has it locked.
+    The file of a killed process is not locked: the next process with the same target removes it.
     """
     remove_left_behind(target)
     while True:
         path = target.with_name(f".{_mark(target)}.{secrets.token_hex(8)}.tmp")
         try:
-            # Not from tempfile, whose files only their owner may read, whatever the umask says.
+            # Not by tempfile: only the owner may read its files, whatever the umask.
             with path.open("x+b") as file:
                 if _locked(file, path):
                     yield file
@@ -112,14 +105,14 @@ def _temporary(target: Path) -> Iterator[BinaryIO]:
 
 
 def _locked(file: BinaryIO, path: Path) -> bool:
-    """Lock a new file; False if another process was faster and takes it away."""
+    """Lock a new file; return False if another process has locked it to remove it."""
     if fcntl is None:
         return True
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
-    except OSError:  # a file system without locks, where nobody takes anything away
+    except OSError:  # a file system without locks, where no process removes files
         return True
     return path.exists()
 
@@ -131,7 +124,7 @@ def _mark(target: Path) -> str:
 def _remove_if_left(path: Path) -> None:
     with suppress(OSError):
         if fcntl is None:
-            path.unlink()  # Windows does not remove what is open
+            path.unlink()  # Windows does not remove open files
         else:
             with path.open("rb") as file:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -139,8 +132,8 @@ def _remove_if_left(path: Path) -> None:
 
 
 def _sync(folder: Path) -> None:
-    """Make a new name in a folder outlive a power cut."""
-    if os.name == "nt":  # opens no folder
+    """Make a new name in a folder survive a power failure."""
+    if os.name == "nt":  # folders cannot be opened
         return
     handle = os.open(folder, os.O_RDONLY)
     try:
@@ -149,67 +142,21 @@ def _sync(folder: Path) -> None:
         os.close(handle)
 
 
-if sys.platform == "win32":
-    import msvcrt
-else:
-    import fcntl
-
-
 @contextmanager
 def locked(path: Path, busy: str) -> Iterator[None]:
-    """Hold a lock for as long as the block lasts.
+    """Hold a lock file during the block; it ends with the process.
 
-    However a process ends, its locks end with it.
-
-    `path`: file that stands for the lock. It is there while somebody holds it, or was killed;
-    `busy`: what a refusal says of its folder while another process holds the lock. Raises `Refused`
-    if it does, or the file cannot be made.
+    Raises `Refused` with the reason ``busy`` if another process holds it, or if it cannot be made.
     """
-    try:
-        handle = _taken(path)
-    except BlockingIOError as error:
-        raise Refused(str(path.parent), busy) from error
-    except OSError as error:
-        raise Refused(
-            str(path), Said("cannot be written: {problem}", problem=error.strerror or error)
-        ) from error
+    lock = FileLock(path, timeout=0)
+    with _refusing(path):
+        try:
+            lock.acquire()
+        except Timeout as error:
+            raise Refused(str(path.parent), busy) from error
     try:
         yield
     finally:
         with suppress(OSError):  # then an empty file is left
             path.unlink()
-        os.close(handle)
-
-
-def _taken(path: Path) -> int:
-    """The locked file, open."""
-    while True:
-        handle = os.open(path, os.O_CREAT | os.O_RDWR, 0o666)
-        try:
-            _lock(handle)
-            # Else its last holder has removed it before it was locked here.
-            if path.exists() and os.path.samestat(os.fstat(handle), path.stat()):
-                return handle
-        except BaseException:
-            os.close(handle)
-            raise
-        os.close(handle)
-
-
-if sys.platform == "win32":
-
-    def _lock(handle: int) -> None:
-        try:
-            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
-        except OSError as error:
-            raise BlockingIOError from error
-
-else:
-
-    def _lock(handle: int) -> None:
-        try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise
-        except OSError:  # a file system without locks, where nobody can know of another
-            return
+        lock.release()

@@ -1,7 +1,4 @@
-"""The arrays of a design in a session: of the open one, and of each run kept beside it.
-
-A kept run's entries are named like those of the open design, in a folder of their own.
-"""
+"""Arrays of a design in a session: of the open design, and of each kept run in its own folder."""
 
 import re
 from collections.abc import Mapping
@@ -23,46 +20,41 @@ from workbench.said import Said
 from workbench.scene import DrawnTarget, PlacedFace, Scene
 
 _LOSS = "loss.npy"
-_SECONDS = "seconds.npy"  # sessions of earlier programs have none
+_SECONDS = "seconds.npy"  # missing in sessions of earlier programs
 
-# Heights of a damaged file may be anything. Those of a lens are a part of the way to the screen; an
-# optic is still drawn, and its curvature found, with so many times as much.
-_FARTHEST = 1000
-# No pixel has more than all light; so many times as much leaves room for other units of flux.
-_BRIGHTEST = 1000
+_FARTHEST = 1000  # largest height, in distances to the receiver; a damaged file may have more
+_BRIGHTEST = 1000  # largest flux of a pixel, in parts of all light: units of flux may differ
 
 _ENDING = re.compile(r"\.[a-z0-9]{1,8}")
 
-_TINY, _HUGE = 1e-100, 1e100  # largest values that are left as they are
+_TINY, _HUGE = 1e-100, 1e100  # range of the largest value in which a target is not rescaled
 
 
 class Names(NamedTuple):
     """Names of the entries of a design in a session of some version."""
 
-    # Of the session. In version 3 control heights are in the coordinates of their element, in older
-    # versions in those of the scene.
-    version: int
+    version: int  # up to 2 control heights are in scene coordinates, from 3 in those of the element
 
     def target(self, number: int) -> str:
-        """The target of an image."""
+        """Name of the target of an image."""
         if self.version >= 3:
             return f"images/{number}/target.npy"
         return f"further_target_{number}.npy" if number else "target.npy"
 
     def irradiance(self, number: int) -> str:
-        """The light of an image."""
+        """Name of the irradiance of an image."""
         if self.version >= 3:
             return f"images/{number}/irradiance.npy"
         return f"further_irradiance_{number}.npy" if number else "irradiance.npy"
 
     def picture(self, number: int) -> str:
-        """The image file of a target, without its ending."""
+        """Name of the image file of a target, without its ending."""
         if self.version >= 3:
             return f"images/{number}/target_image"
         return f"further_target_{number}_image" if number else "target_image"
 
     def face(self, placed: PlacedFace, what: str = "") -> str:
-        """The control heights of a face; or "start" heights, or which are "locked"."""
+        """Name of the control heights of a face, of its "start" heights or "locked" mask."""
         if self.version >= 3:
             return f"faces/{placed.name}{what and '.'}{what}.npy"
         if placed.name.endswith(".front"):
@@ -70,12 +62,12 @@ class Names(NamedTuple):
         return f"{what or 'control_points'}.npy"
 
     def lift(self, scene: Scene) -> float:
-        """What is added to control heights of an entry to make them z of the scene."""
+        """Return z of the scene for a height of 0 in an entry."""
         return scene.optic.position[2] if self.version >= 3 else 0.0
 
 
 NEWEST = Names(3)
-"""What is written."""
+"""Names in sessions that are written."""
 
 
 def face_entries(scene: Scene, heights: Mapping[str, Array], what: str = "") -> dict[str, Array]:
@@ -105,7 +97,7 @@ def entries_of(folder: str, scene: Scene, target: Array, result: Result | None) 
 def names_of(
     entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures | None
 ) -> set[str]:
-    """Names of the entries of a design that has, or has not, a result."""
+    """Names of all entries of a design, with those of the result if it has figures."""
     numbers = range(len(scene.images))
     found = [names.target(number) for number in numbers]
     if figures is not None:
@@ -124,18 +116,15 @@ def designed_faces(scene: Scene) -> list[PlacedFace]:
 
 
 def read_target(entries: Entries, names: Names, folder: str, scene: Scene) -> Array:
-    """The target image of a design.
+    """Read the target image; raise Refused if it does not fit the scene or is dark.
 
-    One whose sum of squares would be beyond float64, or 0, is scaled to a largest value of 1: only
-    ratios count.
-
-    Raises `Refused` if it is not as the scene implies, or it is dark.
+    A target with a sum of squares of 0 or beyond float64 is scaled to a largest value of 1.
     """
     return _read_target(entries, folder + names.target(0), scene)
 
 
 def with_read_targets(entries: Entries, names: Names, folder: str, scene: Scene) -> Scene:
-    """The scene of a design with the targets of its further images; see `read_target`."""
+    """Return the scene with the targets of its further images; see `read_target`."""
     if len(scene.images) == 1:
         return scene
     pictures = picture_entries(scene, names, folder)
@@ -149,24 +138,23 @@ def with_read_targets(entries: Entries, names: Names, folder: str, scene: Scene)
 
 
 def picture_entries(scene: Scene, names: Names = NEWEST, folder: str = "") -> list[str | None]:
-    """Names of the entries of the targets' image files, None for a built-in shape.
-
-    Any program can open them there.
-    """
+    """Names of the entries of the targets' image files, None for a built-in shape."""
     return [
-        None if alone.image is None else f"{folder}{names.picture(number)}{_ending(alone.image)}"
+        None
+        if alone.image is None
+        else f"{folder}{names.picture(number)}{kept_ending(alone.image)}"
         for number, alone in enumerate(scene.single)
     ]
 
 
 def names_of_pictures(entries: Entries, names: Names, scene: Scene) -> set[str]:
-    """Those entries of image files that are there."""
+    """Names of the existing entries of image files."""
     found = picture_entries(scene, names)
     return {name for name in found if name is not None and name in entries}
 
 
 def read_picture(entries: Entries, names: Names, scene: Scene) -> bytes | None:
-    """The image file of the first target, where it is kept."""
+    """Read the image file of the first target, if the session has it."""
     return _read_picture(entries, picture_entries(scene, names)[0])
 
 
@@ -176,8 +164,9 @@ def _read_picture(entries: Entries, name: str | None) -> bytes | None:
     return entries.content(name, LARGEST_PICTURE)
 
 
-def _ending(image: str) -> str:
-    ending = Path(image).suffix.lower()
+def kept_ending(file: str) -> str:
+    """Return the ending that an entry takes from the name of its file; empty if unusual."""
+    ending = Path(file).suffix.lower()
     return ending if _ENDING.fullmatch(ending) else ""
 
 
@@ -195,11 +184,9 @@ def _read_target(entries: Entries, name: str, scene: Scene) -> Array:
 def read_heights(
     entries: Entries, names: Names, scene: Scene, folder: str = "", what: str = ""
 ) -> ControlHeights:
-    """Control heights of a lens; one that is no body can be looked at, and mended.
+    """Read the control heights of a lens, which may be no solid body.
 
-    `entries`: of the session; `names`: names of the entries in the folder; `scene`: the task of the
-    lens; `folder`: what the names of the entries begin with; `what`: see `Names.face`. Raises
-    `Refused` if they are not as the scene implies, or so far away that the file must be damaged.
+    Raises `Refused` if they do not fit the scene or are so large that the file is damaged.
     """
     nets, lift = freeform_nets(scene.optic), names.lift(scene)
     return FaceArrays(
@@ -262,7 +249,6 @@ def _read_irradiance(entries: Entries, name: str, scene: Scene, ledger: AccountF
 def _read_further(
     entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures
 ) -> tuple[FurtherLight, ...]:
-    """The light of a lens at the receivers of further images."""
     given, _, *others = figures.further_images or (), *scene.single
     if len(given) != len(others):
         raise Refused(
@@ -286,10 +272,7 @@ def _read_further(
 def read_result(
     entries: Entries, names: Names, folder: str, scene: Scene, figures: Figures
 ) -> Result:
-    """The lens of a design.
-
-    Raises `Refused` if an array is not as scene and figures imply.
-    """
+    """Read the result of a design; raise Refused if an array does not fit scene and figures."""
     seconds, count = folder + _SECONDS, (figures.iterations,)
     starts = figures.stage_starts or ()
     if list(starts) != sorted(starts) or not all(0 <= at <= figures.iterations for at in starts):

@@ -25,21 +25,20 @@ _HEADER_READERS = {
 
 
 def largest_size(shape: tuple[int, ...]) -> int:
-    """Most bytes that an array of a shape may take in a file."""
+    """Most bytes of a file of an array of this shape."""
     return _LONGEST_HEADER + 8 * math.prod(shape)
 
 
 def write_array(file: IO[bytes], array: Array | Mask) -> None:
-    """Write an array in C order, booleans as such and all else as float64."""
+    """Write an array in C order, as bool or float64."""
     kind = "?" if array.dtype == np.bool_ else "<f8"
     np.lib.format.write_array(file, np.ascontiguousarray(array, dtype=kind), allow_pickle=False)
 
 
 def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
-    """Read an array of float64 whose shape is known beforehand.
+    """Return a finite, read-only array of float64; raise Refused if the content is anything else.
 
-    `content`: the whole file; `shape`: the shape that it must have; `where`: what a refusal calls
-    it. The array is finite and read-only. Raises `Refused` if it is anything but such an array.
+    `content`: the whole file; `where`: its name in refusals.
     """
     values = _values(content, shape, np.dtype("<f8"), where)
     array = np.frombuffer(values, dtype=np.float64).reshape(shape)
@@ -51,7 +50,7 @@ def read_array(content: bytes, shape: tuple[int, ...], where: str) -> Array:
 
 
 def read_mask(content: bytes, shape: tuple[int, ...], where: str) -> Mask:
-    """Read an array of bool; else as `read_array`."""
+    """Return an array of bool, as `read_array`."""
     values = np.frombuffer(_values(content, shape, np.dtype("?"), where), dtype=np.uint8)
     if (values > 1).any():
         raise Refused(where, Said("holds a value that is neither 0 nor 1; false or true is needed"))
@@ -90,7 +89,7 @@ def _read_header(file: IO[bytes], where: str) -> tuple[tuple[int, ...], bool, np
             version = np.lib.format.read_magic(file)
             read = _HEADER_READERS[version]
             return read(file, max_header_size=_LONGEST_HEADER)
-    except Exception as error:  # the header is a Python literal: whatever parsing one raises
+    except Exception as error:  # parsing a Python literal may raise anything
         raise Refused(where, Said("is no .npy array: its header cannot be read")) from error
 
 
@@ -107,11 +106,7 @@ _DAMAGE = (
 
 
 class Entries:
-    """The stored entries of a zip, each checked before any of it is read.
-
-    `path`: what refusals call the zip; `file`: the zip, open for reading as long as this is used.
-    Raises `Refused` if it is no zip; later, if an entry is not as it must be.
-    """
+    """Stored entries of an open zip, checked before they are read; raises Refused if damaged."""
 
     def __init__(self, path: Path, file: BinaryIO) -> None:
         self._path = path
@@ -121,14 +116,14 @@ class Entries:
         self._size = file.seek(0, 2)
 
     def where(self, name: str) -> str:
-        """What refusals call an entry."""
+        """Name of an entry in refusals."""
         return f"{self._path}: {name}"
 
     def __contains__(self, name: str) -> bool:
         return name in self._names
 
     def check_names(self, needed: set[str]) -> None:
-        """Refuse a zip that holds anything else, anything twice, or more than its size."""
+        """Refuse a zip with other entries, duplicates, or entries beyond its size."""
         for name in self._archive.namelist():
             if name not in needed:
                 raise Refused(self.where(shown(name)), Said("does not belong into this session"))
@@ -144,7 +139,7 @@ class Entries:
             )
 
     def content(self, name: str, largest: int) -> bytes:
-        """The bytes of an entry, at most so many."""
+        """Return the bytes of an entry, at most ``largest``."""
         where = self.where(name)
         if name not in self:
             raise Refused(where, Said("is missing; a session holds it"))
@@ -166,11 +161,11 @@ class Entries:
             return self._archive.read(info)
 
     def array(self, name: str, shape: tuple[int, ...]) -> Array:
-        """The array of an entry, of a shape known beforehand."""
+        """Return the array of an entry."""
         return read_array(self.content(name, largest_size(shape)), shape, self.where(name))
 
     def mask(self, name: str, shape: tuple[int, ...]) -> Mask:
-        """The array of bool of an entry, of a shape known beforehand."""
+        """Return the mask of an entry."""
         return read_mask(self.content(name, largest_size(shape)), shape, self.where(name))
 
     @contextmanager
@@ -178,7 +173,7 @@ class Entries:
         try:
             yield
         except _DAMAGE as error:
-            # Some quote what they found, be it as long as the file.
+            # Some messages quote the content of the file.
             detail = shorten(str(error) or "it ends too soon", 100, placeholder=" ...")
             raise Refused(
                 str(self._path), Said("is a damaged or incomplete zip: {detail}", detail=detail)

@@ -1,4 +1,4 @@
-"""The figures of a result, as they stand in JSON."""
+"""Figures of a result in JSON."""
 
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Annotated, Any, Self
@@ -14,14 +14,13 @@ from workbench.optics.account import LOSSES, Account
 from workbench.said import Said
 from workbench.scene import NonNegative, Part, Positive
 
-# Far more than any source has, in any unit; sums and ratios of it stay finite.
-_MOST_FLUX = 1e30
+_MOST_FLUX = 1e30  # in any unit; sums and ratios stay finite
 
 Count = Annotated[int, Field(ge=0)]
 Flux = Annotated[float, Field(ge=-_MOST_FLUX, le=_MOST_FLUX)]
 
 LONGEST_REASON = 1000
-"""Characters that are kept of why a run ended."""
+"""Most characters of the reason why a run ended."""
 
 
 class _AccountFigures(Part):
@@ -42,13 +41,13 @@ class _AccountFigures(Part):
 
     @model_serializer(mode="wrap")
     def _present(self, fields: SerializerFunctionWrapHandler) -> dict[str, float]:
-        """Without losses that its light does not know."""
+        """Omit losses without a value."""
         return {name: flux for name, flux in fields(self).items() if flux is not None}
 
 
 def _loss_field(name: str) -> Any:
     if name == "left_side":
-        return Flux, 0.0  # which sessions of collimated light alone did not have
+        return Flux, 0.0  # missing in old sessions of collimated light
     return (Flux, ...) if LOSSES[name].always else (Flux | None, None)
 
 
@@ -85,12 +84,12 @@ class ShortfallFigures(Part):
         return cls(**asdict(shortfall))
 
     def to_shortfall(self) -> Shortfall:
-        """What the task of the lens needs beyond its limits."""
+        """The shortfall of the lens."""
         return Shortfall(**self.model_dump())
 
 
 class FurtherFigures(Part):
-    """All of a `FurtherLight` but its irradiance, and its efficiency."""
+    """A `FurtherLight` without its irradiance, with its efficiency."""
 
     loss: NonNegative
     efficiency: float
@@ -98,7 +97,7 @@ class FurtherFigures(Part):
 
     @classmethod
     def of(cls, light: FurtherLight) -> Self:
-        """The figures of the light at the receiver of a further image."""
+        """The figures of a further image."""
         return cls(
             loss=light.loss,
             efficiency=light.account.efficiency,
@@ -133,7 +132,7 @@ class Message(Part):
 
 
 class Figures(Part):
-    """All of a `Result` but its arrays, and its efficiency."""
+    """A `Result` without its arrays, with its efficiency."""
 
     loss: NonNegative
     iterations: Count
@@ -141,10 +140,10 @@ class Figures(Part):
     efficiency: float
     ledger: AccountFigures
     stage_starts: tuple[int, ...] | None = None  # of a run in stages
-    stages_left: Count | None = None  # of one that ended before the last
-    ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # why it did
-    ending: Message | None = None  # the same with its values apart
-    shortfall: ShortfallFigures | None = None  # of a lens whose limits are too narrow
+    stages_left: Count | None = None
+    ended: Annotated[str, Field(max_length=LONGEST_REASON)] | None = None  # reason
+    ending: Message | None = None  # the reason with its values
+    shortfall: ShortfallFigures | None = None
     further_images: tuple[FurtherFigures, ...] | None = None
 
     @classmethod

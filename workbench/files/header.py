@@ -16,16 +16,12 @@ from workbench.scene.faces import NetShape
 
 
 class _Fields(list[tuple[str, Any]]):
-    """The fields of an object, in order, with those that stand there twice."""
+    """Fields of an object in order, with duplicates."""
 
 
 def check_fields_once(text: str | bytes, before: str = "") -> None:
-    """Refuse an object that has a field twice: readers of JSON take the one or the other.
-
-    `text`: valid JSON, not too deep for `json.loads`; `before`: what a refusal puts before the
-    path. Raises `Refused` with the path of the field.
-    """
-    # Numbers stay text: those of thousands of digits need not be understood here.
+    """Refuse valid JSON in which an object has a field twice: readers differ in which they use."""
+    # Numbers stay text: they may have thousands of digits.
     read = json.loads(
         text, object_pairs_hook=_Fields, parse_int=str, parse_float=str, parse_constant=str
     )
@@ -34,7 +30,7 @@ def check_fields_once(text: str | bytes, before: str = "") -> None:
 
 
 def _twice(value: object, path: str) -> Iterator[str]:
-    """Paths of fields that stand twice in their object."""
+    """Paths of duplicate fields."""
     if isinstance(value, _Fields):
         seen = set()
         for name, below in value:
@@ -49,19 +45,19 @@ def _twice(value: object, path: str) -> Iterator[str]:
 
 
 VERSION: Final = 3
-"""Of the newest session files that this program reads."""
+"""Version of the newest session files that this program reads."""
 
 MOST_RUNS = 64
 """Most kept runs in a session."""
 
 LARGEST_VIEW = 1 << 16
-"""Most bytes of JSON that a view takes, without spaces between."""
+"""Most bytes of a view as JSON without spaces."""
 
 _DEEPEST_VIEW = 16
 
 
 class RunHeader(Part):
-    """A kept run; the scene in it is validated by itself."""
+    """A kept run; its scene is validated separately."""
 
     name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
     scene: dict[str, Any]
@@ -71,12 +67,12 @@ class RunHeader(Part):
 
 
 class Header(Part):
-    """The whole text; the scene in it is validated by itself."""
+    """``session.json``; its scene is validated separately."""
 
     format: Literal["freeform-session"] = "freeform-session"
     version: Literal[1, 2, 3]
     scene: dict[str, Any]
-    control_points: NetShape | None = None  # what "auto" has come to
+    control_points: NetShape | None = None  # chosen for "auto"
     result: Figures | None = None
     runs: tuple[RunHeader, ...] | None = None
     view: dict[str, Any] | None = None
@@ -84,18 +80,14 @@ class Header(Part):
 
 
 class _Kind(Part, extra="ignore"):
-    """What tells whether the rest can be understood."""
+    """The fields that are checked first."""
 
     format: Literal["freeform-session"]
     version: Annotated[int, Field(ge=1)]
 
 
 def read_header(text: bytes, where: str) -> Header:
-    """Read the text.
-
-    `text`: JSON; `where`: what refusals call it. Raises `Refused` if it is anything but what
-    `Header` says, or of a newer program.
-    """
+    """Parse the header; raise Refused if it is invalid or of a newer program."""
     try:
         kind = _Kind.model_validate_json(text)
         if kind.version > VERSION:
@@ -124,16 +116,13 @@ def read_header(text: bytes, where: str) -> Header:
 
 
 def chosen_net(scene: Scene) -> NetShape | None:
-    """The numbers of control points to be kept beside a scene that says ``"auto"``."""
+    """Return the numbers of control points that were chosen for a scene with ``"auto"``."""
     auto = isinstance(scene.optic.control_points, AutoNet)
     return scene.optic.known_shape if auto else None
 
 
 def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:
-    """Read one of the scenes that the text holds, with the net that was chosen for it.
-
-    Raises `Refused` if it is not possible.
-    """
+    """Read a scene of the header with its chosen net; raise Refused if it is not possible."""
     try:
         found = Scene.from_data(scene)
         return found if net is None else found.with_net(net)
@@ -142,10 +131,7 @@ def read_part(scene: dict[str, Any], net: NetShape | None, where: str) -> Scene:
 
 
 def plain_view(view: Mapping[str, Any] | None, where: str) -> dict[str, Any] | None:
-    """A view as JSON gives it back.
-
-    Raises `Refused` if it is no object of moderate size and depth with finite numbers.
-    """
+    """Return a view after a round trip through JSON; raise Refused if too large or too deep."""
     try:
         text = json.dumps(view, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
         size = len(text.encode())

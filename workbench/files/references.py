@@ -1,4 +1,4 @@
-"""What a file refers to, and whether two names mean one file."""
+"""Files that a file refers to, and names of the same file."""
 
 import os
 import unicodedata
@@ -15,11 +15,7 @@ from workbench.scene import Scene
 
 
 def files_of(path: Path) -> tuple[tuple[str, Path], ...]:
-    """Files that a scene file, or a session with the runs kept in it, refers to.
-
-    Each with its field: ``target.image``. Raises `Refused` if the file cannot be read or its scene
-    is not possible.
-    """
+    """Fields and files of a scene file, or of a session with its kept runs; may raise Refused."""
     return tuple((field, Path(name)) for scene in _scenes(path) for field, name in scene.files())
 
 
@@ -35,18 +31,15 @@ def _scenes(path: Path) -> list[Scene]:
 
 
 def is_one_file(path: Path, other: Path) -> bool:
-    """Whether two names mean the same existing file, be it by a link or by another case."""
+    """Whether two names are the same existing file, also by a link or in another case."""
     try:
         return path.samefile(other)
-    except OSError:  # one of them is not there, or hidden: it cannot be the other
+    except OSError:  # one of them does not exist
         return False
 
 
 def named_twice(paths: Iterable[Path]) -> Path | None:
-    """The first of some files that an earlier name means as well.
-
-    Of names that differ in case alone, the file system says whether they are one.
-    """
+    """Return the first path that is the same file as an earlier one; else None."""
     earlier: list[Path] = []
     for path in paths:
         if any(_is_one_name(path, other) or is_one_file(path, other) for other in earlier):
@@ -69,7 +62,7 @@ def _plain(name: str) -> str:
 
 
 def _would_be_one(path: Path, other: Path) -> bool:
-    """Try with names like these; where that is not possible they count as one."""
+    """Test the file system's case sensitivity with similar names; True if impossible."""
     mark = f".{uuid.uuid4().hex}"
     tried = path.with_name(path.name + mark)
     try:

@@ -11,15 +11,11 @@ from workbench.said import Said
 from workbench.scene import Scene
 
 LARGEST_TEXT = 1 << 20
-"""Most bytes of JSON that are read."""
+"""Largest JSON text, bytes."""
 
 
 def read_scene(path: Path) -> Scene:
-    """Read a scene file.
-
-    Its file names become absolute. Raises `Refused` if the file cannot be read or its scene is not
-    possible.
-    """
+    """Read a scene file with absolute file names; raise Refused if unreadable or impossible."""
     with opened(path) as file:
         content = file.read(LARGEST_TEXT + 1)
     if len(content) > LARGEST_TEXT:
@@ -34,33 +30,30 @@ def read_scene(path: Path) -> Scene:
         scene = Scene.from_json(text)
         check_fields_once(text)
     except Refused as refused:
-        if refused.path == "scene":  # no field of it, but all
+        if refused.path == "scene":  # not a single field
             raise Refused(str(path), refused.reason) from None
         raise
     return with_absolute_files(scene, path)
 
 
 def write_scene(scene: Scene, path: Path) -> None:
-    """Write a scene file; names of files below its folder become relative.
-
-    Raises `Refused` if it cannot be written; what was at ``path`` before is still there.
-    """
+    """Write a scene file, with relative names of files below its folder."""
     text = with_portable_files(scene, path).to_json()
     with replacing(path) as file:
         file.write(text.encode())
 
 
 def with_absolute_files(scene: Scene, path: Path) -> Scene:
-    """The scene of a file, with names of files that are found from every folder.
+    """Return the scene of a file with absolute file names.
 
-    Where the scene file is a link, files beside the link come first, then those beside the file
-    that it means. A backslash may separate folders, as in scenes that were written on Windows.
+    If the scene file is a link, the folder of the link comes first, then that of its target. A
+    backslash may separate folders, as in scenes of Windows.
     """
     return scene.with_files({field: _absolute(name, path) for field, name in scene.files()})
 
 
 def _absolute(name: str, path: Path) -> str:
-    # The link's own folder stays as it is named, so that scene and image still lie side by side.
+    # The folder of the link is not resolved, so that scene and image stay in one folder.
     folders = path.parent, Path(os.path.realpath(path)).parent
     names = name, name.replace("\\", "/")
     tried = [os.path.abspath(folder / each) for each in names for folder in folders]
@@ -68,7 +61,7 @@ def _absolute(name: str, path: Path) -> str:
 
 
 def with_portable_files(scene: Scene, path: Path) -> Scene:
-    """The scene for a file, with files that are found beside it wherever both are moved to."""
+    """Return the scene for a file, with relative names of files below its folder."""
     folder = Path(os.path.abspath(path.parent))
     return scene.with_files(
         {field: _portable(field, Path(name), folder) for field, name in scene.files()}

@@ -1,9 +1,8 @@
 """Sessions: a design and its result in one zip, as plain JSON and .npy arrays."""
 
-import re
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path, PurePath
+from pathlib import Path
 
 from workbench import __version__
 from workbench.arrays import Array, Mask
@@ -20,6 +19,7 @@ from workbench.files.designs import (
     designed_faces,
     entries_of,
     face_entries,
+    kept_ending,
     names_of,
     names_of_pictures,
     picture_entries,
@@ -64,19 +64,16 @@ def open_design(path: Path) -> Session:
 
 
 def is_session(path: Path) -> bool:
-    """Whether a file is a zip, whole or not; a scene file never is.
-
-    Raises `Refused` if the file cannot be read.
-    """
+    """Whether a file begins like a zip; raise Refused if it cannot be read."""
     with opened(path) as file:
         return file.read(2) == b"PK"
 
 
 def write_session(session: Session, path: Path) -> str:
-    """Write a session file; ``target.image`` becomes relative where it lies below its folder.
+    """Write a session file, with relative names of files below its folder; return its fingerprint.
 
-    Returns the fingerprint of the written file. Raises `Refused` if it cannot be written, or would
-    be too large to be read again; what was at ``path`` before is still there.
+    Raises `Refused` if it cannot be written or would be too large to be read; then the file at
+    ``path`` stays as it was.
 
     Examples
     --------
@@ -121,12 +118,10 @@ def write_session(session: Session, path: Path) -> str:
 
 
 def read_session(path: Path) -> Session:
-    """Read a session file.
+    """Read a session file; its arrays are read-only.
 
-    Nothing is unpickled or unpacked, and nothing is read that is larger than the scenes imply.
-
-    Its arrays are read-only. Raises `Refused` if it cannot be read or is not, in every entry, what
-    `write_session` writes.
+    Nothing is unpickled or unpacked, or larger than the scenes imply. Raises `Refused` if an entry
+    is not as `write_session` writes it.
     """
     if not is_session(path):
         raise Refused(str(path), Said("is no session: it does not begin like a zip"))
@@ -147,7 +142,7 @@ def read_session(path: Path) -> Session:
             for k, run in enumerate(header.runs or ())
         ]
         names = {HEADER} | names_of(entries, named, "", scene, header.result)
-        names |= names_of_light(entries, "", scene)
+        names |= _names_of_light(entries, "", scene)
         nets = freeform_nets(scene.optic)
         faces = designed_faces(scene)
         locks = {each.name: named.face(each, _LOCKED) for each in faces}
@@ -160,7 +155,7 @@ def read_session(path: Path) -> Session:
         names |= names_of_pictures(entries, named, scene)
         for number, (run, task) in enumerate(runs):
             names |= names_of(entries, named, _folder(number), task, run.result)
-            names |= names_of_light(entries, _folder(number), task)
+            names |= _names_of_light(entries, _folder(number), task)
         entries.check_names(names)
         return Session(
             scene,
@@ -177,15 +172,15 @@ def read_session(path: Path) -> Session:
 
 
 def _light_of(session: Session) -> dict[str, bytes]:
-    """Files of light by names of entries; those of kept runs where they are others."""
-    found = light_entries("", session.scene, {})
+    """Files of sources by names of entries; of kept runs only if they differ."""
+    found = _light_entries("", session.scene, {})
     for number, run in enumerate(session.runs):
-        found |= light_entries(_folder(number), run.scene, session.scene.light_files)
+        found |= _light_entries(_folder(number), run.scene, session.scene.light_files)
     return found
 
 
 def _pictures_of(session: Session) -> dict[str, bytes]:
-    """Files of the targets' images by names of entries, those that are kept."""
+    """Kept image files of the targets by names of entries."""
     names = picture_entries(session.scene)
     return {
         name: data
@@ -234,12 +229,12 @@ def _scene_of(
     path: Path,
     light: Mapping[str, bytes | None],
 ) -> Scene:
-    """The scene of a design; of a program that does not say what it took, with our choice."""
+    """The scene of a design, with a definite net."""
     scene = read_part(header.scene, header.control_points, where)
     scene = with_read_targets(entries, names, folder, scene)
     if scene.optic.known_shape is None:
         scene = definite(scene, read_target(entries, names, folder, scene))
-    return with_kept_light(entries, folder, with_absolute_files(scene, path), light)
+    return _with_kept_light(entries, folder, with_absolute_files(scene, path), light)
 
 
 def _read_runs(
@@ -253,17 +248,13 @@ def _read_runs(
 
 
 def _folder(number: int) -> str:
-    """What the names of a kept run's entries begin with."""
     return f"runs/{number}/"
 
 
-_ENDING = re.compile(r"\.[a-z0-9]{1,8}")
-
-
-def light_entries(folder: str, scene: Scene, kept: Mapping[str, bytes | None]) -> dict[str, bytes]:
-    """What to write for a design, by names of entries; what is ``kept`` already is left out."""
+def _light_entries(folder: str, scene: Scene, kept: Mapping[str, bytes | None]) -> dict[str, bytes]:
+    """Files of the sources of a scene by names of entries, without those in ``kept``."""
     files = scene.light_files
-    names = _entry_names(folder, scene)
+    names = _light_names(folder, scene)
     return {
         names[file]: data
         for file, data in files.items()
@@ -271,33 +262,24 @@ def light_entries(folder: str, scene: Scene, kept: Mapping[str, bytes | None]) -
     }
 
 
-def names_of_light(entries: Entries, folder: str, scene: Scene) -> set[str]:
-    """Those of a design's entries of light that are there."""
-    return {name for name in _entry_names(folder, scene).values() if name in entries}
+def _names_of_light(entries: Entries, folder: str, scene: Scene) -> set[str]:
+    """Names of the existing entries of source files."""
+    return {name for name in _light_names(folder, scene).values() if name in entries}
 
 
-def with_kept_light(
+def _with_kept_light(
     entries: Entries, folder: str, scene: Scene, kept: Mapping[str, bytes | None]
 ) -> Scene:
-    """The scene of a design with what its sources' files held when it was written.
-
-    `folder`: what the names of the design's entries begin with; `scene`: its scene; `kept`: what is
-    kept in other entries, by names of files.
-    """
+    """Return the scene with the contents of its source files, also from ``kept``, by file name."""
     found = dict(kept)
-    for file, name in _entry_names(folder, scene).items():
+    for file, name in _light_names(folder, scene).items():
         if name in entries:
             found[file] = entries.content(name, LARGEST_PICTURE)
     return scene.carrying(found)
 
 
-def _entry_names(folder: str, scene: Scene) -> dict[str, str]:
+def _light_names(folder: str, scene: Scene) -> dict[str, str]:
     return {
-        file: f"{folder}light_{number}{_ending(file)}"
+        file: f"{folder}light_{number}{kept_ending(file)}"
         for number, file in enumerate(scene.light_files)
     }
-
-
-def _ending(file: str) -> str:
-    ending = PurePath(file).suffix.lower()
-    return ending if _ENDING.fullmatch(ending) else ""
