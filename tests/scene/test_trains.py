@@ -85,7 +85,10 @@ def test_the_designed_element_alone_sees_source_and_receiver_through_the_plates(
             r"elements\[1\]\.position\[2\]: 0 reaches into dome; at least 0.5",
         ),
         (lambda data: data["elements"][2].update(name="lens"), "is the name of another element"),
-        (lambda data: data["elements"][1].update(tilt=[5, 0, 0]), "stand upright on the axis"),
+        (
+            lambda data: data["elements"][1].update(tilt=[120, 0, 0]),
+            r"elements\[1\]\.tilt: light comes to the back of lens, at 120 degrees",
+        ),
     ],
 )
 def test_what_cannot_be_lit_is_refused_where_it_stands(change, sentence):

@@ -157,7 +157,7 @@ def _of_one(
         of_rays = (irradiance, unscattered[1], None if trace.sampled else share, independent)
         by_cells = ByCells.of(image, target, scene.receiver, *of_rays)
     left_out = None if accuracy is None else _reason_without_cells(scene, by_cells, corrected)
-    searched = accuracy is not None and len(scene.elements) == 1
+    searched = accuracy is not None and not scene.is_train
     return Validation(
         loss=paper_loss(irradiance, target),
         relative_l2=error,
@@ -182,7 +182,7 @@ def _reason_without_cells(
     scene: Scene, by_cells: ByCells | None, corrected: CorrectedDistance
 ) -> Said | None:
     """Why the check has no deterministic figure; None where it has one."""
-    if len(scene.elements) > 1:
+    if scene.is_train:
         return Said("cells follow light through one element only; random rays are used")
     if by_cells is None:
         return Said("finer cells would take too long: ask for more rays")

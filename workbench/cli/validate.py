@@ -60,7 +60,7 @@ def validate(
     elsewhere = scene.receiver != session.scene.receiver
     own = None if elsewhere else result.state.irradiance
     # The blur of a source through several elements is not known.
-    bound = Bound(scene, session.target) if len(scene.elements) == 1 else None
+    bound = Bound(scene, session.target) if not scene.is_train else None
     others = [light.irradiance for light in result.state.further]
     if as_json:
         figures = _figures(found, [own, *others], scene)

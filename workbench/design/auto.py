@@ -165,8 +165,10 @@ def _mirrored(
     """Whether target, source, receiver, first lens and locks are mirrored in x, in y."""
     nets: list[Array | Mask] = [*(start or {}).values(), *locked.values()]
     images = scene.wanted(target)
-    receivers = (image.scene.receiver.mirrored for image in images)
-    in_x, in_y = (all(each) for each in zip(scene.source.mirrored, *receivers, strict=True))
+    alone = scene.alone
+    receivers = (receiver.mirrored for receiver in (*scene.receivers, *alone.receivers))
+    sources = scene.entrance[0].mirrored, alone.source.mirrored
+    in_x, in_y = (all(each) for each in zip(*sources, *receivers, strict=True))
     targets = [image.target for image in images]
     return (
         in_x and all(_even(t, 1) for t in targets) and all(_even(net, 0) for net in nets),

@@ -155,7 +155,9 @@ CLOSEST = 0.95
 
 def bounded(scene: Scene, part: float = _USUAL) -> Element:
     """Return the optic of a scene with all that limits its heights; see `Element.bounded`."""
-    scene, optic = scene.alone, scene.optic
-    ends = (receiver.nearest_to(optic) for receiver in scene.receivers)
+    alone = scene.alone
+    optic = alone.optic
+    ends = [receiver.nearest_to(optic) for receiver in alone.receivers]
+    ends += (behind.nearest_to(scene.optic) for behind in scene.behind[:1])
     nearest = min(ends, key=lambda z: optic.onwards * z)
-    return optic.bounded(scene.source.nearest_z, nearest, len(scene.images) > 1, part)
+    return optic.bounded(alone.source.nearest_z, nearest, len(scene.images) > 1, part)

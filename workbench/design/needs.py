@@ -99,9 +99,10 @@ def reversed_on_lit_side(scene: Scene, target: Array) -> Said | None:
 def _check_lit(part: Scene) -> None:
     """Refuse a source that shines away from the optic, as a lamp that is turned around."""
     places = torch.linspace(-1, 1, _LOOKED_AT, dtype=torch.float64)
-    r_x, r_y = part.optic.half_width
+    source, first = part.entrance
+    r_x, r_y = first.half_width
     x, y = torch.cartesian_prod(r_x * places, r_y * places).T
-    if not emitter_of(part.source, part.first).towards(x, y).flux.any():
+    if not emitter_of(source, first).towards(x, y).flux.any():
         raise Refused(
             "source",
             Said("none of its light goes to the {optic}; turn or move it", optic=part.optic.called),

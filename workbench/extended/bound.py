@@ -102,7 +102,7 @@ class Bound:
         Of several images, each may be worse than alone: none is known of them together; nor of
         rays of a file, whose blur need not be even; nor of a train of several elements.
         """
-        several = len(self.scene.images) > 1 or len(self.scene.elements) > 1
+        several = len(self.scene.images) > 1 or self.scene.is_train
         none = several or self._measured or self.blur.within_a_pixel
         return not none
 

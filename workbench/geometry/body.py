@@ -78,8 +78,11 @@ def check_body(
 
 
 def _free_range(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
+    first = scene.images[0]
+    images = (first.model_copy(update={"receiver": receiver}) for receiver in receivers)
+    scene = scene.with_images(images).alone
     optic = scene.optic
-    ends = [receiver.nearest_to(optic) for receiver in receivers]
+    ends = [receiver.nearest_to(optic) for receiver in scene.receivers]
     if optic.onwards > 0:
         place = optic.entrance_range[0] - optic.entrance_offsets[0]
         above = Said("above {front}", front=optic.front_called)

@@ -28,7 +28,8 @@ LOSSES: Mapping[str, Loss] = {**_AT_RECEIVERS, **Lens.all_losses(), **Mirror.all
 
 def losses_in(scene: Scene) -> Mapping[str, Loss]:
     """The losses that there can be in a scene, by name."""
-    return {**_AT_RECEIVERS, **scene.optic.all_losses()}
+    there = {name for element in scene.elements for name in element.all_losses()}
+    return {name: loss for name, loss in LOSSES.items() if name in there or name in _AT_RECEIVERS}
 
 
 def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str, str]]:

@@ -78,7 +78,7 @@ def emit(source: LightOfPoints, optic: Element, seed: int, draw: int = 0) -> Ray
     crossing = caps.centre[:, None] + way[..., None] * turned
     flux = np.broadcast_to(caps.versine[:, None] / caps.versine.max(), cos.shape)
     if source.emission == "lambertian":
-        flux = flux * direction[..., 2].clip(0)
+        flux = flux * (direction @ source.facing).clip(0)
     if not flux.any():  # a few rays may all go backwards: they miss the lens
         flux = np.ones_like(flux)
     return Rays(crossing.reshape(-1, 2), direction.reshape(-1, 3), flux.ravel() / flux.sum())

@@ -97,7 +97,7 @@ def intensity_of(source: LightOfPoints, optic: Element) -> float:
     """Flux per solid angle of any point, straight ahead; all light of the source together is 1."""
     caps = covering_caps(source.positions, optic.half_width, optic.front_z)
     lambertian = source.emission == "lambertian"
-    mean = _mean_cosine(caps) if lambertian else np.ones(len(caps.versine))
+    mean = _mean_cosine(caps, source.facing) if lambertian else np.ones(len(caps.versine))
     return 1 / float(caps.solid_angle @ mean)
 
 
@@ -116,9 +116,10 @@ def _nodes(centre: Array, half_width: float, distance: float) -> tuple[Array, Ar
     return distance * np.sinh(a), distance * width / panels * np.tile(weight, panels) * np.cosh(a)
 
 
-def _mean_cosine(caps: Caps) -> Array:
-    """Means over caps of the cosine to the z axis, where that is positive; shape (k,)."""
-    ahead, aside = caps.axis[:, 2], np.hypot(caps.axis[:, 0], caps.axis[:, 1])
+def _mean_cosine(caps: Caps, facing: Array) -> Array:
+    """Means over caps of the cosine to a unit vector, where that is positive; shape (k,)."""
+    ahead = caps.axis @ facing
+    aside = np.linalg.norm(np.cross(caps.axis, facing), axis=1)
     rim, level = 2 * np.arcsin(np.sqrt(caps.versine / 2)), np.arctan2(ahead, aside)
     mean = ahead * (1 - caps.versine / 2)
     some = (rim > level) & (aside > 0)  # straight ahead, rounding alone makes the rim larger

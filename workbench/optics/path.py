@@ -7,9 +7,11 @@ is the reference: tests hold all other tracers to it, and where there is no othe
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
 import torch
 from torch import Tensor
 
+from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, freeform_nets
@@ -19,7 +21,7 @@ from workbench.optics.rays import RayBundle, Vector, place_seen, seen
 from workbench.optics.receivers import Receiver, receiver_of
 from workbench.optics.samples import Samples
 from workbench.optics.sources import Emitter, emitter_of
-from workbench.optics.steps import FaceStep, PathContext, changes_of, standing, steps_of
+from workbench.optics.steps import FaceStep, PathContext, changes_of, frame_of, steps_of
 from workbench.optics.surfaces import Meeting
 from workbench.scene import Scene
 
@@ -48,9 +50,10 @@ class Passage(NamedTuple):
 class Path:
     """Source, faces and receiver of a scene, with everything that heights do not change.
 
-    Source and receiver are in coordinates of the scene with z counted from a datum. Each face has
-    its own frame. Rays before the first freeform face are in the frame of that face: what samples
-    that face has its coordinates.
+    The source is in coordinates of the first element: it fills the aperture of that, however that
+    stands. The receiver is in those of the scene. Both count z from a datum. Each face has its own
+    frame. Rays before the first freeform face are in the frame of that face: what samples that face
+    has its coordinates.
 
     Parameters
     ----------
@@ -61,8 +64,8 @@ class Path:
     receiver : Receiver
         Where the light is wanted.
     datum : float
-        z of the scene from which the elements count z: near the face, so that float32 keeps the
-        digits that make its shape. 0 where the first freeform face has a frame.
+        From which the elements count z: near the face, so that float32 keeps the digits that make
+        its shape.
     outline : Outline
         Of the optic; and of the aperture before it, which all of its light passes.
     seed : int
@@ -70,7 +73,11 @@ class Path:
     dtype, device
         Float type and device of the walk.
     front_z : float, optional
-        z of the scene where that aperture is; the datum by default.
+        z of the source where that aperture is; the datum by default.
+    source : Frame, optional
+        Where coordinates of the source stand in the scene; they are those of the scene by default.
+    turn : ndarray, shape (3, 3), optional
+        Unit vectors of the receiver's coordinates, as columns; those of the scene by default.
 
     Attributes
     ----------
@@ -94,6 +101,8 @@ class Path:
         dtype: torch.dtype = torch.float32,
         device: torch.device | str = "cpu",
         front_z: float | None = None,
+        source: Frame | None = None,
+        turn: Array | None = None,
     ) -> None:
         self.emitter, self.steps, self.receiver = emitter, tuple(steps), receiver
         self.datum, self.outline = datum, outline
@@ -103,10 +112,14 @@ class Path:
         self.fixed, self.shaped = self.steps[:fixed], self.steps[fixed:]
         frames = [step.frame for step in self.steps]
         first = frames[fixed] if self.shaped else None
-        if first is not None and datum != 0:
-            raise ValueError("a freeform face with a frame counts z from there: use the datum 0")
-        self.changes_before = changes_of([None, *frames[:fixed], first], datum)
-        self.changes = changes_of([first, *frames[fixed:], None], datum)
+        level = np.array([0.0, 0.0, datum])
+        self._source = source or Frame(np.zeros(3), np.eye(3))
+        self._begin = Frame(
+            self._source.position + self._source.rotation @ level, self._source.rotation
+        )
+        self._end = Frame(level, np.eye(3) if turn is None else turn)
+        self.changes_before = changes_of([None, *frames[:fixed], first], self._begin)
+        self.changes = changes_of([first, *frames[fixed:], self._end], self._begin)
         self._rays: RayBundle | None = None
         self._lost: dict[str, Tensor] | None = None
 
@@ -123,16 +136,17 @@ class Path:
 
         ``samples`` as for `emitter_of`.
         """
-        optic, first, source = scene.optic, scene.first, scene.source
+        optic, (source, first) = scene.optic, scene.entrance
         # Light along the axis stays so up to the only freeform face.
         straight = source.along_axis and len(freeform_nets(optic)) == 1 and first.designed
         datum = optic.base.height if straight else optic.datum
         emitter, outline = emitter_of(source, first, samples), outline_of(first)
         light = emitter.by_area, source.along_axis, source.subdivisions
         steps = steps_of(scene, PathContext(net, datum, *light, dtype, device))
-        receiver = receiver_of(scene.receiver, optic, datum)
+        receiver = receiver_of(scene.receiver, optic, datum, scene.onwards(scene.receiver))
         walk = scene.run.seed, dtype, device, first.front_z
-        return cls(emitter, steps, receiver, datum, outline, *walk)
+        frames = frame_of(scene.first, 0.0), scene.receiver.turn
+        return cls(emitter, steps, receiver, datum, outline, *walk, *frames)
 
     @property
     def rays(self) -> RayBundle:
@@ -183,7 +197,7 @@ class Path:
 
     def places_at(self, passage: Passage) -> Vector:
         """Where rays meet a face, as places of the scene."""
-        frame = standing(passage.step.frame, self.datum)
+        frame = passage.step.frame or self._begin
         return place_seen(passage.meeting.position, frame)
 
     def follow(
@@ -194,22 +208,23 @@ class Path:
         Parameters
         ----------
         rays : RayBundle
-            Rays before the first face in the path's float type, z as in the scene.
+            Rays before the first face in the path's float type, as the source gives them.
         heights : mapping of str to Tensor
             See `walk`.
 
         Returns
         -------
         tuple of list of Vector, and Arrival
-            Places on each face with z as in the scene; of rays that do not meet it, where they
-            end. Then the arrival at the receiver.
+            Places of the scene where they begin and on each face; of rays that do not meet it,
+            where they end. Then the arrival at the receiver.
         """
+        places = [place_seen(rays.position, self._source)]
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
-        frames = [None, *(step.frame for step in self.steps), None]
-        changes = changes_of(frames, self.datum)
+        frames = [None, *(step.frame for step in self.steps), self._end]
+        changes = changes_of(frames, self._begin)
         rays, lost, passages = _through(self.steps, changes, rays, heights)
-        on_faces = [self.places_at(passage) for passage in passages]
-        return on_faces, Arrival(*self.receiver.places(rays), rays, lost)
+        places += [self.places_at(passage) for passage in passages]
+        return places, Arrival(*self.receiver.places(rays), rays, lost)
 
     def ends(self, rays: RayBundle) -> Vector:
         """Where to end rays behind the last face in a drawing; z as in the scene."""

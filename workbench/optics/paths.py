@@ -11,7 +11,6 @@ from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
 from workbench.optics.rays import Vector
-from workbench.optics.sources import emitter_of
 from workbench.scene import Element, Scene
 
 
@@ -46,14 +45,14 @@ def ray_paths(scene: Scene, heights: Mapping[str, Array], count: tuple[int, int]
     count : tuple[int, int]
         Numbers of rays along x and y, spread over the lens.
     """
-    optic = scene.optic
     x, y = (torch.as_tensor(c) for c in _grid(scene.first, count))
-    rays = emitter_of(scene.source, scene.first).towards(x, y)
-    path = Path.of(scene, ControlNet.of(optic), torch.float64)
-    faces, arrival = path.follow(rays, {face: torch.tensor(each) for face, each in heights.items()})
+    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
+    rays = path.emitter.towards(x, y)
+    tensors = {face: torch.tensor(each) for face, each in heights.items()}
+    places, arrival = path.follow(rays, tensors)
     hits = arrival.column.isfinite() & arrival.row.isfinite() & (arrival.rays.flux > 0)
     ends = _rows(path.ends(arrival.rays), len(x))
-    before = [_rows(place, len(x)) for place in (rays.position, *faces)]
+    before = [_rows(place, len(x)) for place in places]
     last = np.where(hits.numpy()[:, None], ends, before[-1])
     points = np.stack([*before, last], axis=1)
     share = (arrival.rays.flux / rays.flux).expand(len(x)).numpy()

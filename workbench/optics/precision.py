@@ -47,6 +47,7 @@ def precision_of(scene: Scene, net: ControlNet | None = None) -> torch.dtype:
     net : ControlNet, optional
         Control net of the heights to come; the scene's own by default.
     """
+    scene = scene.alone
     fine = shift_of(scene, net) > _TOLERABLE or nearly_touches(scene)
     return torch.float64 if fine else torch.float32
 

@@ -35,12 +35,12 @@ from workbench.said import Said
 
 
 class SampledTrain(NamedTuple):
-    """A train whose first freeform face, or whose aperture, is sampled; in the scene's coordinates.
+    """A train whose first freeform face, or whose aperture, is sampled.
 
     Attributes
     ----------
     origins : Origins
-        Where the light comes from.
+        Where the light comes from, in coordinates of the source.
     samples : tuple[int, int] or Corners
         Middles of so many cells along x and y, or corners of cells.
     glass : Glass, optional
@@ -60,9 +60,9 @@ class SampledTrain(NamedTuple):
     outline : Outline
         Of the aperture; of a sampled face, too.
     front_z : float
-        z of the scene where that is.
+        z of the source where that is.
     datum : float
-        z of the scene from which the path counts z.
+        z of the source from which the path counts z.
     """
 
     origins: Origins

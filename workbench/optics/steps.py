@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-import numpy as np
 import torch
 
 from workbench.arrays import Array
@@ -18,7 +17,7 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import ConicFace, Lens, Mirror, PlacedFace, PlaneFace, Scene
+from workbench.scene import ConicFace, Element, Lens, Mirror, PlacedFace, PlaneFace, Scene
 
 
 class FaceStep(NamedTuple):
@@ -34,7 +33,7 @@ class FaceStep(NamedTuple):
         Name in the light account of light that does not meet it.
     frame : Frame, optional
         Where the coordinates of the surface stand in the scene: light comes to the face along +z of
-        them. None for those of the scene with z counted from the datum of the path.
+        them. None for those of the source with z counted from the datum of the path.
     """
 
     surface: Surface
@@ -42,33 +41,28 @@ class FaceStep(NamedTuple):
     missed: str
     frame: Frame | None = None
 
-    def from_behind(self, datum: float = 0.0) -> "FaceStep":
-        """The step for light that comes to the face along −z of its frame.
-
-        Parameters
-        ----------
-        datum : float
-            Of the path, for a step without a frame.
-        """
-        frame = standing(self.frame, datum).turned()
-        return self._replace(surface=self.surface.from_behind(), frame=frame)
-
-    def facing(self, place: Array) -> "FaceStep":
-        """The step for light from a place of the scene, shape (3,); of a face with a frame."""
+    def from_behind(self) -> "FaceStep":
+        """The step for light that comes to a face with a frame along −z of it."""
         if self.frame is None:
-            raise ValueError("a step without a frame faces along +z of the scene")
-        way = self.frame.position - place
-        return self if way @ self.frame.rotation[:, 2] >= 0 else self.from_behind()
+            raise ValueError("a step without a frame faces along +z of the source")
+        return self._replace(surface=self.surface.from_behind(), frame=self.frame.turned())
+
+    def facing(self, way: Array) -> "FaceStep":
+        """The step for light that comes to a face with a frame along a vector of the scene."""
+        if self.frame is None or way @ self.frame.rotation[:, 2] >= 0:
+            return self
+        return self.from_behind()
 
 
-def standing(frame: Frame | None, datum: float) -> Frame:
-    """The frame of a step; of one without, that of the scene with z counted from a datum."""
-    return Frame(np.array([0.0, 0.0, datum]), np.eye(3)) if frame is None else frame
+def frame_of(element: Element, datum: float) -> Frame:
+    """Where coordinates of an element stand that count z from a datum; see `Element.origin`."""
+    turn = element.turn
+    return Frame(element.origin + datum * turn[:, 2], turn)
 
 
-def changes_of(frames: Sequence[Frame | None], datum: float) -> list[Frame]:
-    """Where the coordinates of each frame stand in those of the next one."""
-    stand = [standing(frame, datum) for frame in frames]
+def changes_of(frames: Sequence[Frame | None], source: Frame) -> list[Frame]:
+    """Where the coordinates of each frame stand in those of the next one; None is the source's."""
+    stand = [source if frame is None else frame for frame in frames]
     return [one.seen_from(other) for one, other in pairwise(stand)]
 
 
@@ -108,18 +102,22 @@ class PathContext(NamedTuple):
 def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
     """Faces of all elements of a scene, in the order in which light meets them."""
     steps: list[FaceStep] = []
-    for number, element in enumerate(scene.elements):
+    source, ways = frame_of(scene.first, 0.0), scene.ways
+    for number, (element, way) in enumerate(zip(scene.elements, ways, strict=True)):
         if number or scene.designed_number:  # light comes through an aperture, or other faces
             along = along._replace(by_area=False, along_axis=False)
         lit = element.lit(scene.source.wavelength)
-        steps += _FACES[type(lit)](lit, along)
+        own, frame = along, None
+        if not frame_of(lit, 0.0).seen_from(source).is_identity:
+            # Fixed faces count z from their own element: where the source does is far from them.
+            own = along if element.designed else along._replace(datum=lit.position[2])
+            frame = frame_of(lit, own.datum)
+        for step in _FACES[type(lit)](lit, own):
+            steps.append(step._replace(frame=frame).facing(way))
     return tuple(steps)
 
 
 def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
-    upright = not any(lens.tilt) and not any(lens.position[:2])
-    frame = None if upright else Frame.at(lens.position, lens.tilt)
-    origin = along.datum if upright else lens.position[2]
     outline, straight = outline_of(lens), along.along_axis
     before = Rectangle(lens.half_width) if along.by_area else outline
     nets = freeform_nets(lens)
@@ -132,11 +130,11 @@ def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
     ):
         net = nets.get(placed.name)
         if net is None:
-            surface = _fixed(placed, placed.z - origin, before)
+            surface = _fixed(placed, placed.z - along.datum, before)
         else:
             surface = along.spline(placed.name, net, before if straight else outline, placed.z)
             straight = False
-        yield FaceStep(surface, Refraction(law, reflected, absorption), missed, frame)
+        yield FaceStep(surface, Refraction(law, reflected, absorption), missed)
 
 
 def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
@@ -149,9 +147,13 @@ def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
 
 
 def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
-    whole = along.by_area and along.along_axis
-    outline = Rectangle(mirror.half_width) if whole else outline_of(mirror)
-    face = along.spline(mirror.designed_face, along.net, outline, mirror.base.height)
+    (placed,), outline = mirror.placed_faces, outline_of(mirror)
+    whole = Rectangle(mirror.half_width)
+    if mirror.designed:
+        lit = whole if along.by_area and along.along_axis else outline
+        face: Surface = along.spline(mirror.designed_face, along.net, lit, placed.z)
+    else:
+        face = _fixed(placed, placed.z - along.datum, whole if along.by_area else outline)
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 

@@ -96,19 +96,16 @@ class AreaSource(WideSource):
 
     def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near, too far or too small beside it."""
-        check_place("source.position", self.position, optic)
+        check_place("source.position", (*self.position[:2], self.nearest_z), optic)
         super().check_before(optic)
 
     def seen(self, most: tuple[int, int]) -> Array:
         """Points over its face; see `AnySource.seen`."""
-        x, y = (
-            middle + np.linspace(-r, r, count)
-            for middle, r, count in zip(self.position, self.half_width, most, strict=False)
-        )
-        places = np.stack(np.broadcast_arrays(x[:, None], y, self.position[2]), axis=-1)
+        x, y = (np.linspace(-r, r, count) for r, count in zip(self.half_width, most, strict=True))
+        places = self.places(x[:, None], y)
         if self.outline == "ellipse" and min(most) > 2:
-            far = np.square((places[..., :2] - self.position[:2]) / self.half_width).sum(axis=-1)
-            return np.asarray(places[far <= 1 + 1e-9])
+            r_x, r_y = self.half_width
+            return np.asarray(places[(x[:, None] / r_x) ** 2 + (y / r_y) ** 2 <= 1 + 1e-9])
         return places.reshape(-1, 3)
 
     def face(self, optic: Element, z: float) -> Array:

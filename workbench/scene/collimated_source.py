@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 RayCount = Annotated[int, Field(ge=1, le=4096)]
 # Cells of light tell the shape of a beam that is this part of the lens wide, and of wider ones.
 _NARROWEST = 0.01
+# Degrees that are rounding.
+_STRAIGHT = 1e-11
 
 
 class UniformProfile(Part):
@@ -110,6 +112,16 @@ class CollimatedSource(AnySource):
     def heading(self) -> Array:
         """That of its disc's middle; see `AnySource.heading`."""
         return turned(self.direction)[:, 2]
+
+    def standing(self, place: Array | None, turn: Array) -> Self:
+        """See `AnySource.standing`."""
+        x, y, z = (turn @ self.heading).tolist()
+        aside = math.hypot(x, y)
+        degrees = math.degrees(math.atan2(aside, z))
+        about = (0.0, 0.0)
+        if degrees > _STRAIGHT:
+            about = (-degrees * y / aside, degrees * x / aside) if aside else (degrees, 0.0)
+        return self.model_copy(update={"direction": about})
 
     @property
     def continuous(self) -> bool:

@@ -3,6 +3,7 @@
 import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
+from itertools import product
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
@@ -18,6 +19,7 @@ from workbench.scene.faces import Face, PlacedBase, SplineFace, check_net
 from workbench.scene.fields import ANGLE, LENGTH, PLACE, about
 from workbench.scene.losses import Loss, TakesLight
 from workbench.scene.part import Part, Positive
+from workbench.scene.turning import tilted
 
 Place = tuple[float, float, float]
 DEFAULT_WAVELENGTH = 0.5876
@@ -128,6 +130,58 @@ class Element(Part):
         """Id of its front face where that is shaped together with the last one."""
         first, *others = self.placed_faces
         return first.name if others and first.face.designed else None
+
+    @property
+    def upright(self) -> bool:
+        """Whether it stands upright on the axis z of the scene."""
+        return not any(self.tilt) and not any(self.position[:2])
+
+    @property
+    def turn(self) -> Array:
+        """Its unit vectors in the scene, as the columns of a matrix (3, 3)."""
+        return tilted(self.tilt)
+
+    @property
+    def origin(self) -> Array:
+        """Where its own coordinates begin in the scene, shape (3,).
+
+        Control heights, `placed_faces` and all other z of an element are counted from there along
+        its own z: ``position[2]`` is the z of its front vertex, however it stands. So they are z of
+        the scene where it stands upright.
+        """
+        return np.array(self.position) - self.position[2] * self.turn[:, 2]
+
+    def seen(self, places: Array) -> Array:
+        """Return places (..., 3) of the scene in its own coordinates, see `origin`."""
+        return places if self.upright else np.asarray((places - self.origin) @ self.turn)
+
+    def in_scene(self, places: Array) -> Array:
+        """Return places (..., 3) in its own coordinates as places of the scene."""
+        return places if self.upright else np.asarray(places @ self.turn.T + self.origin)
+
+    @property
+    def corners(self) -> Array:
+        """Corners (8, 3) in the scene of the box around an element before its design."""
+        ends: list[float] = []
+        for placed in self.placed_faces:
+            face = placed.face
+            base = PlacedBase(face.base if isinstance(face, SplineFace) else face, placed.z)
+            ends += base.extent(self.half_width)
+        sides = [(-r, r) for r in self.half_width]
+        return self.in_scene(np.array(list(product(*sides, (min(ends), max(ends))))))
+
+    def nearest_to(self, other: "Element") -> float:
+        """The z in the coordinates of another element at which a fixed one comes closest to it."""
+        z = other.seen(self.corners)[:, 2]
+        return float(z.min() if other.onwards > 0 else z.max())
+
+    @property
+    def straightened(self) -> Self:
+        """The element as it stands in its own coordinates, see `origin`."""
+        if self.upright:
+            return self
+        place = (0.0, 0.0, self.position[2])
+        return self.model_copy(update={"position": place, "tilt": (0.0, 0.0, 0.0)})
 
     @property
     def designed(self) -> bool:

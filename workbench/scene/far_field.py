@@ -1,10 +1,10 @@
 """The far field: where light is wanted by its direction alone."""
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
@@ -56,6 +56,24 @@ class FarField(AnyReceiver):
         about("Centre", "Its middle: angle to the right and angle upwards from the optical axis."),
     ] = (0.0, 0.0)
     pixels: Pixels
+    _turn: tuple[tuple[float, ...], ...] | None = PrivateAttr(default=None)
+
+    @property
+    def turn(self) -> Array | None:
+        """See `AnyReceiver.turn`."""
+        return None if self._turn is None else np.array(self._turn)
+
+    def standing(self, turn: Array) -> Self:
+        """Return the same directions in other coordinates.
+
+        Parameters
+        ----------
+        turn : ndarray, shape (3, 3)
+            Its unit vectors there as columns, the last of which goes with the light.
+        """
+        copy = self.model_copy()
+        copy._turn = tuple(map(tuple, turn.tolist()))
+        return copy
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
@@ -79,10 +97,6 @@ class FarField(AnyReceiver):
                         left=_MOST - abs(middle),
                     ),
                 )
-
-    def reads_on_lit_side(self, optic: "Element") -> bool:
-        """Where light goes to −z; the lit side is that of the optic, as of a distant wall."""
-        return optic.onwards < 0
 
     @property
     def half_extent(self) -> tuple[float, float]:
@@ -133,12 +147,12 @@ class FarField(AnyReceiver):
         self, optic: "Element", place: tuple[Array, Array, Array], u: Array, v: Array
     ) -> tuple[Array, ...]:
         """The same from everywhere."""
-        return tuple(np.moveaxis(_direction(optic, u, v), -1, 0))
+        return tuple(np.moveaxis(self._direction(optic, u, v), -1, 0))
 
     def drawn(self, optic: "Element", u: Array, v: Array) -> Array:
         """On a sphere around the place that light leaves."""
         around = np.array([0.0, 0.0, optic.leaving_z])
-        return np.asarray(around + self.radius(optic) * _direction(optic, u, v))
+        return np.asarray(around + self.radius(optic) * self._direction(optic, u, v))
 
     @staticmethod
     def radius(optic: "Element") -> float:
@@ -157,11 +171,12 @@ class FarField(AnyReceiver):
     def check_lit_by(self, optic: "Element") -> None:
         """Refuse nothing: light of any optic has a direction."""
 
-
-def _direction(optic: "Element", h: Array, v: Array) -> Array:
-    """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
-    h, v = np.radians(h), np.radians(v)
-    parts = np.broadcast_arrays(
-        np.cos(v) * np.sin(h), np.sin(v), optic.onwards * np.cos(v) * np.cos(h)
-    )
-    return np.stack(parts, axis=-1)
+    def _direction(self, optic: "Element", h: Array, v: Array) -> Array:
+        """Unit vectors of angles of light that leaves an optic, in degrees, shape (..., 3)."""
+        h, v = np.radians(h), np.radians(v)
+        onwards = optic.onwards if self.turn is None else 1
+        parts = np.broadcast_arrays(
+            np.cos(v) * np.sin(h), np.sin(v), onwards * np.cos(v) * np.cos(h)
+        )
+        way = np.stack(parts, axis=-1)
+        return way if self.turn is None else way @ self.turn.T

@@ -85,20 +85,30 @@ class GridSource(WideSource, LightOfPoints):
         return self.rays * math.prod(self.points)
 
     @property
-    def axes(self) -> tuple[Array, Array]:
-        """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,)."""
+    def axes(self) -> tuple[Array, Array] | None:
+        """The x of its columns, shape (m_x,), and the y of its rows of points, shape (m_y,).
+
+        None where it is turned.
+        """
+        if self.turn is not None:
+            return None
+        x, y = (middle + aside for middle, aside in zip(self.position, self._aside, strict=False))
+        return x, y
+
+    @property
+    def _aside(self) -> tuple[Array, Array]:
+        """How far columns and rows are from the middle."""
         x, y = (
-            middle + (np.linspace(-r, r, count) if count > 1 else np.zeros(1))
-            for middle, r, count in zip(self.position, self.half_width, self.points, strict=False)
+            np.linspace(-r, r, count) if count > 1 else np.zeros(1)
+            for r, count in zip(self.half_width, self.points, strict=True)
         )
         return x, y
 
     @property
     def positions(self) -> Array:
         """Where its points are, shape (m_x m_y, 3): y runs first."""
-        x, y = self.axes
-        places = np.broadcast_arrays(x[:, None], y, self.position[2])
-        return np.stack(places, axis=-1).reshape(-1, 3)
+        x, y = self._aside
+        return self.places(x[:, None], y).reshape(-1, 3)
 
     def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""

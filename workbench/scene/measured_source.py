@@ -14,7 +14,7 @@ from workbench.scene.content import Content
 from workbench.scene.element import Element, Place
 from workbench.scene.fields import FILE, LENGTH, PLACE, Measure, about
 from workbench.scene.points import MOST_RAYS, AnySource, PointSource, check_place, in_front
-from workbench.scene.turning import tilted
+from workbench.scene.turning import proper, tilt_of, tilted
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -120,6 +120,12 @@ class MeasuredSource(AnySource):
     def placed(self, place: Place) -> Self:
         """The same source elsewhere."""
         return self.model_copy(update={"position": place})
+
+    def standing(self, place: Array | None, turn: Array) -> Self:
+        """See `AnySource.standing`; of a mirror image it is an approximation."""
+        there = self.position if place is None else tuple(place.tolist())
+        rotation = tilt_of(proper(turn @ self.matrix))
+        return self.model_copy(update={"position": there, "rotation": rotation})
 
     def check_before(self, optic: Element) -> None:
         """Refuse an optic that is not behind it, or too near or too far, as a point does."""

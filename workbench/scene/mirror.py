@@ -96,8 +96,11 @@ class Mirror(Element):
 
     @property
     def front_z(self) -> float:
-        """The middle of the base: the light that passes the outline there lights the mirror."""
-        return self.base.height
+        """The middle of the base: the light that passes the outline there lights the mirror.
+
+        Of a mirror that is not designed, the lowest that its face is.
+        """
+        return self.base.height if self.designed else self.base.extent(self.half_width)[0]
 
     @property
     def datum(self) -> float:

@@ -1,20 +1,29 @@
-"""Paraxial images through the fixed elements of a train.
+"""Paraxial images through the fixed elements of a train, and its axis unfolded at their mirrors.
 
 The first design, and bounds of heights, take the train as its designed element alone, with the
-source and the receivers where that element sees them (Hecht, *Optics*, 5th ed., chapter 5).
+source and the receivers where that element sees them (Hecht, *Optics*, 5th ed., chapter 5). All is
+in the coordinates of that element: it stands upright on the axis.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
+from workbench.arrays import Array
+from workbench.scene.axis import outgoing
 from workbench.scene.collimated_source import CollimatedSource
 from workbench.scene.element import Element
 from workbench.scene.faces import ConicFace
-from workbench.scene.image import Image
+from workbench.scene.far_field import FarField
 from workbench.scene.lens import Lens
+from workbench.scene.mirror import Mirror
+from workbench.scene.points import PointSource
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.screen import Screen
 from workbench.scene.source import Source
+from workbench.scene.turning import tilt_of
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -23,22 +32,37 @@ if TYPE_CHECKING:
 _FAR = 1e3
 # Degrees across the light of a source that the fixed elements collimate, at most.
 _WIDEST = 10.0
+# A receiver is not imaged to one so many times as large, or as small.
+_LARGEST = 1e3
+# Parts of a length that are rounding, over the length of its vector.
+_ROUNDING = 1e-13
 
 
 class _Vertex(NamedTuple):
-    """A refracting surface on the axis: its z, curvature, and the indices before and behind."""
+    """A surface on an axis: its z, its power, and the indices before and behind."""
 
     z: float
-    curvature: float
+    power: float
     before: float
     behind: float
 
 
-class _Object(NamedTuple):
-    """A place on the axis, infinite for collimated light, and a lateral magnification."""
+class _Seen(NamedTuple):
+    """An object as light sees it through some elements.
 
-    z: float
-    magnification: float
+    Attributes
+    ----------
+    place : ndarray, shape (3,), optional
+        Of its middle in the scene; None of an object that is infinitely far.
+    turn : ndarray, shape (3, 3)
+        Takes its own vectors there; a mirror image behind an odd number of mirrors.
+    magnification : float
+        How many times as large it is across.
+    """
+
+    place: Array | None
+    turn: Array
+    magnification: float = 1.0
 
 
 def of_designed_element(scene: "Scene") -> "Scene":
@@ -46,94 +70,196 @@ def of_designed_element(scene: "Scene") -> "Scene":
 
     Distortion and the aberrations of the fixed elements are left out.
     """
-    if len(scene.elements) == 1:
+    optic, number = scene.optic, scene.designed_number
+    if len(scene.elements) == 1 and optic.upright:
         return scene
-    number = scene.designed_number
-    before = [each.lit(scene.source.wavelength) for each in scene.elements[:number]]
-    behind = [each.lit(scene.source.wavelength) for each in scene.elements[number + 1 :]]
-    images = tuple(_seen_from_before(image, behind) for image in scene.images)
+    images = tuple(
+        image.model_copy(update={"receiver": _receiver_seen(scene, image.receiver)})
+        for image in scene.images
+    )
     return scene.model_copy(
         update={
-            "elements": (scene.elements[number],),
-            "source": _seen_from_behind(scene.source, before, scene.optic),
+            "elements": (scene.elements[number].straightened,),
+            "source": _source_seen(scene, optic),
             "images": images,
         }
     )
 
 
-def _vertices(elements: Sequence[Element]) -> Iterator[_Vertex]:
-    for element in elements:
-        if isinstance(element, Lens):
-            for placed, (before, behind) in zip(
-                element.placed_faces, ((1.0, element.index), (element.index, 1.0)), strict=True
-            ):
-                face = placed.face
-                curvature = 1 / face.radius if isinstance(face, ConicFace) else 0.0
-                yield _Vertex(placed.z, curvature, before, behind)
-
-
-def _imaged(vertices: Sequence[_Vertex], z: float) -> _Object:
-    """The image of a place on the axis; of collimated light, where z is infinite."""
-    magnification = 1.0
-    vergence = 0.0 if math.isinf(z) else math.nan
-    for vertex in vertices:
-        if not math.isinf(z):
-            vergence = vertex.before / (z - vertex.z) if z != vertex.z else math.inf
-        power = (vertex.behind - vertex.before) * vertex.curvature
-        after = vergence + power
-        if math.isinf(vergence):  # a place in the surface is its own image
-            continue
-        if math.isinf(z):
-            z = math.inf if after == 0 else vertex.z + vertex.behind / after
-        else:
-            magnification *= vergence / after if after else math.inf
-            z = vertex.z + vertex.behind / after if after else math.inf
-        vergence = 0.0 if math.isinf(z) else after
-    return _Object(z, magnification)
-
-
-def _seen_from_behind(source: Source, before: Sequence[Element], element: Element) -> Source:
-    """The source as light of it comes to the designed element."""
-    vertices = list(_vertices(before))
-    if not vertices:
+def seen_by(source: Source, element: Element) -> Source:
+    """Return a source in the coordinates of an element, see `Element.origin`."""
+    if element.upright:
         return source
-    place, size = source.place, max(element.half_width)
-    seen = _imaged(vertices, -math.inf if place is None else place[2])
-    away = element.front_z - seen.z
-    if place is not None and 0 < away < _FAR * size:
-        x, y, _ = place
-        m = seen.magnification
-        return source.placed((m * x, m * y, seen.z)).shrunk(abs(m))
-    if place is None and (math.isinf(seen.z) or not 0 < away < _FAR * size):
-        return source
-    width = 0.0 if place is None else _angle(source, vertices[0].z)
-    return CollimatedSource(kind="collimated", angular_diameter=width, **source.colour)
+    place = None if source.place is None else _exact(element.seen(np.array(source.place)))
+    return source.standing(place, element.turn.T)
 
 
-def _angle(source: Source, front_z: float) -> float:
+def _source_seen(scene: "Scene", optic: Element) -> Source:
+    """The source as light of it comes to the designed element, in the coordinates of that."""
+    source, before = scene.source, scene.elements[: scene.designed_number]
+    if not before:
+        return seen_by(source, optic)
+    place = None if source.place is None else np.array(source.place)
+    seen = _Seen(place, np.eye(3))
+    for element, way in zip(before, scene.ways, strict=False):
+        lit = element.lit(source.wavelength)
+        axis = outgoing(lit, way)
+        seen = _through(lit, seen, way, axis, seen.turn @ source.heading)
+    turn, size = optic.turn.T @ seen.turn, max(optic.half_width)
+    if seen.place is None and source.place is None:
+        return source.standing(None, turn)
+    away = math.inf
+    if seen.place is not None:
+        own = _exact(optic.seen(seen.place))
+        away = optic.front_z - own[2]
+    if 0 < away < _FAR * size:
+        if source.place is not None:
+            return source.standing(own, turn).shrunk(abs(seen.magnification))
+        x, y, z = own.tolist()
+        return PointSource(kind="point", position=(x, y, z), **source.colour)
+    width = 0.0 if place is None else _angle(source, before[0])
+    parallel = CollimatedSource(kind="collimated", angular_diameter=width, **source.colour)
+    return parallel if seen.place is not None else parallel.standing(None, turn)
+
+
+def _angle(source: Source, first: Element) -> float:
     """Degrees across the light of a source that the elements before collimate."""
     half = max(getattr(source, "half_width", (0.0, 0.0)))
     place = source.place
     if not half or place is None:
         return 0.0
-    away = max(front_z - place[2], 1e-9 * half)
+    away = max(math.dist(first.position, place), 1e-9 * half)
     return min(math.degrees(2 * math.atan(half / away)), _WIDEST)
 
 
-def _seen_from_before(image: Image, behind: Sequence[Element]) -> Image:
-    """An image as the designed element sees its receiver through the elements behind."""
-    receiver = image.receiver
-    vertices = [
-        _Vertex(v.z, -v.curvature, v.behind, v.before) for v in reversed(list(_vertices(behind)))
-    ]
-    if not vertices or not isinstance(receiver, Screen):
-        return image
-    mirrored = [v._replace(z=-v.z) for v in vertices]  # light goes the other way
-    seen = _imaged(mirrored, -receiver.z)
-    z, m = -seen.z, abs(seen.magnification)
-    if math.isinf(z) or z <= vertices[-1].z or not 1e-3 < m < 1e3:
-        return image
-    x, y, _ = receiver.position
+def _receiver_seen(scene: "Scene", receiver: AnyReceiver) -> AnyReceiver:
+    """A receiver as the designed element sees it, in the coordinates of that."""
+    optic, number, ways = scene.optic, scene.designed_number, scene.ways
+    behind = list(zip(scene.elements, ways, strict=True))[number + 1 :]
+    if isinstance(receiver, FarField):
+        turn = np.diag([1.0, 1.0, float(scene.onwards(receiver))])
+        folded = _traced_back(behind, _Seen(None, turn), scene.source.wavelength, rigid=True)
+        own = optic.turn.T @ folded.turn
+        same = np.array_equal(own, np.diag([1.0, 1.0, optic.onwards]))
+        return receiver if same else receiver.standing(own)
+    assert isinstance(receiver, Screen)
+    begin = _Seen(np.array(receiver.position), receiver.sides.T)
+    seen = _traced_back(behind, begin, scene.source.wavelength, rigid=False)
+    place, ahead = seen.place, outgoing(optic, ways[number])
+    if (
+        not behind
+        or place is None
+        or (place - behind[0][0].position) @ ahead <= 0
+        or not 1 / _LARGEST < abs(seen.magnification) < _LARGEST
+    ):
+        seen = _traced_back(behind, begin, scene.source.wavelength, rigid=True)
+    assert seen.place is not None
+    turn, m = optic.turn.T @ seen.turn, abs(seen.magnification)
+    x, y, z = _exact(optic.seen(seen.place)).tolist()
     r_x, r_y = receiver.half_width
-    changes = {"position": (m * x, m * y, z), "half_width": (m * r_x, m * r_y)}
-    return image.model_copy(update={"receiver": receiver.model_copy(update=changes)})
+    tilt = receiver.tilt
+    if not np.array_equal(turn, receiver.sides.T):
+        turn = np.array([_exact(column) for column in turn.T]).T
+        turn[:, 2] = np.cross(turn[:, 0], turn[:, 1])  # its back may be to the light
+        tilt = tilt_of(turn)
+    changes = {"position": (x, y, z), "tilt": tilt, "half_width": (m * r_x, m * r_y)}
+    return receiver.model_copy(update=changes).lit_on_either_side()
+
+
+def _traced_back(
+    behind: Sequence[tuple[Element, Array]], seen: _Seen, wavelength_um: float, rigid: bool
+) -> _Seen:
+    """An object behind elements as light before them sees it; lenses leave it if it is rigid."""
+    for element, way in reversed(behind):
+        if isinstance(element, Mirror) or not rigid:
+            lit = element.lit(wavelength_um)
+            back = -way if isinstance(lit, Mirror) else -outgoing(lit, way)
+            seen = _through(lit, seen, way, back, back, rigid)
+    return seen
+
+
+def _through(
+    element: Element, seen: _Seen, way: Array, axis: Array, heading: Array, rigid: bool = False
+) -> _Seen:
+    """An object as light sees it behind an element.
+
+    Parameters
+    ----------
+    element, seen
+        The element, and the object before it.
+    way : ndarray, shape (3,)
+        Along which light comes to the element.
+    axis : ndarray, shape (3,)
+        Along which light of the object, or to it, leaves the element.
+    heading : ndarray, shape (3,)
+        Of light of an object that is infinitely far.
+    rigid : bool
+        Whether curved mirrors count as planes.
+    """
+    vertex, normal, (place, turn, size) = np.array(element.position), element.turn[:, 2], seen
+    if isinstance(element, Mirror):
+        reflection = np.eye(3) - 2 * np.outer(normal, normal)
+        turn, heading = reflection @ turn, reflection @ heading
+        place = None if place is None else vertex + reflection @ (place - vertex)
+    vertices = [] if rigid else _vertices(element, way, axis)
+    if not any(v.power or v.before != v.behind for v in vertices):
+        return _Seen(place, turn, size)
+    if place is None:
+        z, _ = _imaged(vertices, -math.inf)
+        if math.isinf(z):
+            return _Seen(None, turn, size)
+        slope = heading / (heading @ axis) - axis
+        middle = sum(v.z for v in vertices) / len(vertices)
+        return _Seen(vertex + z * axis + (z - middle) * slope, turn, size)
+    away = float((place - vertex) @ axis)
+    aside = place - vertex - away * axis
+    z, m = _imaged(vertices, away)
+    if math.isinf(z):
+        return _Seen(None, np.column_stack([turn[:, :2], axis]), size)
+    if m < 0:  # upside down
+        turn = (2 * np.outer(axis, axis) - np.eye(3)) @ turn
+    return _Seen(vertex + z * axis + m * aside, turn, size * m)
+
+
+def _vertices(element: Element, way: Array, axis: Array) -> list[_Vertex]:
+    """Surfaces of an element in the order in which light along an axis meets them.
+
+    z is counted along the axis, from the front vertex of the element.
+    """
+    side = 1.0 if axis @ element.turn[:, 2] > 0 else -1.0
+    curvatures = [
+        1 / placed.face.radius if isinstance(placed.face, ConicFace) else 0.0
+        for placed in element.placed_faces
+    ]
+    if not isinstance(element, Lens):
+        towards = 1.0 if way @ element.turn[:, 2] > 0 else -1.0
+        return [_Vertex(0.0, -2 * towards * curvatures[0], 1.0, 1.0)]
+    n, (front, back) = element.index, curvatures
+    found = [_Vertex(0.0, (n - 1) * front, 1.0, n)]
+    found.append(_Vertex(element.thickness, (1 - n) * back, n, 1.0))
+    if side > 0:
+        return found
+    return [_Vertex(-v.z, v.power, v.behind, v.before) for v in reversed(found)]
+
+
+def _imaged(vertices: Sequence[_Vertex], z: float) -> tuple[float, float]:
+    """Where a place on an axis is imaged to, and the lateral magnification.
+
+    Of light from infinitely far z is negative infinity; an image there is at positive infinity.
+    """
+    system, last = np.eye(2), vertices[0]
+    for vertex in vertices:
+        transfer = np.array([[1.0, (vertex.z - last.z) / vertex.before], [0.0, 1.0]])
+        system = np.array([[1.0, 0.0], [-vertex.power, 1.0]]) @ transfer @ system
+        last = vertex
+    # Height and angle of a ray of the object in the first surface.
+    ray = np.array([1.0, 0.0] if math.isinf(z) else [vertices[0].z - z, 1.0])
+    height, angle = system @ ray
+    if abs(angle) <= _ROUNDING * abs(system[1]) @ abs(ray):
+        return math.inf, math.inf
+    return float(last.z - height / angle), float(1 / angle)
+
+
+def _exact(vector: Array) -> Array:
+    """A vector without parts that are rounding."""
+    return np.where(np.abs(vector) <= _ROUNDING * np.linalg.norm(vector), 0.0, vector)

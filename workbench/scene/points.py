@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict
+from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
@@ -17,6 +17,7 @@ from workbench.scene.fields import LENGTH, PLACE, Fallback, Measure, about
 from workbench.scene.part import Part, Positive
 from workbench.scene.receiver import AnyReceiver
 from workbench.scene.spectrum import Lines, mean_wavelength
+from workbench.scene.turning import proper
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
@@ -52,6 +53,38 @@ class AnySource(Part):
             "refractive indices, and an image is the sum of all lines. The parts may have any sum.",
         ),
     ] = None
+
+    _turn: tuple[tuple[float, ...], ...] | None = PrivateAttr(default=None)
+
+    @property
+    def turn(self) -> Array | None:
+        """Its unit vectors as the columns of a matrix (3, 3); None where it faces +z.
+
+        In files all sources do, or say how they are turned. In the coordinates of a tilted element
+        they do not.
+        """
+        return None if self._turn is None else np.array(self._turn)
+
+    @property
+    def facing(self) -> Array:
+        """The unit vector (3,) along which it shines where intensity falls with the cosine."""
+        return np.array([0.0, 0.0, 1.0] if self._turn is None else [row[2] for row in self._turn])
+
+    def standing(self, place: Array | None, turn: Array) -> Self:
+        """Return the same source in other coordinates.
+
+        Parameters
+        ----------
+        place : ndarray, shape (3,), optional
+            Where its middle is there; None of light from infinitely far.
+        turn : ndarray, shape (3, 3)
+            Takes its directions there: a rotation, or one of a mirror image, as behind a mirror.
+        """
+        own = proper(turn if self._turn is None else turn @ np.array(self._turn))
+        copy = self.model_copy() if place is None else self.placed(tuple(place.tolist()))
+        straight = own[2, 2] == 1 and np.array_equal(np.abs(own), np.eye(3))  # each is symmetric
+        copy._turn = None if straight else tuple(map(tuple, own.tolist()))
+        return copy
 
     @property
     def wavelength(self) -> float:
@@ -315,8 +348,10 @@ class PointSource(LightOfPoints):
 
     @property
     def mirrored(self) -> tuple[bool, bool]:
-        """Where it is on the axis."""
-        return self.position[0] == 0, self.position[1] == 0
+        """Where it is on the axis, and lights both sides alike."""
+        x, y, _ = self.position
+        turned = self.facing if self.emission == "lambertian" else np.zeros(3)
+        return x == 0 and turned[0] == 0, y == 0 and turned[1] == 0
 
     @property
     def sharp(self) -> Self:

@@ -51,12 +51,18 @@ class AnyReceiver(Part):
     if TYPE_CHECKING:  # each kind has this field, at its place in the file
         pixels: Pixels
 
-    @abstractmethod
-    def reads_on_lit_side(self, optic: "Element") -> bool:
-        """Whether a viewer on the side from which light of an optic comes sees u to the right.
+    @property
+    def turn(self) -> Array | None:
+        """Unit vectors (3, 3) of the coordinates in which it is described, as columns.
 
-        With v upwards. A viewer behind the receiver then sees u to the left.
+        None for those of the scene, as in every file; see `FarField.standing`.
         """
+        return None
+
+    @property
+    def across(self) -> Array:
+        """The unit vector (3,) of its own +z in the scene."""
+        return np.array([0.0, 0.0, 1.0])
 
     @property
     @abstractmethod

@@ -5,7 +5,7 @@ from itertools import product
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import ConfigDict
+from pydantic import ConfigDict, PrivateAttr
 
 from workbench.arrays import Array
 from workbench.errors import Refused
@@ -65,6 +65,13 @@ class Screen(AnyReceiver):
         about("Half width", "Half of the screen's extent along x and y. The target fills it."),
     ]
     pixels: Pixels
+    _either_side: bool = PrivateAttr(default=False)
+
+    def lit_on_either_side(self) -> Self:
+        """Return the same, lit from behind too: as the image of a screen in a mirror may be."""
+        copy = self.model_copy()
+        copy._either_side = True
+        return copy
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
@@ -76,9 +83,10 @@ class Screen(AnyReceiver):
         z = float(f"{optic.leaving_z + optic.onwards * away:.6g}")
         return {"position": (0.0, 0.0, z), "half_width": half, "pixels": receiver.pixels}
 
-    def reads_on_lit_side(self, optic: Element) -> bool:
-        """Where the optic is on the side to which the vector across the screen points."""
-        return bool(self.sides[2] @ (np.array([0.0, 0.0, optic.leaving_z]) - self.position) > 0)
+    @property
+    def across(self) -> Array:
+        """See `AnyReceiver.across`."""
+        return np.asarray(self.sides[2])
 
     @property
     def half_extent(self) -> tuple[float, float]:
@@ -198,7 +206,8 @@ class Screen(AnyReceiver):
         (r_x, r_y), ends = optic.half_width, (optic.lowest, optic.highest)
         corners = np.array(list(product((-r_x, r_x), (-r_y, r_y), ends)))
         before = optic.onwards * ((np.array(self.position) - corners) @ self.sides[2]) > 0
-        if not self.upright and not before.all():
+        behind = self._either_side and not before.any()
+        if not self.upright and not before.all() and not behind:
             raise Refused(
                 "tilt",
                 Said(

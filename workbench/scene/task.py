@@ -12,6 +12,7 @@ from workbench.errors import Refused, refused_within
 from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import limits, versions
+from workbench.scene.axis import incoming, leaving
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
@@ -26,15 +27,16 @@ from workbench.scene.image import (
 from workbench.scene.kinds import Kinds
 from workbench.scene.lens import Lens
 from workbench.scene.mirror import Mirror
-from workbench.scene.paraxial import of_designed_element
+from workbench.scene.paraxial import of_designed_element, seen_by
 from workbench.scene.part import Part
+from workbench.scene.receiver import AnyReceiver
 from workbench.scene.region import Region, check_regions
 from workbench.scene.run import AutoRun, Run
 from workbench.scene.source import Source
 from workbench.scene.spectrum import Line, check_spectrum, lines_of
 from workbench.scene.stages import stage_scenes
 from workbench.scene.target import Target
-from workbench.scene.train_checks import check_behind, check_elements, too_many
+from workbench.scene.train_checks import check_elements, check_receivers, too_many
 
 Unit = Literal["mm", "cm", "m", "inch"]
 AnyElement = Annotated[Lens | Mirror, Kinds("kind")]
@@ -128,10 +130,10 @@ class Scene(Part):
         check_spectrum(self)
         check_elements(self)
         self.source.measured_in(self.unit)
-        if len(self.elements) > 1:
-            self.source.check_before(self.first)
-            if not self.elements[-1].designed:
-                check_behind(self.elements[-1], self.receivers)
+        if self.is_train:
+            source, first = self.entrance
+            source.check_before(first)
+            check_receivers(self, self.receivers)
             of_designed_element(self).check()
             return
         optic = self.optic
@@ -178,6 +180,30 @@ class Scene(Part):
     def lines(self) -> tuple[Line, ...]:
         """Its light line by line: an image is the sum over `Line.part` times that of each."""
         return lines_of(self)
+
+    @property
+    def behind(self) -> tuple[Element, ...]:
+        """The elements behind the designed one, as the source's light meets them."""
+        elements = self.elements[self.designed_number + 1 :]
+        return tuple(each.lit(self.source.wavelength) for each in elements)
+
+    @property
+    def entrance(self) -> tuple[Source, Element]:
+        """Source and first element in the coordinates of that element, see `Element.origin`."""
+        first = self.first
+        return seen_by(self.source, first), first.straightened
+
+    @property
+    def ways(self) -> tuple[Array, ...]:
+        """Unit vectors (3,) along which light comes to the elements; see `axis.incoming`."""
+        return incoming(self.source, self.elements)
+
+    def onwards(self, receiver: AnyReceiver) -> int:
+        """1 if light comes to a receiver along its own +z, -1 if it comes against it."""
+        if receiver.turn is not None:
+            return 1
+        way = leaving(self.source, self.elements, receiver)
+        return 1 if way @ receiver.across > 0 else -1
 
     def with_optic(self, optic: Element) -> Self:
         """Return the scene with another element in place of `optic`, which goes with all else."""
@@ -255,8 +281,16 @@ class Scene(Part):
         """The scene with the designed element alone; see `paraxial.of_designed_element`."""
         return of_designed_element(self)
 
+    @property
+    def is_train(self) -> bool:
+        """Whether there are several elements, or one that is tilted or shifted."""
+        return len(self.elements) > 1 or not self.elements[0].upright
+
     def check_one_element(self, who: str) -> None:
-        """Refuse trains of several elements, as `check_one_image` refuses several images."""
+        """Refuse trains of several elements, as `check_one_image` refuses several images.
+
+        And one element that is tilted or shifted.
+        """
         if len(self.elements) > 1:
             raise Refused(
                 "elements",
@@ -264,6 +298,13 @@ class Scene(Part):
                     "{count} given, which {who} cannot take into account; one",
                     count=len(self.elements),
                     who=who,
+                ),
+            )
+        if not self.first.upright:
+            raise Refused(
+                "elements[0].tilt" if any(self.first.tilt) else "elements[0].position",
+                Said(
+                    "the element is not upright, which {who} cannot take into account; 0", who=who
                 ),
             )
 

@@ -1,21 +1,31 @@
 """Which elements make a train: refusals of those that cannot be computed with together."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
+from workbench.scene.axis import leaving, outgoing
 from workbench.scene.element import Element
-from workbench.scene.faces import ConicFace, SplineFace
+from workbench.scene.faces import SplineFace
 from workbench.scene.lens import Lens
+from workbench.scene.mirror import Mirror
 from workbench.scene.receiver import AnyReceiver
-from workbench.scene.turning import tilted
+from workbench.scene.screen import Screen
 
 if TYPE_CHECKING:
     from workbench.scene.task import Scene
 
 _MOST_ELEMENTS = 16
 _ROUNDING = 1e-9
+# Cosine below which light goes along a face.
+_GRAZING = 1e-3
+# Degrees from the z axis of the scene, from which a far field counts, to light of a train.
+_SIDEWAYS = 60.0
 
 
 def check_elements(scene: "Scene") -> None:
@@ -39,35 +49,59 @@ def check_elements(scene: "Scene") -> None:
         _check_element(scene, number)
 
 
-def check_behind(last: Element, receivers: Sequence[AnyReceiver]) -> None:
-    """Refuse a receiver that may be within the last, fixed element of a train, or before it.
+def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
+    """Refuse receivers that may touch the last element of a train, or get no light of it.
 
     Raises
     ------
     Refused
-        With the z of the receiver, and the least.
+        With the place of the receiver, and what is possible.
     """
-    turn = tilted(last.tilt)
-    ends = [
-        placed.z - last.position[2] + sag
-        for placed in last.placed_faces
-        for sag in (
-            placed.face.extent(last.half_width) if isinstance(placed.face, ConicFace) else (0.0,)
-        )
-    ]
-    reach = float(abs(turn[2, :2]) @ last.half_width)
-    highest = last.position[2] + reach + max(float(turn[2, 2]) * end for end in ends)
-    nearest = min(receiver.nearest_to(last) for receiver in receivers)
-    if nearest <= highest:
+    last = scene.elements[-1].lit(scene.source.wavelength)
+    for receiver in receivers:
+        if not isinstance(receiver, Screen):
+            way = leaving(scene.source, scene.elements, receiver)
+            angle = math.degrees(math.acos(min(abs(float(way[2])), 1.0)))
+            if angle > _SIDEWAYS:
+                raise Refused(
+                    "images",
+                    Said(
+                        "light leaves {name} at {angle:.0f} degrees from the z axis, too far for a "
+                        "far field; at most {most:g}, or a plane",
+                        name=last.name,
+                        angle=angle,
+                        most=_SIDEWAYS,
+                    ),
+                )
+        elif not last.designed:
+            _check_beyond(last, outgoing(last, scene.ways[-1]), receiver)
+
+
+def _check_beyond(last: Element, onwards: Array, receiver: Screen) -> None:
+    """Refuse a screen whose plane does not have all of the last element before it."""
+    ahead = (receiver.position - last.corners) @ receiver.across
+    reach = (receiver.position - last.in_scene(np.array([0.0, 0.0, last.leaving_z]))) @ onwards
+    if reach > 0 and (ahead.min() > 0 or ahead.max() < 0):
+        return
+    if receiver.upright and last.upright and onwards[2] > 0:
         raise Refused(
             "images",
             Said(
                 "a receiver at z = {z:g} may touch the element {name}; more than {least:g}",
-                z=nearest,
+                z=receiver.z,
                 name=last.name,
-                least=highest,
+                least=receiver.z - float(ahead.min()),
             ),
         )
+    raise Refused(
+        "images",
+        Said(
+            "a receiver at {place} may touch the element {name}, or gets none of its light; "
+            "farther along the light, and across it",
+            place="[{}]".format(", ".join(f"{each:g}" for each in receiver.position)),
+            name=last.name,
+        ),
+    )
 
 
 def too_many(path: str, count: int, most: int) -> Refused:
@@ -88,31 +122,57 @@ def _check_element(scene: "Scene", number: int) -> None:
         raise Refused(path, Said("a second designed element; one element is designed"))
     if any(isinstance(each.face, SplineFace) and each.face.fixed for each in element.placed_faces):
         raise Refused(path, Said("fixed B-spline faces are not traced yet; a conic face"))
-    if number != designed and not isinstance(element, Lens):
-        raise Refused(path, Said("a mirror that is not designed is not traced yet"))
-    if number > designed and scene.optic.onwards < 0:
-        raise Refused(path, Said("elements behind a mirror are not traced yet; none"))
-    upright = not any(element.tilt) and not any(element.position[:2])
-    if number in (0, designed) and not upright:
-        raise Refused(
-            f"{path}.tilt" if any(element.tilt) else f"{path}.position",
-            Said("the first and the designed element stand upright on the axis; 0"),
-        )
+    if number or not element.upright:  # the source sees to the rest
+        _check_side(path, element, scene.ways[number])
     if number:
         _check_order(scene, number, element)
 
 
+def _check_side(path: str, element: Element, way: Array) -> None:
+    """Refuse light that comes to the back of a lens, or of a mirror that the design shapes."""
+    cosine = float(way @ element.turn[:, 2])
+    if cosine > _GRAZING or (isinstance(element, Mirror) and not element.designed):
+        return
+    back = Said(
+        "light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as "
+        "where it is turned by 180 degrees about its x",
+        name=element.name,
+        angle=math.degrees(math.acos(max(cosine, -1.0))),
+    )
+    raise Refused(f"{path}.tilt", back)
+
+
 def _check_order(scene: "Scene", number: int, element: Element) -> None:
-    """Refuse an element that reaches into the one before it."""
+    """Refuse an element that reaches into the one before it, or stands behind a mirror."""
     last = scene.elements[number - 1].lit(scene.source.wavelength)
-    least = last.highest if number - 1 == scene.designed_number else last.leaving_z
-    if element.front_z < least - _ROUNDING * max(element.half_width):
+    path, (_, _, z) = f"elements[{number}].position", last.seen(np.array(element.position))
+    onwards = 1
+    if isinstance(last, Mirror):
+        onwards = -1 if scene.ways[number - 1] @ last.turn[:, 2] > 0 else 1
+    least, front = last.position[2], 0.0
+    if isinstance(last, Lens):
+        least += last.thickness
+    if np.array_equal(last.turn, element.turn):  # side by side along one axis
+        front = element.front_z - element.position[2]
+        least = last.highest if last.designed else last.leaving_z
+    if onwards * (z + front - least) >= -_ROUNDING * max(element.half_width):
+        return
+    if last.upright and onwards > 0:
         raise Refused(
-            f"elements[{number}].position[2]",
+            f"{path}[2]",
             Said(
                 "{z:g} reaches into {name}; at least {least:g}",
                 z=element.position[2],
                 name=last.name,
-                least=least + element.position[2] - element.front_z,
+                least=least - front,
             ),
         )
+    raise Refused(
+        path,
+        Said(
+            "{place} is not where light of {name} goes; {by:g} farther along its axis",
+            place="[{}]".format(", ".join(f"{each:g}" for each in element.position)),
+            name=last.name,
+            by=-onwards * (z + front - least),
+        ),
+    )

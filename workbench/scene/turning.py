@@ -7,6 +7,9 @@ import numpy as np
 
 from workbench.arrays import Array
 
+# Parts of unit vectors below this are rounding.
+_ROUNDING = 1e-14
+
 
 def turned(about: tuple[float, float]) -> Array:
     """The matrix (3, 3) of a turn; its columns are where it takes x, y and z.
@@ -51,6 +54,16 @@ def tilt_of(turn: Array) -> tuple[float, float, float]:
     degrees = (math.degrees(angle) + 0.0 for angle in (a, b, c))
     x, y, z = degrees
     return x, y, z
+
+
+def proper(turn: Array) -> Array:
+    """Return a matrix (3, 3) of unit vectors without reflection: of a mirror image, x is flipped.
+
+    Exact where it differs from another axis by rounding.
+    """
+    turn = np.where(np.abs(turn) < _ROUNDING, 0.0, turn)
+    turn = np.where(np.abs(np.abs(turn) - 1) < _ROUNDING, np.sign(turn), turn)
+    return turn if np.linalg.det(turn) > 0 else np.asarray(turn * [-1.0, 1.0, 1.0])
 
 
 def _about(axis: int, radians: float) -> Array:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 def pixel_side(scene: "Scene") -> Side:
     """The side of the receiver from which column 0 of its pixels is at the left."""
-    return "front" if scene.receiver.reads_on_lit_side(scene.optic) else "back"
+    return "front" if scene.onwards(scene.receiver) < 0 else "back"
 
 
 def viewed_from(scene: "Scene") -> Side:

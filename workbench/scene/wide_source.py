@@ -2,6 +2,9 @@
 
 from typing import TYPE_CHECKING, Self
 
+import numpy as np
+
+from workbench.arrays import Array
 from workbench.scene import limits
 from workbench.scene.element import Element, Place
 from workbench.scene.points import AnySource, PointSource
@@ -24,20 +27,36 @@ class WideSource(AnySource):
         """Its middle."""
         return self.position
 
+    def places(self, x: Array, y: Array) -> Array:
+        """Places (..., 3) at distances from its middle along its own x and y, which broadcast."""
+        aside = np.stack(np.broadcast_arrays(x, y, 0.0), axis=-1)
+        return np.asarray((aside if self.turn is None else aside @ self.turn.T) + self.position)
+
+    @property
+    def nearest_z(self) -> float:
+        """Where its rim comes closest to the lens; see `AnySource.nearest_z`."""
+        rise = 0.0 if self.turn is None else float(np.abs(self.turn[2, :2]) @ self.half_width)
+        return self.position[2] + rise
+
     @property
     def mirrored(self) -> tuple[bool, bool]:
-        """Where its middle is on the axis."""
-        return self.position[0] == 0, self.position[1] == 0
+        """Where its middle is on the axis, and it is turned about an axis across it."""
+        turn = np.eye(3) if self.turn is None else self.turn
+        x, y = (
+            self.position[axis] == 0 and not np.delete(turn[axis], axis).any() for axis in (0, 1)
+        )
+        return x, y
 
     @property
     def sharp(self) -> PointSource:
         """Its middle."""
-        return PointSource(
+        point = PointSource(
             kind="point",
             position=self.position,
             emission=self.emission,
             **self.colour,
         )
+        return point if self.turn is None else point.standing(None, self.turn)
 
     def blur(self, optic: Element, receiver: AnyReceiver) -> tuple[float, float]:
         """Its angles as seen from the lens, times how far they move light."""

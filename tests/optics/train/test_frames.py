@@ -18,7 +18,6 @@ from tests.optics.train.tilted import (
     second,
     train,
 )
-from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Ellipse, Rectangle
 from workbench.geometry.surface import ControlNet
 from workbench.optics.path import Path
@@ -35,7 +34,7 @@ def freeform_mirror(dtype):
     surface = BSplineSurface("second", net, 0.0, dtype, outline=Ellipse((0.9, 0.8)), level=0.7)
     (step,) = mirror(surface, (0.05, 0.0, 2.5), (160.0, 10.0, 5.0))
     lens = in_frame(asphere(), (0.0, -0.85, 1.1), (140.0, 0.0, 0.0))
-    return [step.facing(np.zeros(3)), *lens]
+    return [step.facing(step.frame.position), *lens]
 
 
 TRAINS = {
@@ -170,14 +169,6 @@ def test_single_precision_is_enough(scene, behind, light):
     if same.all():
         for one, other in zip(single_gradients, gradients, strict=True):
             assert (one - other).norm() <= 5e-6 * other.norm()
-
-
-def test_a_freeform_face_with_a_frame_wants_no_datum(scene):
-    path = Path.of(scene, ControlNet.of(scene.optic), torch.float64)
-    steps = [step._replace(frame=Frame.at((0, 0, 0))) for step in path.steps]
-    assert path.datum != 0
-    with pytest.raises(ValueError, match="use the datum 0"):
-        Path(path.emitter, steps, path.receiver, path.datum, path.outline, 0)
 
 
 @pytest.mark.parametrize(

@@ -125,7 +125,7 @@ def test_a_lens_met_from_behind_is_its_mirror_image(scene, surface):
     front, back = in_frame(lens, (0.1, 0.2, 0.8))
     indices = front._replace(surface=back.surface), back._replace(surface=front.surface)
     (flat,) = mirror(Plane("mirror", 0.0, Rectangle((4.0, 4.0))), (0, 0, 3.0), (0.0, 0.0, 0.0), 1.0)
-    returning = [flat, *(step.facing(np.array([0.0, 0.0, 3.0])) for step in indices)]
+    returning = [flat, *(step.facing(np.array([0.0, 0.0, -1.0])) for step in indices)]
     assert all((step.frame.rotation[:, 2] == [0, 0, -1]).all() for step in returning[1:])
     screen = (0.0, 0.0, -4.0), (180.0, 0.0, 0.0)
     path = train(scene, LIGHTS["points"], (20, 16), returning, screen)

@@ -81,7 +81,7 @@ def imaging(
     emitter that nearly touches the lens. Raises `Refused` if the lens is no body or may touch the
     screen; see `check_body`.
     """
-    if len(scene.elements) > 1:
+    if scene.is_train:
         return None
     levels = Levels(scene, heights, pose)
     if not levels.possible:

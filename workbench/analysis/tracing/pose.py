@@ -1,6 +1,6 @@
 """How a lens stands in the light, and its source: tilted and moved out of their places."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -49,6 +49,11 @@ class Pose:
             return self
         return _SourcePose(**vars(self), middle=middle)
 
+    @property
+    def beam(self) -> tuple[float, float]:
+        """Where in the scene a beam of light passes the plane of the entrance face."""
+        return 0.0, 0.0
+
     def to_lens(self, points: Array, entrance_z: float) -> Array:
         """Points (m, 3) of the scene as the lens sees them, from the middle of its entrance."""
         return self._inverse(points - np.array([*self.decentre, entrance_z]))
@@ -71,6 +76,27 @@ class Pose:
     def _inverse(self, vectors: Array) -> Array:
         found: Array = self._rotation().inv().apply(vectors)
         return found
+
+
+@dataclass(frozen=True, eq=False)
+class ElementPose(Pose):
+    """How the first element of a train stands; a beam passes its middle.
+
+    Attributes
+    ----------
+    turn : ndarray, shape (3, 3)
+        Its unit vectors in the scene, as columns, in place of ``tilt``.
+    """
+
+    turn: Array = field(default_factory=lambda: np.eye(3))
+
+    @property
+    def beam(self) -> tuple[float, float]:
+        """See `Pose.beam`."""
+        return self.decentre
+
+    def _rotation(self) -> Rotation:
+        return Rotation.from_matrix(self.turn)
 
 
 @dataclass(frozen=True)

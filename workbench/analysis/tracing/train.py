@@ -1,7 +1,7 @@
 """The optical train of a scene, the sequence of elements that its light passes, and the walk."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -14,13 +14,14 @@ from workbench.analysis.tracing.elements import (
     TracedRays,
 )
 from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoundary, reflectances
-from workbench.analysis.tracing.pose import Pose
+from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
 from workbench.analysis.tracing.surfaces import (
     ConicSurface,
     FlatFace,
     FrontFace,
+    LaterFace,
     MovedFace,
     PlacedSurface,
     SplineFace,
@@ -29,7 +30,8 @@ from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import AnyReceiver, ConicFace, Element, Lens, Mirror, Scene
-from workbench.scene.train_checks import check_behind
+from workbench.scene.faces import Face
+from workbench.scene.train_checks import check_receivers
 
 # Rays followed together: what is made of them on the way stays within the cache.
 _AT_ONCE = 1 << 13
@@ -113,22 +115,33 @@ class OpticalTrain:
         """
         if pose != Pose():
             scene.check_one_element("a check of an element out of its place")
+        check_receivers(scene, receivers)
         elements = [element.lit(scene.source.wavelength) for element in scene.elements]
-        if not elements[-1].designed:
-            check_behind(elements[-1], receivers)
-        first = elements[0]  # all light passes its aperture, from which z is counted
-        middle = scene.source.place or (0.0, 0.0, first.front_z)
+        first = elements[0]  # all light passes its aperture, in whose coordinates it is followed
+        turn, aperture = _turn(first), _place(first, first.front_z)
         faces: list[tuple[TracedFace, Boundary]] = []
-        for number, element in enumerate(elements):
-            if number == scene.designed_number:
-                own, z = _FACES[type(element)](element, heights, pose), element.front_z
+        for number, (element, way) in enumerate(zip(elements, scene.ways, strict=True)):
+            designed = number == scene.designed_number
+            stands, own_turn = _Stands(number == 0, False), _turn(element)
+            if isinstance(element, Mirror) and way @ own_turn[:, 2] < 0:
+                stands, own_turn = _Stands(False, True), own_turn * [1.0, -1.0, -1.0]
+            if designed:
+                own = _DESIGNED[type(element)](element, heights, pose, stands)
             else:
-                own, z = _of_fixed(element, number == 0), element.position[2]
-            faces += _placed(own, element, z - first.front_z)
+                own = _FIXED[type(element)](element, stands)
+            place = _place(element, element.front_z if designed else element.position[2])
+            relative = np.eye(3) if number == 0 else turn.T @ own_turn
+            faces += _placed(own, relative, (place - aperture) @ turn, max(element.half_width))
+        if not first.upright:
+            pose = ElementPose(decentre=tuple(aperture[:2]), turn=turn)
+            lift = aperture[2] - first.front_z
+            first = first.straightened
+            first = first.model_copy(update={"position": (0.0, 0.0, first.position[2] + lift)})
+        middle = scene.source.place or (0.0, 0.0, first.front_z)
         return cls(
             light_source(scene.source, first, pose.of_source(middle), rays, seed),
             faces,
-            detector_of(receivers, first.front_z, scene.optic.onwards, pose),
+            detector_of(receivers, first.front_z, scene.onwards(receivers[0]), pose),
         )
 
     def lit_by(self, source: LightSource) -> "OpticalTrain":
@@ -182,36 +195,61 @@ class OpticalTrain:
         return rays
 
 
-def _of_lens(
-    lens: Lens, heights: Mapping[str, Array], pose: Pose
+class _Stands(NamedTuple):
+    """How an element stands: whether light of the source comes to it, and whether to its back."""
+
+    first: bool
+    turned: bool
+
+
+def _turn(element: Element) -> Array:
+    """Unit vectors of an element in the scene, as columns (3, 3)."""
+    if not any(element.tilt):
+        return np.eye(3)
+    return np.asarray(Rotation.from_euler("XYZ", element.tilt, degrees=True).as_matrix())
+
+
+def _place(element: Element, z: float) -> Array:
+    """Where a z of an element is on its own axis, shape (3,), in the scene."""
+    return element.position + (z - element.position[2]) * _turn(element)[:, 2]
+
+
+def _designed_lens(
+    lens: Lens, heights: Mapping[str, Array], pose: Pose, stands: _Stands
 ) -> Sequence[tuple[TracedFace, Boundary]]:
     """Faces of the designed lens, z from its aperture."""
-    front = lens.designed_front
+    front, back = lens.designed_front, heights[lens.designed_face]
     if front is not None:
+        kind = FrontFace if stands.first else LaterFace
         net = freeform_nets(lens)[front]
-        entrance: TracedFace = FrontFace(lens, heights[front], "missed_lens", net)
+        entrance: TracedFace = kind(lens, heights[front], "missed_lens", net)
     else:
         entrance = _fixed_face(lens, 0, lens.entrance_z - lens.front_z, 0.0)
-    exit_face = SplineFace(lens, heights[lens.designed_face], "left_side")
+    exit_face = SplineFace(lens, back, "left_side")
     if any((*pose.exit_tilt, *pose.exit_decentre)):
-        exit_face = MovedFace(lens, heights[lens.designed_face], "left_side", pose)
+        exit_face = MovedFace(lens, back, "left_side", pose)
     return _refracting(lens, entrance, exit_face)
 
 
-def _of_fixed(lens: Element, first: bool) -> Sequence[tuple[TracedFace, Boundary]]:
+def _fixed_lens(lens: Lens, stands: _Stands) -> Sequence[tuple[TracedFace, Boundary]]:
     """Faces of a lens that is not designed, z from its front vertex."""
-    assert isinstance(lens, Lens)  # the scene has no others
-    aperture_z = lens.front_z - lens.entrance_z if first else None
+    aperture_z = lens.front_z - lens.entrance_z if stands.first else None
     front = _fixed_face(lens, 0, 0.0, aperture_z)
     return _refracting(lens, front, _fixed_face(lens, 1, lens.thickness, None))
 
 
 def _fixed_face(lens: Lens, number: int, z: float, aperture_z: float | None) -> TracedFace:
     """The front face (0) or the back face (1) of a lens, its vertex at z."""
-    face, missed = lens.faces[number], ("missed_lens", "left_side")[number]
+    missed = ("missed_lens", "left_side")[number]
+    return _fixed_surface(lens.faces[number], lens, missed, z, aperture_z)
+
+
+def _fixed_surface(
+    face: Face, element: Element, missed: str, z: float, aperture_z: float | None
+) -> TracedFace:
     if isinstance(face, ConicFace):
-        return ConicSurface(face, z, outline_of(lens), missed, aperture_z)
-    return FlatFace(z, outline_of(lens), missed)
+        return ConicSurface(face, z, outline_of(element), missed, aperture_z)
+    return FlatFace(z, outline_of(element), missed)
 
 
 def _refracting(
@@ -224,28 +262,38 @@ def _refracting(
     )
 
 
-def _placed(
-    faces: Sequence[tuple[TracedFace, Boundary]], element: Element, z: float
+def _designed_mirror(
+    mirror: Mirror, heights: Mapping[str, Array], pose: Pose, stands: _Stands
 ) -> Sequence[tuple[TracedFace, Boundary]]:
-    """Faces of an element in the coordinates of the walk, where its origin is at z."""
-    shift = np.array([*element.position[:2], z])
-    if not shift.any() and not any(element.tilt):
-        return faces
-    turn = Rotation.from_euler("XYZ", element.tilt, degrees=True).as_matrix()
-    size = max(element.half_width)
-    return [(PlacedSurface(face, turn, shift, size), boundary) for face, boundary in faces]
-
-
-def _of_mirror(
-    mirror: Mirror, heights: Mapping[str, Array], pose: Pose
-) -> Sequence[tuple[TracedFace, Boundary]]:
-    face = FrontFace(mirror, heights[mirror.designed_face], "missed_mirror")
+    kind = FrontFace if stands.first else LaterFace
+    face = kind(mirror, heights[mirror.designed_face], "missed_mirror")
     return ((face, MirrorBoundary(mirror.reflectance)),)
 
 
-_FACES: Mapping[
-    type, Callable[[Any, Mapping[str, Array], Pose], Sequence[tuple[TracedFace, Boundary]]]
-] = {
-    Lens: _of_lens,
-    Mirror: _of_mirror,
+def _fixed_mirror(mirror: Mirror, stands: _Stands) -> Sequence[tuple[TracedFace, Boundary]]:
+    """The face of a mirror that is not designed, z from its vertex."""
+    face = mirror.face
+    if stands.turned and isinstance(face, ConicFace):
+        coefficients = tuple(-each for each in face.coefficients)
+        face = face.model_copy(update={"radius": -face.radius, "coefficients": coefficients})
+    aperture_z = mirror.front_z - mirror.position[2] if stands.first else None
+    surface = _fixed_surface(face, mirror, "missed_mirror", 0.0, aperture_z)
+    return ((surface, MirrorBoundary(mirror.reflectance)),)
+
+
+def _placed(
+    faces: Sequence[tuple[TracedFace, Boundary]], turn: Array, shift: Array, size: float
+) -> Sequence[tuple[TracedFace, Boundary]]:
+    """Faces of an element in the coordinates of the walk, in which its origin is shifted."""
+    if not shift.any() and np.array_equal(turn, np.eye(3)):
+        return faces
+    return [(PlacedSurface(face, turn, shift, size), boundary) for face, boundary in faces]
+
+
+_DESIGNED: Mapping[
+    type, Callable[[Any, Mapping[str, Array], Pose, _Stands], Sequence[tuple[TracedFace, Boundary]]]
+] = {Lens: _designed_lens, Mirror: _designed_mirror}
+_FIXED: Mapping[type, Callable[[Any, _Stands], Sequence[tuple[TracedFace, Boundary]]]] = {
+    Lens: _fixed_lens,
+    Mirror: _fixed_mirror,
 }

@@ -20,7 +20,7 @@ class PlaneReceiver:
     datum : float
         z of the scene from which the path counts z.
     onwards : int
-        1 for light to +z, -1 for light to -z, as it comes to an upright screen.
+        1 for light that comes along the screen's own +z, -1 for light that comes against it.
     """
 
     def __init__(self, screen: Screen, datum: float, onwards: int = 1) -> None:

@@ -10,7 +10,7 @@ from workbench.optics.rays import RayBundle
 from workbench.optics.samples import Samples
 from workbench.optics.sources.evenly import SpreadPlaces
 from workbench.optics.sources.extended import ExtendedEmitter
-from workbench.optics.sources.origins import Origins, vector
+from workbench.optics.sources.origins import Origins, TurnedPattern, vector
 from workbench.scene import AreaSource, Element
 
 
@@ -27,13 +27,14 @@ class AreaEmitter(ExtendedEmitter):
 
     def origins_at(self, places: SpreadPlaces) -> Origins:
         """See `ExtendedEmitter`."""
-        (x, y, z), (r_x, r_y) = self._source.position, self._source.half_width
-        points = np.column_stack(
-            [x + r_x * places.x, y + r_y * places.y, np.full(len(places.x), z)]
-        )
+        r_x, r_y = self._source.half_width
+        points = self._source.places(r_x * places.x, r_y * places.y)
         lambertian = self._source.emission == "lambertian"
         flux = places.share / (math.pi if lambertian else 2 * math.pi)
-        return Origins(points, False, flux, lambertian)
+        if self._source.turn is None:
+            return Origins(points, False, flux, lambertian)
+        pattern = TurnedPattern(self._source.facing, lambertian)
+        return Origins(points, False, flux, pattern=pattern)
 
     def towards(self, x: Tensor, y: Tensor) -> RayBundle:
         """Rays from the middle of the emitter and its corners in turn; see `Emitter.towards`."""

@@ -48,6 +48,27 @@ class Pattern(Protocol):
         ...
 
 
+class TurnedPattern(NamedTuple):
+    """Light of faces that are turned away from +z; a `Pattern`.
+
+    Attributes
+    ----------
+    facing : ndarray, shape (3,)
+        Unit vector across the face, to the side that shines.
+    lambertian : bool
+        Whether intensity falls with the cosine to it; else it is even before the face.
+    """
+
+    facing: Array
+    lambertian: bool
+
+    def at(self, origin: Index, direction: tuple[Array, Array, Array]) -> Array:
+        """See `Pattern`."""
+        x, y, z = self.facing
+        ahead = x * direction[0] + y * direction[1] + z * direction[2]
+        return np.asarray(ahead.clip(min=0) if self.lambertian else (ahead > 0) * 1.0)
+
+
 class EmittedLight(NamedTuple):
     """All light of one point, as the flux into directions.
 

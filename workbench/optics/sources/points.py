@@ -9,7 +9,7 @@ from workbench.optics.emission import emit
 from workbench.optics.entering import intensity_of
 from workbench.optics.rays import RayBundle, Vector
 from workbench.optics.samples import Corners, Samples
-from workbench.optics.sources.origins import Origins, splits_of, through_cells
+from workbench.optics.sources.origins import Origins, TurnedPattern, splits_of, through_cells
 from workbench.scene import Element, LightOfPoints
 
 
@@ -46,7 +46,11 @@ class PointEmitter:
         """See `Emitter`."""
         points = self.source.positions
         intensity = np.full(len(points), intensity_of(self.source, self.optic))
-        return Origins(points, False, intensity, self.source.emission == "lambertian")
+        lambertian = self.source.emission == "lambertian"
+        if lambertian and self.source.turn is not None:
+            pattern = TurnedPattern(self.source.facing, lambertian)
+            return Origins(points, False, intensity, pattern=pattern)
+        return Origins(points, False, intensity, lambertian)
 
     @property
     def splits(self) -> tuple[Array, Array]:

@@ -51,7 +51,7 @@ class BeamLight:
         frame = Pose(tilt=(math.radians(source.direction[0]), math.radians(source.direction[1])))
         # Columns: where the disc's right, its upper side and its middle point, as the lens sees it.
         self._frame = pose.ways(frame.to_scene(0.0)[0].T).T
-        self._middle = pose.to_lens(np.array([[0.0, 0.0, optic.front_z]]), optic.front_z)[0]
+        self._middle = pose.to_lens(np.array([[*pose.beam, optic.front_z]]), optic.front_z)[0]
         self._cells = Cells(rays, optic.half_width[0] / optic.half_width[1], seed)
         self.rays = self._cells.count
         part, turn = disc or in_disc(_ORIGINS if self._angle else 1)

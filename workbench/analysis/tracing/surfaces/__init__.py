@@ -4,12 +4,13 @@ from workbench.analysis.tracing.surfaces.conic import ConicSurface
 from workbench.analysis.tracing.surfaces.flat import FlatFace
 from workbench.analysis.tracing.surfaces.moved import MovedFace
 from workbench.analysis.tracing.surfaces.placed import PlacedSurface
-from workbench.analysis.tracing.surfaces.spline import FrontFace, SplineFace
+from workbench.analysis.tracing.surfaces.spline import FrontFace, LaterFace, SplineFace
 
 __all__ = [
     "ConicSurface",
     "FlatFace",
     "FrontFace",
+    "LaterFace",
     "MovedFace",
     "PlacedSurface",
     "SplineFace",

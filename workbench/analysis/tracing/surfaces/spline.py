@@ -156,6 +156,17 @@ class SplineFace:
         return rays._replace(flux=rays.flux * lean.clip(min=0))
 
 
+class LaterFace(SplineFace):
+    """The first face of an element behind others; a `TracedFace`."""
+
+    def meet(self, rays: TracedRays) -> Crossings:
+        """Where rays from far below first meet it; see `TracedFace.meet`."""
+        up = rays.direction[:, 2:]
+        ahead = (self._lowest - rays.position[:, 2:]).clip(min=0) / np.where(up > 0, up, np.inf)
+        begin = rays.position + ahead * rays.direction
+        return self._inside(super().meet(rays._replace(position=begin)))
+
+
 class FrontFace(SplineFace):
     """The face that light meets first, perhaps before the plane of the aperture; a `TracedFace`.
 
