@@ -109,7 +109,7 @@ def test_an_ellipsoid_sends_the_light_of_one_focus_to_the_other():
     rays = RayBundle(tuple(start), tuple(direction), flux, alive)
     meeting = Ellipsoid(-5.0, 0.0, 12.0).meet(rays)
     passed = Reflection(0.75, "absorbed_mirror").turn(rays, meeting)
-    column, row = receiver_of(scene.receiver, scene.optic, 0.0).places(passed.rays)
+    column, row = receiver_of(scene.receiver, scene.optic, 0.0, -1).places(passed.rays)
     assert column == pytest.approx(8, abs=1e-10)
     assert row == pytest.approx(8, abs=1e-10)
     assert passed.rays.flux.sum().item() == pytest.approx(0.75, abs=1e-14)

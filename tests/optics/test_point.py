@@ -98,7 +98,7 @@ def test_a_spherical_lens_focuses_where_the_lens_maker_says(make_scene):
     for aperture in (0.01, 0.02, 0.4):
         direction = np.array([[aperture, 0, distance]]) / np.hypot(aperture, distance)
         rays = bundle([[aperture, 0, 0]], direction, [1])
-        (_, (start, _, depth)), hits = path.follow(rays, {"lens.back": control})
+        (_, _, (start, _, depth)), hits = path.follow(rays, {"lens.back": control})
         slope = (places_of(hits, scene.receiver)[0] - start) / (60.0 - depth)
         crossings.append((depth - start / slope).item())
     paraxial = (4 * crossings[0] - crossings[1]) / 3  # without the term of second order

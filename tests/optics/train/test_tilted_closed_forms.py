@@ -214,7 +214,7 @@ def test_a_path_turned_and_shifted_as_a_whole_is_the_same(scene, rng):
         landing = arrival.rays.flux > 0
         total = (arrival.column[landing] * arrival.rays.flux[landing]).sum()
         gradients = torch.autograd.grad(total, list(leaves.values()))
-        places, _ = path.follow(path.emitter.rays(0), heights)
+        (_, *places), _ = path.follow(path.emitter.rays(0), heights)
         on_faces = np.array([[part.numpy() for part in each] for each in places])
         if turned:
             on_faces = np.einsum("ij,fin->fjn", turn.rotation, on_faces - turn.position[:, None])
