@@ -1,7 +1,6 @@
-"""The light of a lens as it comes from the cutter, beside that of the lens as it was designed.
+"""Error of a lens with the scallops of its cutter, and of the lens as designed.
 
-Ridges of a few micrometres lean by degrees: polishing takes them away, and this says how much
-of the image depends on it.
+Scallops of a few micrometres have slopes of degrees; polishing removes them.
 """
 
 from collections.abc import Mapping
@@ -24,14 +23,14 @@ from workbench.scene import Scene
 
 
 class CutLens(NamedTuple):
-    """Errors of a lens."""
+    """Relative L2 errors of a lens as designed and as cut."""
 
-    designed: CorrectedDistance  # relative L2 error of the lens as it was designed
-    cut: CorrectedDistance  # the same as the cutter leaves it
+    designed: CorrectedDistance
+    cut: CorrectedDistance
 
     @property
     def sentence(self) -> Said:
-        """Both errors for people to read."""
+        """Both errors in words."""
         return Said(
             "Error as cut {cut:.3g} % (± {cut_off:.1g}), as designed {designed:.3g} % "
             "(± {designed_off:.1g}).",
@@ -49,12 +48,9 @@ def tracing_cut(
     raster: Raster,
     rays: int = 1_000_000,
 ) -> Steps[CutLens]:
-    """Trace a lens whose exit face is as a cutter leaves it, in steps of a moment.
+    """Trace a lens as cut by ``raster`` in steps, and as designed with four times as many rays.
 
-    `scene`: the design task; of several images the first counts; `heights` (n_u, n_v); `target`
-    (n_y, n_x): the target image in any scale; `raster`: the cuts of the exit face; `rays`: rays to
-    trace for the cut; four times as many for the lens as it was designed. Raises `Refused` if the
-    scene has several elements, or a mirror: it is cut from the other side.
+    The first image counts. Raises `Refused` for several elements or a mirror.
     """
     scene.check_one_element("the trace of a cut lens")
     optic = scene.optic

@@ -1,4 +1,4 @@
-"""Images of a lens from places of its first face, by as many threads as there are cores."""
+"""Images of a lens by cells of its first face, traced by several threads."""
 
 import math
 from abc import ABC, abstractmethod
@@ -18,31 +18,16 @@ from workbench.geometry.outlines import outline_of
 from workbench.progress import Steps
 from workbench.scene import Scene
 
-# Parts into which the work is divided whatever the number of threads: rounding depends on them.
-_PARTS = 16
-# Light farther off than so many pixels counts as lost: it would have no useful size.
-_FAR = 1e7
+_PARTS = 16  # of the work for any number of threads: rounding depends on them
+_FAR = 1e7  # pixels beyond which light counts as lost
 
 
 class Drawing(ABC):
-    """What is common to images by cells of the entrance face.
+    """Base of images by ``cells`` along x and y of the front face, for a train with one receiver.
 
-    The cells are equal on a square. `Grading` draws them together where an origin is near, and
-    `workbench.geometry.outlines` maps them onto the outline of the lens: no cell is cut by it.
-
-    Parameters
-    ----------
-    scene : Scene
-        Lens and screen.
-    train : OpticalTrain
-        Its elements, with one screen.
-    cells : tuple[int, int]
-        Cells along x and y.
-
-    Attributes
-    ----------
-    rays : int
-        Rays followed; known once all is traced.
+    The cells are equal on a square. `Grading` makes them smaller near an origin, and
+    `workbench.geometry.outlines` maps them onto the outline of the lens, which cuts no cell.
+    ``rays`` is the number of traced rays at the end.
     """
 
     def __init__(self, scene: Scene, train: OpticalTrain, cells: tuple[int, int]) -> None:
@@ -56,21 +41,10 @@ class Drawing(ABC):
 
     @abstractmethod
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
-        """Add the light of one of the strips."""
+        """Add the light of a strip of cells."""
 
     def tracing(self, threads: int | None = None) -> Steps[Array]:
-        """Trace all of it; yields the part that is done now and then.
-
-        Parameters
-        ----------
-        threads : int, optional
-            How many trace; as many as there are cores by default. Results do not depend on it.
-
-        Returns
-        -------
-        ndarray, shape (n_y, n_x)
-            Part of the emitted flux in each pixel.
-        """
+        """Return the part of the emitted flux in each pixel (n_y, n_x), for any ``threads``."""
         count = min(_PARTS, len(self._strips))
         ends = [k * len(self._strips) // count for k in range(count + 1)]
         parts = [partial(self._part, a, b) for a, b in pairwise(ends)]
@@ -78,7 +52,7 @@ class Drawing(ABC):
         for canvas in in_order(parts, 16 * math.prod(self._pixels), threads):
             if canvas is not None:
                 total.add(canvas)
-            del canvas  # large images must not wait for the next ones
+            del canvas  # frees memory before the next image
             yield self._done / len(self._strips)
         self.rays = total.rays
         return total.flux() / self._train.source.emitted
@@ -86,26 +60,23 @@ class Drawing(ABC):
     def _part(self, begin: int, end: int, left: Event) -> Canvas:
         canvas = Canvas(self._pixels)
         for strip in self._strips[begin:end]:
-            if left.is_set():  # nobody takes this image
+            if left.is_set():  # the image is not wanted
                 break
             self._fill(canvas, *strip)
             self._done += 1
         return canvas
 
     def _arrive(self, origin: int, u: Array, v: Array) -> tuple[Array, Array]:
-        """Where light meets the screen, in pixels, and its flux per cell; 0 for what is lost.
-
-        Places (m, 2) and flux (m,) of all pairs of u and v, which broadcast.
-        """
+        """Hits (m, 2) in pixels and flux per cell (m,), 0 for lost light; u and v broadcast."""
         rays, area = self._through(origin, u, v)
         places, flux = np.zeros((len(rays.flux), 2)), np.empty(len(rays.flux))
         self._train.hits(rays, places, flux)
-        lost = ~(np.abs(places) < _FAR).all(axis=1)  # also where there is no number
+        lost = ~(np.abs(places) < _FAR).all(axis=1)  # also NaN
         places[lost], flux[lost] = 0.0, 0.0
         return places, flux * area
 
     def _through(self, origin: int, u: Array, v: Array) -> tuple[TracedRays, Array]:
-        """Rays through places of the square, and the areas of cells there."""
+        """Rays through points of the square, and the areas of the cells there."""
         along: Array | float = 1.0
         if self._grading is not None:
             (u, along_u), (v, along_v) = (
@@ -124,17 +95,14 @@ class Drawing(ABC):
         canvas.here += tally.flux.reshape(canvas.here.shape)
 
 
-# Light from farther than so many half-widths away is as good as parallel: cells are equal.
-_BEYOND = 16.0
-# A point in the plane of the face, or behind it where the face leans, gives no light.
-_LEAST = 1e-15
+_BEYOND = 16.0  # distance in half-widths from which light counts as collimated: cells are equal
+_LEAST = 1e-15  # distance of a point in the plane of the face or behind it
 
 
 class Grading:
-    """The map from [-1, 1], where nodes are even, onto [-1, 1], where they are not.
+    """Map from equal nodes on [-1, 1] to nodes on [-1, 1] that are dense near a point source.
 
-    `distance`, `foot`: how far a point of light is from the face and where its foot is,
-    half-widths.
+    `distance`, `foot`: distance of the source to the face and its coordinate, half-widths.
 
     Examples
     --------
@@ -151,13 +119,13 @@ class Grading:
 
     @classmethod
     def of(cls, place: Array, half_width: tuple[float, float]) -> tuple[Self, Self]:
-        """Those along x and y for a point before a face in the plane z = 0."""
+        """Gradings along x and y for a point before a face in the plane z = 0."""
         away = max(-place[2], _LEAST * max(half_width))
         x, y = (cls(away / r, foot / r) for r, foot in zip(half_width, place[:2], strict=True))
         return x, y
 
     def __call__(self, even: Array) -> tuple[Array, Array]:
-        """Places of even ones, and how much longer the way there is; any shape."""
+        """Return the positions of equal nodes of any shape, and the stretch there."""
         if self._even:
             return even, np.ones_like(even)
         angle = self._middle + self._half * even

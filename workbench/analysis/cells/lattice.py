@@ -1,4 +1,4 @@
-"""The light of each origin on a lattice of rays, spread evenly over what is between them."""
+"""Images by the cells of a lattice of rays from each origin, with uniform light in a cell."""
 
 import numpy as np
 
@@ -10,18 +10,15 @@ from workbench.arrays import Index
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Scene
 
-# Nodes traced together: what is made of them stays within the cache.
-_AT_ONCE = 1 << 15
-# Rays along each side of a cell of which only a part comes to the screen: as a rule, and where so
-# many origins or more look at it, each in a way of its own.
+_AT_ONCE = 1 << 15  # nodes traced together, which fit into the cache
+# Rays along each side of a partly lost cell; fewer for at least 16 origins.
 _SAMPLES, _FEWER, _MANY = 8, 4, 16
 
 
 class CellLattice(Drawing):
-    """Cells that cover the entrance face, lit from each origin of the light; see `Drawing`.
+    """Cells of the front face, lit from each origin; see `Drawing`.
 
-    `lifted`: along which axes nodes are moved so that the error of cells has no mean; see `lift`.
-    By default where the face has no kinks in its slope, which differences would take for bends.
+    `lifted`: axes along which `lift` moves nodes; by default those of a smooth slope.
     """
 
     def __init__(
@@ -47,7 +44,7 @@ class CellLattice(Drawing):
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
         """Add the light of one origin through a strip of cells."""
         last = min(first + self._rows, len(self._u) - 1)
-        # With a row of nodes on both sides, for second differences.
+        # With a row on both sides, for second differences.
         before, behind = max(first - 1, 0), min(last + 1, len(self._u) - 1)
         u = self._u[before : behind + 1, None]
         places, flux = self._arrive(origin, u, self._v)
@@ -63,7 +60,7 @@ class CellLattice(Drawing):
             self._sample(canvas, origin, first + i[some:][:at_once], j[some:][:at_once])
 
     def _sample(self, canvas: Canvas, origin: int, i: Index, j: Index) -> None:
-        """Add the light of cells of which a part is lost, ray by ray."""
+        """Add the light of partly lost cells, ray by ray."""
         count = self._samples
         within = (np.arange(count) + 0.5) / count
         u = self._u[i][:, None, None] + within[:, None] * self._width[0]

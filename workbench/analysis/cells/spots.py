@@ -1,9 +1,7 @@
-"""The light of a wide source through each place of a lens, drawn as the spot that it makes.
+"""Images of an extended source by the spots of light through cells of a lens.
 
-Cells from one origin of a source to the next would need as many origins as a spot has places where
-a narrow line of light may end. A spot has the light of all origins, and six rays tell where it is:
-the map from the disc of the source to the screen is almost linear, and quadratic within what
-matters here.
+A spot has the light of all origins. Six rays give its shape: the map from the disc of the source to
+the receiver is quadratic to sufficient accuracy.
 """
 
 import math
@@ -19,28 +17,20 @@ from workbench.analysis.tracing.train import OpticalTrain
 from workbench.arrays import Array, Index, Mask
 from workbench.scene import Scene
 
-# Rays of a spot, to its middle and to the corners of a pentagon: six values make a quadratic map.
-_RAYS = 6
-# Corners of the outline with which a spot is drawn at the first level.
-_CORNERS = 8
-# Places traced together, and cells of which a part is lost.
-_AT_ONCE, _FEWER = 1 << 15, 1 << 10
-# Rays for a cell of which a part is lost, and by what parts they move in it from one to the next.
+_RAYS = 6  # of a spot, to its middle and the corners of a pentagon, for a quadratic map
+_CORNERS = 8  # of the outline of a spot at the first level
+_AT_ONCE, _FEWER = 1 << 15, 1 << 10  # spots traced together, and cells that are partly lost
+# Rays for a cell that is partly lost, and their shift from cell to cell.
 _SAMPLES, _STEP = 256, (0.7549, 0.5698)
-# Spots that are narrower than so many pixels do not hide the gaps between places.
-_WIDE = 2.0
-# Places along each axis at which widths are looked at.
-_LOOKS = 16
+_WIDE = 2.0  # pixels; narrower spots leave gaps
+_LOOKS = 16  # spots along each axis at which widths are measured
 
 
 class Spots(Drawing):
-    """Spots of light, one through the middle of each cell.
-
-    `level`: how often the corners of their outlines are doubled.
-    """
+    """Spots of light, one through the middle of each cell; ``level`` doubles their corners."""
 
     work = 2.5
-    """A spot takes as long as so many rays of a `CellLattice`."""
+    """Time of a spot in rays of a `CellLattice`."""
 
     def __init__(
         self, scene: Scene, train: OpticalTrain, cells: tuple[int, int], level: int = 2
@@ -56,7 +46,7 @@ class Spots(Drawing):
 
     @classmethod
     def suit(cls, scene: Scene, train: OpticalTrain) -> bool:
-        """Whether the light of a scene makes spots so wide that they tell it from few places."""
+        """Whether the spots of a scene are wide enough."""
         if train.source.on_disc(*_places()) is None:
             return False
         some = cls(scene, train, (_LOOKS, _LOOKS))
@@ -66,9 +56,9 @@ class Spots(Drawing):
         return bool(lit.any()) and float(np.median(across.min(axis=1))) > _WIDE
 
     def _fill(self, canvas: Canvas, origin: int, first: int) -> None:
-        """Add the light of some rows of places."""
+        """Add the light of some rows of cells."""
         last = min(first + self._rows, len(self._u))
-        # With a row of places on both sides: what is next to one tells what to expect of a cell.
+        # With a row on both sides: neighbours show whether a cell is partly lost.
         before, behind = max(first - 1, 0), min(last + 1, len(self._u))
         u = self._u[before:behind]
         places, flux = self._spots(u)
@@ -84,14 +74,14 @@ class Spots(Drawing):
             self._sample(canvas, first + i[some:][:_FEWER], j[some:][:_FEWER])
 
     def _spots(self, u: Array) -> tuple[Array, Array]:
-        """Places (m, 6, 2) and flux (m, 6) of the rays of spots; each has the flux of its spot."""
+        """Hits (m, 6, 2) of the rays of spots; each has the flux (m, 6) of its spot."""
         rays = [self._arrive(origin, u[:, None], self._v) for origin in range(_RAYS)]
         places, flux = (np.stack(parts, axis=1) for parts in zip(*rays, strict=True))
         return places, flux * self._origins
 
     def _sample(self, canvas: Canvas, i: Index, j: Index) -> None:
-        """Add the light of cells of which a part is lost, ray by ray."""
-        # Elsewhere in each cell, or all would err alike.
+        """Add the light of partly lost cells, ray by ray."""
+        # Shifted in each cell, so that errors are independent.
         along_u, along_v = _STEP[0] * i + _STEP[1] * j, _STEP[1] * i + _STEP[0] * j
         within = zip(*pairs(np.random.default_rng(0), _SAMPLES), strict=True)
         found = []
@@ -103,17 +93,14 @@ class Spots(Drawing):
 
 
 def _parted(lit: Mask) -> tuple[Mask, Mask]:
-    """Cells of which no light is lost, and those of which only a part is, as far as rays tell.
-
-    What is so next to a place may be so in its cell. Beyond the rim, all is lost.
-    """
+    """Masks of cells without lost light, and of partly lost cells, by their neighbours."""
     near = np.ones((3, 3), dtype=bool)
     whole = binary_erosion(np.all(lit, axis=2), near)
     return whole, binary_dilation(np.any(lit, axis=2), near) & ~whole
 
 
 def _places() -> tuple[Array, Array]:
-    """Origins on the disc: those of a spot's rays, then those for cells that are lost in part."""
+    """Origins on the disc: of a spot's rays, then of the samples of partly lost cells."""
     part, turn = in_disc(_SAMPLES)
     corners = np.arange(_RAYS - 1) / (_RAYS - 1)
     rim = np.ones_like(corners)
@@ -121,10 +108,7 @@ def _places() -> tuple[Array, Array]:
 
 
 def _rim(count: int) -> Array:
-    """What rays of a spot make of the corners of its outline: weights, shape (corners, rays).
-
-    The outline is a polygon of the same area as the disc.
-    """
+    """Weights (corners, rays) of the rays for the corners of a polygon with the disc's area."""
     angle = 2 * math.pi / count
     radius = math.sqrt(angle / math.sin(angle))
     corners = angle * np.arange(count)
@@ -135,5 +119,5 @@ def _rim(count: int) -> Array:
 
 
 def _powers(x: Array, y: Array) -> Array:
-    """Powers of places up to the second, shape (k, 6)."""
+    """Monomials (k, 6) up to the second degree."""
     return np.column_stack([np.ones_like(x), x, y, x * x, x * y, y * y])

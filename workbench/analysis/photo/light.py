@@ -66,28 +66,22 @@ def luminance(rgb: Array) -> Array:
 
 
 def in_gamut(rgb: Array) -> Array:
-    """Colours without negative parts, of the same luminance: as much grey is mixed in as it takes.
-
-    `rgb` (..., 3): linear sRGB of light, so that its luminance is not negative.
-    """
+    """Mix grey into linear sRGB (..., 3) until no part is negative; the luminance stays."""
     grey, least = luminance(rgb), rgb.min(axis=-1)
     kept = np.ones_like(grey)
     beyond = least < 0
     kept[beyond] = grey[beyond] / (grey[beyond] - least[beyond])
     mixed = grey[..., None] + kept[..., None] * (rgb - grey[..., None])
-    return np.asarray(mixed.clip(0))  # what rounding leaves
+    return np.asarray(mixed.clip(0))  # rounding
 
 
 def encoded(rgb: Array) -> npt.NDArray[np.uint8]:
-    """Values of a picture file for linear sRGB; what is brighter than 1 is overexposed.
-
-    `rgb` (..., 3): linear sRGB, 1 is white.
-    """
+    """Return the values of an sRGB file for linear sRGB (..., 3), where 1 is white."""
     return np.rint(255 * SRGB.stored(in_gamut(rgb).clip(0, 1))).astype(np.uint8)
 
 
 SHORTEST, LONGEST = 0.40, 0.70
-"""Wavelengths that are traced, µm. What little the eye sees beyond is taken to go there too."""
+"""Range of the traced wavelengths, µm; the little visible light beyond counts as at its ends."""
 
 _GRID = np.linspace(0.38, 0.78, 401)
 
@@ -105,21 +99,17 @@ _D65 = (
 class Illuminant:
     """Light of some spectrum."""
 
-    name: str  # what it is called
-    title: Said  # what a person reads
-    # (m,), flux per wavelength from 0.38 to 0.78 µm, evenly spaced, in any unit; none of lines.
+    name: str
+    title: Said
+    # (m,), flux per wavelength at equal steps from 0.38 to 0.78 µm, in any unit; empty for lines.
     power: Array = field(default_factory=lambda: np.zeros(0), repr=False)
-    # Of light that has a few wavelengths only: each in µm, growing, and its part of the flux.
-    lines: tuple[tuple[float, float], ...] = ()
+    lines: tuple[tuple[float, float], ...] = ()  # wavelengths in µm, ascending, and parts of flux
 
     def weights(self, wavelengths_um: Array) -> Array:
-        """What images at some wavelengths count for in the linear sRGB of all light.
+        """Return the weights (k, 3) of images at ascending wavelengths in linear sRGB.
 
-        Between two wavelengths the image is taken to go over evenly from the one to the other,
-        and to stay as it is beyond them.
-
-        `wavelengths_um` (k,): the wavelengths, growing. Returns (k, 3): each column sums to 1 where
-        the camera sees this light as white; otherwise their luminance sums to 1.
+        Images are interpolated linearly between wavelengths and constant beyond. Each column sums
+        to 1, or the luminance does where the camera does not see this light as white.
         """
         if self.lines:
             power = np.array([part for _, part in self.lines])
@@ -158,20 +148,18 @@ LIGHTS = {
         Illuminant(
             "daylight", Said("daylight (D65)"), np.interp(_GRID, np.linspace(0.38, 0.78, 41), _D65)
         ),
-        # A model: the blue of the chip, and what its phosphor makes of it.
+        # A model: the blue of the chip and the light of its phosphor.
         Illuminant("led", Said("white LED"), _lobe(0.45, 0.02) + 0.7 * _lobe(0.57, 0.12)),
         Illuminant("equal", Said("equal energy"), np.ones(_GRID.size)),
     )
 }
-"""By name."""
 
 
 def light_of(scene: Scene) -> Illuminant:
-    """The light that the source of a scene is likely to be.
+    """Return the light of a scene: its spectrum, or a guess by the kind of source.
 
-    A spectrum counts as it is. Else light from infinitely far is daylight, a Gaussian beam that of
-    a laser of the wavelength stated, and what stands somewhere is an LED. A beam of no stated or no
-    visible wavelength counts as white.
+    Collimated light is daylight, a Gaussian beam a laser of its wavelength, and a source with a
+    position an LED. A beam without a visible wavelength is white.
     """
     if scene.source.spectrum:
         return of_spectrum(scene.source.spectrum)

@@ -41,13 +41,9 @@ from workbench.said import Said
 from workbench.scene import CustomIndex, Lens, Scene
 from workbench.scene.viewing import as_viewed, side_in_words, viewed_from
 
-# Cells are fine enough when half as many along each axis change the image by this part of it: eyes
-# do not see that in a picture of 256 steps.
-_ACCURACY = 0.02
-# Random rays for each pixel, and rays of one wavelength at most.
-_EACH, _MOST_RAYS = 256, 1 << 24
-# Rays that tell how far colours are apart, and the part of them that has to be within.
-_PROBES, _PART = 1 << 13, 0.99
+_ACCURACY = 0.02  # relative change by halved cells, which is invisible in 256 steps
+_EACH, _MOST_RAYS = 256, 1 << 24  # random rays for each pixel, and at most for a wavelength
+_PROBES, _PART = 1 << 13, 0.99  # rays for the distance of colours, and its quantile
 _FEWEST, _MOST = 3, 32
 
 
@@ -55,30 +51,22 @@ _FEWEST, _MOST = 3, 32
 class Photo:
     """A predicted photo."""
 
-    # (n_y, n_x, 3), linear sRGB as the viewer of the target sees it, row 0 at +y, in flux per area
-    # of a source of flux 1: that of white light if it is the same at all wavelengths.
-    rgb: Array
-    # What is white without a change of exposure: the irradiance of the target's brightest pixel, if
-    # the target had the light of the image.
-    white: float
+    rgb: Array  # (n_y, n_x, 3), linear sRGB for the viewer, flux per area of a source of flux 1
+    white: float  # irradiance of white: of the target's brightest pixel at the flux of the image
     aspect: float  # width of a pixel over its height
-    light: Illuminant  # what the lens is lit by
+    light: Illuminant
     wavelengths_um: tuple[float, ...]  # what was traced
-    # How far images of neighbouring wavelengths are apart, pixels; 99 of 100 rays are nearer.
-    step: float
-    by_cells: bool  # whether by cells, else by random rays
-    side: Said  # from where the camera looks
+    step: float  # distance of the images of neighbouring wavelengths, pixels
+    by_cells: bool  # else by random rays
+    side: Said  # of the camera
 
     def picture(self, stops: float = 0.0) -> npt.NDArray[np.uint8]:
-        """Values of a picture file (sRGB), shape (n_y, n_x, 3).
-
-        `stops`: exposure: one more makes all twice as bright.
-        """
+        """Return values (n_y, n_x, 3) of an sRGB file; each stop of exposure doubles the light."""
         return encoded(self.rgb * (2.0**stops / self.white))
 
     @property
     def summary(self) -> Said:
-        """How it was made, in a line."""
+        """Method of the prediction in a line."""
         way = Said("with cells") if self.by_cells else Said("with random rays")
         light = self.light.title
         if len(self.wavelengths_um) == 1:
@@ -106,12 +94,9 @@ def photograph(
     light: Illuminant | None = None,
     progress: Progress = no_progress,
 ) -> Photo:
-    """Predict the photo of a lens's image.
+    """Predict the photo of the image of a lens; ``light`` is by default `light_of` the scene.
 
-    `scene`: lens, source and screen, with one image; `target` (n_y, n_x): the target image in any
-    scale, which says what is white; `heights` (n_u, n_v); `light`: what the lens is lit by; by
-    default as `light_of` says. Raises `Refused` if there are several images, or the lens is no
-    body; `RunFailed` if no light reaches the screen.
+    Raises `Refused` for several images or a lens that is no solid body; `RunFailed` without light.
     """
     return finished(photographing(scene, target, heights, light), progress)
 
@@ -123,10 +108,7 @@ def photographing(
     light: Illuminant | None = None,
     threads: int | None = None,
 ) -> Steps[Photo]:
-    """`photograph` step by step, so that one can see how far it is and leave it.
-
-    `threads`: how many trace; as many as there are cores by default.
-    """
+    """`photograph` in steps."""
     scene.check_one_image("the predicted photo")
     scene.check_one_element("the predicted photo")
     check_body(scene, heights)
@@ -152,10 +134,7 @@ def photographing(
 
 
 def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
-    """The scene with the index of its material at a wavelength, if it has dispersion.
-
-    Beside the wavelengths that the material was measured at its formula is continued.
-    """
+    """Return the scene with the index at a wavelength, also outside the range of the formula."""
     material = _material(scene)
     if material is None:
         return scene
@@ -164,7 +143,7 @@ def at_wavelength(scene: Scene, wavelength_um: float) -> Scene:
 
 
 def _material(scene: Scene) -> Material | None:
-    """That of the lens; None where nothing is known of its dispersion."""
+    """Catalogue material of the lens; None without known dispersion."""
     name = scene.optic.material if isinstance(scene.optic, Lens) else None
     return CATALOGUE[name] if isinstance(name, str) else None
 
@@ -172,10 +151,7 @@ def _material(scene: Scene) -> Material | None:
 def _wavelengths(
     scene: Scene, heights: Mapping[str, Array], light: Illuminant
 ) -> tuple[Array, float]:
-    """Wavelengths at equal steps of the index, and how far their images are apart, in pixels.
-
-    Of light of a few lines these.
-    """
+    """Wavelengths at equal steps of the index, or of lines, and the distance of their images."""
     if light.lines:
         lines = [wavelength for wavelength, _ in light.lines]
         lit = [at_wavelength(scene, wavelength) for wavelength in lines]
@@ -194,7 +170,7 @@ def _wavelengths(
 
 
 def _apart(first: Scene, last: Scene, heights: Mapping[str, Array]) -> float:
-    """How far light of two scenes is apart on the receiver, in pixels."""
+    """Distance of the light of two scenes on the receiver, in pixels."""
     (a, a_lit), (b, b_lit) = (_hits(scene, heights) for scene in (first, last))
     size = np.array(first.receiver.pixels)
     on_screen = [((places >= 0) & (places < size)).all(axis=1) for places in (a, b)]
@@ -204,7 +180,7 @@ def _apart(first: Scene, last: Scene, heights: Mapping[str, Array]) -> float:
 
 
 def _hits(scene: Scene, heights: Mapping[str, Array]) -> tuple[Array, Mask]:
-    """Where some rays meet the receiver, in pixels (m, 2), and whether they do."""
+    """Hits of some rays on the receiver, in pixels (m, 2), and whether they arrive."""
     train = OpticalTrain.of(scene, heights, _PROBES, 0, Pose(), [scene.receiver])
     every = joined([rays for number in range(BATCHES) for rays in train.source.batch(number)])
     places, flux = np.zeros((len(every.flux), 2)), np.empty(len(every.flux))
@@ -213,7 +189,7 @@ def _hits(scene: Scene, heights: Mapping[str, Array]) -> tuple[Array, Mask]:
 
 
 class _Tracer:
-    """Images at several wavelengths, all by the cells that the first one needs, or all by rays."""
+    """Images at several wavelengths, by the cells of the first image, or by random rays."""
 
     def __init__(self, heights: Mapping[str, Array], threads: int | None) -> None:
         self._heights, self._threads = heights, threads
@@ -232,7 +208,7 @@ class _Tracer:
         return (yield from self._refined(levels))
 
     def _refined(self, levels: Levels) -> Steps[Array]:
-        """By finer and finer cells, until that changes little."""
+        """Halve the cells until the image is accurate."""
         last: Array | None = None
         for level in count():
             drawing = levels.drawing(level)
@@ -247,30 +223,24 @@ class _Tracer:
 
     def _by_rays(self, scene: Scene) -> Steps[Array]:
         n_x, n_y = scene.receiver.pixels
-        # Other rays for each wavelength: their scatter is not that of the others.
+        # Other rays for each wavelength, so that noise is independent.
         trace = Trace(scene, self._heights, min(_EACH * n_x * n_y, _MOST_RAYS), self._traced)
         total: Tally | None = None
         for batch in trace.batches(self._threads):
             total = added(total, batch)
-            del batch  # large images must not wait for the next ones
+            del batch  # frees memory before the next batch
             yield trace.part
         assert total is not None
         return total.flux.reshape(n_y, n_x) / total.emitted
 
 
 def _of_level(level: int, fraction: float) -> float:
-    """The part of the first image that is done with a part of a level."""
+    """Fraction of the first image that is done after a fraction of a level."""
     return 1 - math.pow(0.5, level + fraction)
 
 
 def write_png(photo: Photo, stops: float, file: BinaryIO) -> None:
-    """Write a photo in sRGB, one pixel for each of the receiver.
-
-    Pixels of a file are square: where those of the receiver are not, the photo is made as wide or
-    as high as it takes, with values between those of the pixels.
-
-    `stops`: exposure; see `Photo.picture`.
-    """
+    """Write a photo as PNG with square pixels, scaled where those of the receiver are not."""
     image = Image.fromarray(photo.picture(stops))
     width, height = image.size
     wanted = round(width * max(photo.aspect, 1.0)), round(height * max(1 / photo.aspect, 1.0))
