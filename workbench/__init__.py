@@ -25,6 +25,7 @@ __all__ = [
     "export",
     "load",
     "save",
+    "sensitivity",
 ]
 
 

@@ -1,6 +1,7 @@
 """What other Python programs may rely on; everything else may change without notice.
 
-All of it can be had from `workbench` itself, and loads when it is first asked for.
+All of it can be had from `workbench` itself, and loads when it is first asked for. Faces, sources
+and losses of one's own are in `workbench.custom`.
 
 Examples
 --------
@@ -23,8 +24,10 @@ True
 >>> save(lens, "lens.freeform")
 """
 
+from collections.abc import Iterable, Mapping
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from workbench.analysis.cells.image import ACCURACY
 from workbench.analysis.validation import validate
@@ -58,7 +61,11 @@ __all__ = [
     "export",
     "load",
     "save",
+    "sensitivity",
 ]
+
+if TYPE_CHECKING:
+    from workbench.analysis.sensitivity import Figure, Sensitivity
 
 File = str | PathLike[str]
 
@@ -240,3 +247,46 @@ def save(session: Session, path: File) -> None:
     True
     """
     write_session(session, Path(path))
+
+
+def sensitivity(
+    session: Session, figure: "Figure", paths: Iterable[str]
+) -> Mapping[str, "Sensitivity"]:
+    """Derivatives of a figure of the light of a lens by numbers of its scene.
+
+    They are central differences of the image of beams, which has no noise; control heights stay,
+    and move with their element. `workbench.custom` has gradients by backpropagation.
+
+    Parameters
+    ----------
+    session : Session
+        A session with a lens and one image.
+    figure : callable
+        A number of the irradiance (n_y, n_x) and of the account.
+    paths : iterable of str
+        Numbers of the scene, as in ``lens.thickness`` or ``source.position[2]``.
+
+    Returns
+    -------
+    mapping of str to Sensitivity
+        By path the derivative ``value``, and how far it may be ``off``.
+
+    Raises
+    ------
+    Refused
+        If the session has no lens or several images, or a path leads to no number.
+
+    Examples
+    --------
+    >>> from resources import path
+    >>> run = DesignRun(load(path("examples", "tophat-none-zeros.json")), iterations=1)
+    >>> for snapshot in run:
+    ...     pass
+    >>> found = sensitivity(run.session, lambda image, account: account.efficiency,
+    ...                     ["lens.material.index"])
+    >>> found["lens.material.index"].value < 0  # a denser glass reflects more
+    True
+    """
+    from workbench.analysis.sensitivity import sensitivities  # late: it loads torch
+
+    return sensitivities(session.scene, result_of(session).state.heights, figure, paths)
