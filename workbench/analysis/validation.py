@@ -37,10 +37,8 @@ from workbench.scene import Scene
 
 Images = list[npt.NDArray[np.float32]]
 
-# Part of the work that the image by cells is taken to be.
-_CELLS = 0.2
-# Brighter targets are scaled down, else the sum over their pixels might be infinite.
-_HUGE = 1e200
+_CELLS = 0.2  # estimated fraction of the work for the image by cells
+_HUGE = 1e200  # largest value of a target that is not scaled, so that its sum is finite
 
 
 def validate(
@@ -55,20 +53,14 @@ def validate(
     accuracy: float | None = None,
     progress: Progress = no_progress,
 ) -> Validation:
-    """Trace a lens anew.
+    """Check a lens by an independent trace with random rays, and by cells if ``accuracy`` is given.
 
-    `scene`: lens, source and screen; filter and run settings play no part. Each of its images is
-    checked by itself, with as many rays; `target` (n_y, n_x): the target image in any scale, row 0
-    at +y; of further images the scene has it; `heights` (n_u, n_v); `rays`: rays to trace at least;
-    rounded up to whole batches of a grid. A quarter as many more are traced for the corrected
-    error. With an accuracy, cells follow up to 16 times as many, or 8 million, and independent
-    images up to 4 times as many; see `imaging`; `screen_z`: where the screen is, in place of the
-    scene's; `pose`: how the lens stands; straight and centred by default; `threads`: how many
-    trace; as many as there are cores by default; `accuracy`: relative error that the image by cells
-    may have; none is made by default. Raises `Refused` if there are too many rays, the screen may
-    touch the lens there, or is to be elsewhere while there are further images, or the lens is no
-    body; see `check_body`; `RunFailed` if no light reaches the screen, or too few rays of a file to
-    judge the image.
+    `target` (n_y, n_x): of the first image, in any scale, row 0 at +y; `rays`: least number for
+    each image, rounded up to whole batches; a quarter more are traced for the corrected error;
+    `screen_z`: z of the screen in place of the scene's; `threads`: by default one for each core;
+    `accuracy`: relative error of the image by cells; see `imaging`. Raises `Refused` if there are
+    too many rays, the screen may touch the lens, or the lens is no solid body; `RunFailed` if no
+    light reaches the receiver, or too few rays of a file.
 
     Examples
     --------
@@ -98,7 +90,7 @@ def validating(
     threads: int | None = None,
     accuracy: float | None = None,
 ) -> Steps[Validation]:
-    """`validate` step by step, so that one can see how far it is and leave it."""
+    """`validate` in steps."""
     if screen_z is not None:
         scene.check_one_image("a check with the screen elsewhere")
         scene = with_screen_at(scene, screen_z)

@@ -1,4 +1,4 @@
-"""An image of a lens whose error is bounded: lattices refined until two of them agree."""
+"""Images of a lens with bounded error, by cells that are halved until two images agree."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,35 +20,29 @@ from workbench.progress import Steps, of_equal, within
 from workbench.scene import Scene
 
 ACCURACY = 1e-3
-"""Relative error of an image that is good enough for a check of a lens."""
+"""Relative error of an image that suffices for a check."""
 
-# Cells for all points of the source together in the first three levels at most: some seconds on two
-# cores. No later level is begun that would follow more rays than this: half a minute at most.
+# Most rays of the first three levels (seconds on two cores) and of a later level (half a minute).
 _BEGIN, _MOST = 1 << 22, 1 << 26
-# Nor more than so many for each random ray of the check, if that is more than what is planned for
-# the first levels times this. Cells that are lost in part take more: no image is worth twice that.
+# Most rays of a level for each random ray of the check, least limit in units of _BEGIN, and factor
+# of the limit for partly lost cells.
 _EACH, _PLANNED, _PARTLY = 16, 2, 2
-# Least cells along an axis: as a rule, and where a source has many points.
-_ENOUGH, _FEWEST = 32, 8
-# From level to level the error is taken to fall by such a factor at most, and at least.
-_FASTEST, _SLOWEST = 4.0, 1.25
+_ENOUGH, _FEWEST = 32, 8  # least cells along an axis, and for a source of many points
+_FASTEST, _SLOWEST = 4.0, 1.25  # largest and least ratio of the errors of two levels
 
 
 @dataclass(frozen=True, eq=False)
 class CellImage:
     """The image of a lens by cells."""
 
-    irradiance: Array  # (n_y, n_x), flux per area on the screen for a source of flux 1, row 0 at +y
-    bound: float  # bound of the error of the image, ‖I − I_exact‖ / ‖I‖, from two levels of cells
-    cells: tuple[int, int]  # cells along x and y of the finer level
-    # The accuracy that was asked for. Where the bound is above it, finer cells would have taken too
-    # many rays.
-    wanted: float
-    # Whether its origins stand for a source of some size, so that finer cells need more of them.
-    sized: bool = False
+    irradiance: Array  # (n_y, n_x), flux per area for a source of flux 1, row 0 at +y
+    bound: float  # of the error ‖I − I_exact‖ / ‖I‖, from two levels
+    cells: tuple[int, int]  # along x and y, of the finer level
+    wanted: float  # requested accuracy
+    sized: bool = False  # whether finer levels have more origins, as for an extended source
 
     def error(self, target: Array) -> tuple[float, float]:
-        """Relative L2 distance to a target in any scale, and the bound of its own error."""
+        """Return the relative L2 distance to a target in any scale, and its error bound."""
         image = self.irradiance
         size = float(np.linalg.norm(image) / image.sum() / np.linalg.norm(target) * target.sum())
         return relative_l2(image, target), self.bound * size
@@ -62,24 +56,16 @@ def imaging(
     threads: int | None = None,
     random_rays: int | None = None,
 ) -> Steps[CellImage | None]:
-    """Find the image of a lens by cells, step by step.
+    """Compute the image of a lens by cells in steps, until the bound is below ``accuracy``.
 
-    Each level has cells of half the width of those before, and a source of some size has twice as
-    many origins; see `LightSource.finer`. Where each place of a lens makes a wide spot of a disc of
-    directions, `Spots` are drawn, whose outlines have twice as many corners. If its error is a
-    factor r smaller, the difference of the two images over r − 1 is the error of the finer one. The
-    factor is measured from three levels, and is taken to be at most 4, that of second order: where
-    the error falls sooner, as it mostly does, the bound is above it.
+    Each level has cells of half the width, and twice as many origins of an extended source; see
+    `LightSource.finer`. A disc of directions is drawn as `Spots`, whose outlines have twice as many
+    corners. If the error falls by a factor r, the difference of the two images over r − 1 is the
+    error of the finer one. The factor comes from three levels and is at most 4 (second order).
 
-    `scene`: lens, source and screen; filter and run settings play no part; `heights` (n_u, n_v);
-    `accuracy`: cells are refined until the bound is below this, or too many rays would be followed;
-    `pose`: how the lens stands; straight and centred by default; `threads`: how many trace; as many
-    as there are cores by default; `random_rays`: random rays of the check. Up to 16 rays of cells
-    are followed at each level for each of these, or 8 million, and never more than 67 million, the
-    default. The third level may take twice as many. Returns None if three levels would take too
-    many rays, light passes several elements, or no cell has light on the receiver, as before an
-    emitter that nearly touches the lens. Raises `Refused` if the lens is no body or may touch the
-    screen; see `check_body`.
+    A level has at most 16 rays for each of ``random_rays``, or 8 million, and at most 67 million.
+    Returns None if three levels need more, for several elements, or if no cell has light on the
+    receiver. Raises `Refused` if the lens is no solid body or may touch the screen.
     """
     if scene.is_train:
         return None
@@ -93,30 +79,28 @@ def imaging(
     bound, level = math.inf, 0
     while True:
         drawing = levels.drawing(level)
-        # Each level takes most of what is left of the whole.
         image = yield from within(drawing.tracing(threads), partial(_done, level))
         images = [*images[-2:], image]
         if level >= 2:
             bound = _bound(*images)
             more = levels.more(level)
-            # Where origins double too, a level that is not the last one takes longer than random
-            # rays that are as exact.
+            # Where origins double too, random rays are faster than several more levels.
             hopeless = more > 1 and bound > _FASTEST * accuracy
             if bound <= accuracy or hopeless or 4 * more * drawing.rays > most:
                 break
         elif 4 * levels.more(level) * drawing.rays > _PARTLY * most:
             return None
         level += 1
-    if not image.any():  # random rays tell whether there is light that these cells do not meet
+    if not image.any():  # random rays may still find light
         return None
     irradiance = image / scene.receiver.pixel_measure
     return CellImage(irradiance, bound, levels.cells(level), accuracy, levels.sized)
 
 
 class Levels:
-    """Images of a lens by finer and finer cells, each the sum over all lines of the light.
+    """Images of a lens by finer cells, summed over the lines of the spectrum.
 
-    `possible`: whether the source has few enough points for three levels.
+    ``possible`` is false if the source has too many points for three levels.
     """
 
     def __init__(
@@ -140,34 +124,28 @@ class Levels:
         self.sized = _more(train.source, 0) > 1
 
     def cells(self, level: int) -> tuple[int, int]:
-        """Cells along x and y; levels are counted from 0."""
+        """Return the cells along x and y of a level from 0."""
         n_x, n_y = self._first
         return n_x << level, n_y << level
 
     def drawing(self, level: int) -> "LinesDrawing":
-        """What draws the image of a level."""
+        """Return the drawing of a level."""
         return LinesDrawing([(part, self._of_line(train, level)) for part, train in self._lines])
 
     def _of_line(self, train: OpticalTrain, level: int) -> Drawing:
-        """Spots of wide light, or cells from some origins."""
+        """Return the spots or cells of a line."""
         if self._wide:
             return Spots(self._scene, train, self.cells(level), level)
         light = train.source.finer(level)
         return CellLattice(self._scene, train.lit_by(light), self.cells(level))
 
     def more(self, level: int) -> float:
-        """How many times as many origins there are at the next level."""
+        """Return the ratio of the origins of the next level."""
         return 1.0 if self._wide else _more(self._source, level)
 
 
 class LinesDrawing:
-    """The image of all lines of the light, of which each has its part of the flux and a drawing.
-
-    Attributes
-    ----------
-    rays : int
-        Rays followed; known once all is traced.
-    """
+    """Image of all lines of the spectrum, each with its part of the flux and its drawing."""
 
     def __init__(self, lines: Sequence[tuple[float, Drawing]]) -> None:
         self._lines, self.rays = lines, 0
@@ -183,7 +161,7 @@ class LinesDrawing:
 
 
 def _done(level: int, fraction: float) -> float:
-    """The part of the whole that is done with a part of a level."""
+    """Fraction of the whole that is done after a fraction of a level."""
     return 1 - math.pow(0.25, level + fraction)
 
 
