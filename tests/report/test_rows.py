@@ -3,14 +3,16 @@
 import numpy as np
 import pytest
 
+from resources import path
 from tests.analysis.lenses import net_of
 from tests.lamps import PLATE, led
 from workbench.analysis.validation import validate
 from workbench.cli.validate import print_image
 from workbench.extended.bound import Bound
+from workbench.report.element_table import element_table
 from workbench.report.figures import bound_rows, check_rows, percent
-from workbench.report.scene_rows import differences, scene_rows
-from workbench.scene import Screen
+from workbench.report.scene_rows import differences, field_rows, scene_rows
+from workbench.scene import Scene, Screen
 
 GRID = {"kind": "grid", "center": [0, 0, -4], "half_width": [0.3, 0.3], "points": [50, 50]}
 
@@ -71,15 +73,15 @@ def rows(scene):
 
 def test_every_field_has_a_row_with_its_unit(make_scene):
     found = rows(make_scene({"unit": "mm", "run.min_radius": 0.5}))
-    assert found["elements[0].half_width"] == "1 × 1 mm"
-    assert found["elements[0].faces[1].height_range"] == "-0.3, 0.3 mm"
-    assert found["elements[0].faces[1].control_points"] == "12 × 10"
-    assert found["images[0].receiver.position"] == "0, 0, 5 mm"
-    assert found["filter.alpha"] == "1 per pixel²"
-    assert found["images[0].target.invert"] == "no"
-    assert found["run.min_radius"] == "0.5 mm"
-    assert found["unit"] == "mm"
-    assert "format" not in found
+    assert found["lens · Half width"] == "1 × 1 mm"
+    assert found["lens · Back face · Height range"] == "-0.3, 0.3 mm"
+    assert found["lens · Back face · Control points"] == "12 × 10"
+    assert found["Receiver · Position"] == "0, 0, 5 mm"
+    assert found["Image filter · Alpha"] == "1 per pixel²"
+    assert found["Target · Invert"] == "no"
+    assert found["Run · Smallest radius"] == "0.5 mm"
+    assert found["Unit"] == "mm"
+    assert "Format" not in found
 
 
 def leaves(data, path=""):
@@ -106,4 +108,22 @@ def leaves(data, path=""):
 def test_every_field_of_the_scene_has_a_row(make_scene, changes):
     scene = make_scene(changes)
     wanted = set(leaves(scene.to_data())) - {"format", "version"}
-    assert wanted == set(rows(scene))
+    assert wanted == {row.path for row in field_rows(scene)}
+
+
+def test_elements_stand_in_a_table():
+    dome = {"kind": "lens", "name": "dome", "position": [0, 0, -9.9], "half_width": [2.4, 2.4]}
+    dome |= {"outline": "ellipse", "material": {"index": 1.41}, "thickness": 2.5}
+    dome |= {"faces": [{"shape": "plane"}, {"shape": "conic", "radius": -2.5, "conic": -0.5}]}
+    scene = Scene.from_json(path("examples", "dome-cover.json").read_text())
+    scene = Scene.from_data(
+        scene.to_data() | {"elements": [dome, *scene.to_data()["elements"][1:]]}
+    )
+    header, rows = element_table(scene)
+    first = dict(zip(header, rows[0], strict=True))
+    assert [row[0] for row in rows] == ["dome", "lens", "cover"]
+    assert (first["Kind"], first["Material"], first["Tilt"]) == ("lens", "n = 1.41", "none")
+    assert first["Position"] == "0, 0, -9.9 mm"
+    assert first["Half width"] == "2.4 × 2.4 mm, ellipse"
+    assert first["Faces"] == "plane; conic, radius -2.5 mm, conic constant -0.5"
+    assert rows[2][header.index("Material")].startswith("PMMA (n = 1.49")

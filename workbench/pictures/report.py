@@ -42,7 +42,8 @@ _SIZES = {"title": 18.0, "heading": 12.0, "text": 8.5}
 _COLUMNS = (0.0, 1.65, 3.85, 5.5)  # inches: names and values of two rows
 _DIGITS = 6  # of positions, in parts of a page
 _TOGETHER = 16  # rows that stay on one page
-_NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 26, 34, 112
+_NAME_LETTERS, _VALUE_LETTERS, _LINE_LETTERS = 24, 34, 112
+_CELL_GAP = 2  # letters, between columns of a table
 _Line = tuple[str, ...]
 __all__ = [
     "draw_images",
@@ -105,6 +106,22 @@ class Pages:
             for left in range(first, min(first + _TOGETHER, len(rows)), 2):
                 lines += _row_lines(rows[left : left + 2])
             self._blocks.append(_Block(len(lines) * _LINE, partial(_draw_lines, lines), heads))
+
+    def table(self, header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+        """Add a table, with columns as wide as their texts need."""
+        columns = zip(header, *rows, strict=True)
+        letters = [max(map(len, column)) + _CELL_GAP for column in columns]
+        while sum(letters) > _LINE_LETTERS:
+            letters[letters.index(max(letters))] -= 1
+        places = [WIDTH * sum(letters[:k]) / _LINE_LETTERS for k in range(len(letters))]
+        for number, row in enumerate((header, *rows)):
+            cells = [
+                textwrap.wrap(text, count - _CELL_GAP) or [""]
+                for text, count in zip(row, letters, strict=True)
+            ]
+            lines = list(zip_longest(*cells, fillvalue=""))
+            draw = partial(_draw_row, lines, places, _INK if number else _PALE)
+            self._blocks.append(_Block((len(lines) + 0.4) * _LINE, draw, heads=not number))
 
     def picture(self, draw: Draw, height: float) -> None:
         """Add a picture over the whole width, height in inches."""
@@ -184,6 +201,14 @@ def _row_lines(rows: Sequence[tuple[str, str]]) -> list[_Line]:
 def _draw_lines(lines: Sequence[_Line], part: "SubFigure") -> None:
     for number, line in enumerate(lines):
         for text, x, colour in zip(line, _COLUMNS, (_PALE, _INK, _PALE, _INK), strict=False):
+            _write(part, x, (number + 0.8) * _LINE, text, "text", colour=colour)
+
+
+def _draw_row(
+    lines: Sequence[_Line], places: Sequence[float], colour: str, part: "SubFigure"
+) -> None:
+    for number, line in enumerate(lines):
+        for text, x in zip(line, places, strict=True):
             _write(part, x, (number + 0.8) * _LINE, text, "text", colour=colour)
 
 

@@ -29,14 +29,22 @@ class PagePicture(NamedTuple):
     height: float
 
 
+class Table(NamedTuple):
+    """Titles of columns, and rows of as many cells."""
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
 @dataclass(frozen=True)
 class Section:
-    """A section of a report: heading, note, rows, then pictures."""
+    """A section of a report: heading, note, table, rows, then pictures."""
 
     title: str
     rows: tuple[Fact, ...] = ()
     pictures: tuple[PagePicture, ...] = ()
     note: str = ""
+    table: Table | None = None
 
 
 @dataclass(frozen=True)

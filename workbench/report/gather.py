@@ -22,8 +22,10 @@ from workbench.extended.bound import Bound
 from workbench.geometry.surface import even_counts, freeform_nets
 from workbench.measured.lamps import light_unit
 from workbench.pictures import report as pictures
+from workbench.pictures.train_section import draw_train_section
 from workbench.powers import written
 from workbench.report.content import Fact, PagePicture, Report, Section
+from workbench.report.element_table import element_table
 from workbench.report.figures import (
     account_rows,
     bound_rows,
@@ -82,6 +84,12 @@ def gather(
                 ),
             ),
             note="As the independent check sees it; long distances are drawn short.",
+        ),
+        Section(
+            "Elements",
+            table=element_table(scene),
+            pictures=(PagePicture("Section", partial(draw_train_section, session=session), 3.0),),
+            note="In the order in which light meets them; positions are those of front vertices.",
         ),
         *(
             section

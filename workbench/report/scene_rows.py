@@ -1,6 +1,6 @@
 """All fields of a scene with their units, and the fields in which two scenes differ."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from workbench.report.content import Fact
@@ -19,8 +19,26 @@ class FieldRow(NamedTuple):
 
 
 def scene_rows(scene: Scene) -> tuple[Fact, ...]:
-    """Return a row for each field that has a value."""
-    return tuple(Fact(row.path, row.value) for row in field_rows(scene))
+    """Return a row for each field that has a value, by the titles of its parts.
+
+    Elements go by their names; a single image is not counted.
+    """
+    named = {
+        f"Elements {number} · ": f"{element.name} · "
+        for number, element in enumerate(scene.elements, 1)
+    }
+    if len(scene.images) == 1:
+        named["Images 1 · "] = ""
+    return tuple(
+        Fact(_renamed(row.title, named), row.value) for row in field_rows(scene) if row.value
+    )
+
+
+def _renamed(title: str, named: Mapping[str, str]) -> str:
+    for begin, name in named.items():
+        if title.startswith(begin):
+            return name + title.removeprefix(begin)
+    return title
 
 
 def field_rows(scene: Scene) -> Iterator[FieldRow]:
@@ -31,7 +49,6 @@ def field_rows(scene: Scene) -> Iterator[FieldRow]:
 def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]:
     if isinstance(part, Element):
         part = part.lit(scene.source.wavelength)
-    remarks = part.remarks()
     for field in part.fields():
         value, place = getattr(part, field.name), f"{path}{field.name}"
         called = f"{title}{field.title}"
@@ -46,9 +63,17 @@ def _rows(part: Part, path: str, title: str, scene: Scene) -> Iterator[FieldRow]
                 where = f"{path}{member.name}.", f"{title}{member.title} · "
                 yield from _rows(each, *where, scene)
         elif value is not None and place not in _FILE:
-            text = f"{_text(value, field)} {field.measure.words_in(scene.unit)}".rstrip()
-            remark = remarks.get(field.name)
-            yield FieldRow(place, called, f"{text} ({remark})" if remark else text)
+            yield FieldRow(place, called, field_words(part, field, scene))
+
+
+def field_words(part: Part, field: FieldDescription, scene: Scene) -> str:
+    """Value of a field with its unit and remark; empty for no values."""
+    text = _text(getattr(part, field.name), field)
+    if not text:
+        return ""
+    remark = part.remarks().get(field.name)
+    text = f"{text} {field.measure.words_in(scene.unit)}".rstrip()
+    return f"{text} ({remark})" if remark else text
 
 
 def _text(value: Any, field: FieldDescription) -> str:

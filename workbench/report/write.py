@@ -2,12 +2,12 @@
 
 import base64
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from html import escape
 from typing import BinaryIO
 
 from workbench.pictures.report import Pages, to_png
-from workbench.report.content import PagePicture, Report, Section
+from workbench.report.content import PagePicture, Report, Section, Table
 
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1d232b; --pale: #5d6673; --line: #d9dee5; --paper: #fff; }
@@ -23,6 +23,10 @@ dl { columns: 17rem 2; column-gap: 2rem; margin: 0; }
 dl div { display: flex; gap: 1rem; break-inside: avoid; padding: .15rem 0; }
 dt { flex: 0 0 11.5rem; color: var(--pale); overflow-wrap: anywhere; }
 dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+th { text-align: left; font-weight: normal; color: var(--pale); }
+th, td { padding: .2rem .6rem .2rem 0; vertical-align: top;
+  border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }
 figure { margin: 1rem 0; break-inside: avoid; }
 img { display: block; width: 100%; background: #fff; border-radius: 6px; }
 figcaption { font-size: .87rem; color: var(--pale); }
@@ -59,6 +63,8 @@ def _section(section: Section) -> Iterator[str]:
     yield f"<section><h2>{escape(section.title)}</h2>"
     if section.note:
         yield f"<p>{escape(section.note)}</p>"
+    if section.table:
+        yield from _table(section.table)
     if section.rows:
         yield "<dl>"
         for name, value in section.rows:
@@ -67,6 +73,20 @@ def _section(section: Section) -> Iterator[str]:
     for picture in section.pictures:
         yield _figure(picture)
     yield "</section>"
+
+
+def _table(table: Table) -> Iterator[str]:
+    yield "<table><thead>"
+    yield _cells("th", table.header)
+    yield "</thead><tbody>"
+    for row in table.rows:
+        yield _cells("td", row)
+    yield "</tbody></table>"
+
+
+def _cells(tag: str, texts: Sequence[str]) -> str:
+    cells = "".join(f"<{tag}>{escape(text)}</{tag}>" for text in texts)
+    return f"<tr>{cells}</tr>"
 
 
 def _figure(picture: PagePicture) -> str:
@@ -86,6 +106,8 @@ def write_pdf(report: Report, file: BinaryIO) -> None:
         pages.heading(section.title)
         if section.note:
             pages.note(section.note)
+        if section.table:
+            pages.table(section.table.header, section.table.rows)
         pages.rows(section.rows, heads=bool(section.pictures))
         for picture in section.pictures:
             pages.picture(picture.draw, picture.height)
