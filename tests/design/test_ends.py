@@ -74,6 +74,16 @@ def test_the_pace_is_that_of_the_last_seconds():
     assert pace.left(10) == pytest.approx(4)
 
 
+def test_the_first_lens_and_the_first_step_tell_no_pace():
+    """Compiling and a first lens of 15 s each, then steps of 0.1 s."""
+    steps, pace = [(0.0, 0), *((30 + 0.1 * i, i) for i in range(1, 5))], Pace()
+    for step in steps[:-1]:
+        pace.note(*step)
+        assert pace.left(300) is None
+    pace.note(*steps[-1])
+    assert pace.left(300) == pytest.approx(30)
+
+
 # More control points than pixels: beams run between the places that a descent can make good.
 FINE_NET = {"lens.control_points": [64, 64], "run.iterations": 25}
 

@@ -40,6 +40,13 @@ def test_a_too_small_range_is_reported_with_the_range_that_is_needed(make_scene,
     assert short.share > 0.1
 
 
+def test_a_run_whose_range_is_too_small_says_so_at_once_and_stops_early(make_scene, corner):
+    narrow = {"lens.height_range": [-0.02, 0.02], "run.iterations": 300}
+    _, first, *_, last = run(make_scene(FREE | narrow), corner)
+    assert first.state.shortfall.cause == "height_range"
+    assert last.iteration < 60
+
+
 def test_too_thin_stock_is_reported_with_the_thickness_that_is_needed(make_scene, corner):
     stock = {"lens.max_thickness": 0.2, "lens.min_thickness": 0.1}
     *_, last = run(make_scene(FREE | stock), corner)

@@ -1,9 +1,10 @@
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from workbench.pictures.axes import round_scale
+from workbench.pictures.axes import SIGNED, paint, round_scale
 from workbench.pictures.images import (
     IrradianceImage,
     full_scale,
@@ -90,3 +91,14 @@ def test_a_far_field_is_drawn_in_degrees_counted_from_the_axis(make_scene, axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("H (°)", "V (°)")
     assert axes.child_axes[0].get_ylabel() == "flux / sr"
     assert image.artists[0].get_label() == "intensity"
+
+
+def test_an_error_of_nothing_has_the_colour_of_the_ground_in_both_themes():
+    axes = Figure().add_subplot()
+    image = axes.imshow(np.zeros((2, 2)), cmap=SIGNED, vmin=-1, vmax=1)
+    for ink, paper in (("white", "#323232"), ("black", "#efefef")):
+        paint(axes.figure, ink, paper)
+        low, zero, high = (np.array(image.to_rgba(value)[:3]) for value in (-1.0, 0.0, 1.0))
+        away = [np.abs(zero - to_rgb(other)).max() for other in (paper, ink)]
+        assert away[0] < 0.1 < away[1]
+        assert low[2] > low[0] and high[0] > high[2]  # blue and red

@@ -45,6 +45,16 @@ def test_without_a_display_one_line_says_so(where):
     assert done.stderr.count("\n") == 1
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="names platforms of Linux")
+@pytest.mark.parametrize("platform", ["wayland", "eglfs", "nonsense"])
+def test_a_platform_that_cannot_start_is_named_in_one_line(platform):
+    done = run(QT_QPA_PLATFORM=platform, DISPLAY=":987", WAYLAND_DISPLAY="")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert f"QT_QPA_PLATFORM={platform}" in done.stderr
+    assert "type: env -u QT_QPA_PLATFORM freeform-workbench" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere the wheels bring all they need")
 def test_missing_system_libraries_are_named_with_their_packages(monkeypatch, capsys):
     monkeypatch.setattr(

@@ -146,6 +146,16 @@ def test_closing_asks_before_changes_are_lost(
     assert path.exists() is saved
 
 
+def test_a_new_design_asks_before_changes_are_lost(window, answers):
+    edit(window, 7)
+    answers.append(CANCEL)
+    window.commands["new_flame"].trigger()
+    assert window.document.session.scene.receiver.z == 7
+    answers.append(DISCARD)
+    window.commands["new_flame"].trigger()
+    assert window.document.name == "flame"
+
+
 @pytest.mark.parametrize("name", ["tophat", "flame", "ball"])
 def test_an_example_begins_an_untitled_design(window, name):
     window.commands[f"new_{name}"].trigger()

@@ -8,11 +8,13 @@ import time
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from tests.ui.hands import move_screen
 from ui.document.document import Document, OnDisk
 from ui.files import recovery as unsaved
-from ui.files.recovery import Recovery
+from ui.files.recovery import Recovery, RecoveryChoice
 from workbench.files.session import read_session, write_session
 
 pytestmark = pytest.mark.usefixtures("kernels")
@@ -130,6 +132,30 @@ def test_the_lens_of_a_run_is_kept_before_it_ends(display, window, make_scene, t
         ended.state.heights["lens.back"], window.document.session.result.state.heights["lens.back"]
     )
     recovery.close()
+
+
+@pytest.mark.parametrize("choice", RecoveryChoice)
+def test_the_question_has_three_answers(window, document, keeping, qtbot, choice):
+    recovery, received = keeping(), []
+    move_screen(document, 7)
+    recovery.keep_now()
+    crash(recovery)
+    works = unsaved.find_left_behind(recovery.folder)
+
+    def answer():
+        box = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMessageBox))
+        received.append(box.text())
+        buttons = {b.text().replace("&", ""): b for b in box.findChildren(QPushButton)}
+        assert list(buttons) == ["Recover", "Discard", "Ask later"]
+        button = buttons["Ask later" if choice is RecoveryChoice.LATER else choice.name.title()]
+        qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+    QTimer.singleShot(200, answer)
+    opened = []
+    unsaved.offer_left_behind(works, lambda work: not opened.append(work), window)
+    assert "small" in received[0] and "not closed" in received[0]
+    assert len(opened) == (choice is RecoveryChoice.RECOVER)
+    assert len(kept(recovery)) == (choice is RecoveryChoice.LATER)
 
 
 BEGIN = (

@@ -217,6 +217,20 @@ def test_the_source_follows_the_pointer_in_its_plane(make_tools, drag, qtbot):
     assert document.session.scene.source.position == (0.0, 0.0, -3.0)
 
 
+def test_a_small_source_is_moved_by_any_of_its_corners_and_keeps_its_size(make_tools, drag, qtbot):
+    grid = {"kind": "grid", "center": [0.0, 0.0, -3.0], "half_width": [0.02, 0.02]}
+    tools = make_tools({"source": {**grid, "points": [2, 2]}})
+    view, corner = tools.view, (0.02, 0.02, -3.0)
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: view.handles._source is not None)
+    held = drag(view, seen_at(view, corner))
+    held.move(seen_at(view, (0.52, 0.02, -3.0)) - seen_at(view, corner))
+    held.release()
+    source = tools.document.session.scene.source
+    assert source.half_width == (0.02, 0.02)
+    assert source.position == (pytest.approx(0.5, abs=0.05), pytest.approx(0, abs=0.05), -3.0)
+
+
 def hold_key(view, key, times, as_repeats=True):
     """A key that is pressed and repeats itself, and is not released yet."""
     for time in range(times):

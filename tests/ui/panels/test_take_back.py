@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 
-from tests.ui.hands import choose, enter, fill, move_screen, row, rows
+from tests.ui.hands import choose, editor, enter, fill, move_screen, row, rows
 from workbench.errors import Refused
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -90,3 +90,14 @@ def test_undo_takes_a_refused_entry_back_and_only_then_a_step(begin, qtbot, entr
     assert not window.forms.refused and shown(window.forms) == before
     qtbot.keyClick(field, Qt.Key.Key_Z, CTRL)
     assert window.document.session.scene.receiver.z == 5
+
+
+def test_escape_anywhere_takes_all_refused_entries_back(begin, qtbot):
+    window = begin()
+    before = shown(window.forms)
+    for elsewhere in (editor(window.forms, "run.seed"), window.workspace.history):
+        enter(qtbot, window.forms, "images[0].receiver.position[2]", "far")
+        enter(qtbot, window.forms, "images[0].receiver.half_width[0]", "wide")
+        elsewhere.setFocus()
+        qtbot.keyClick(elsewhere, Qt.Key.Key_Escape)
+        assert shown(window.forms) == before and not window.forms.refused

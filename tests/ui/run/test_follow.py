@@ -1,16 +1,19 @@
 """Lenses that follow edits, from an engine that takes a step when a test lets it."""
 
 import threading
+import time
 from dataclasses import replace
 
 import pytest
 
 from ui.document.document import Document
+from ui.run import follow as followed
 from ui.run.check import Check
 from ui.run.control import RunControl
 from ui.run.follow import Follow
 from ui.run.kept_runs import restored
 from workbench.design.live import LiveDesign
+from workbench.progress import check_given_up
 
 _FREE = 10_000
 
@@ -191,6 +194,52 @@ def test_a_run_stops_the_following_design(desk, qtbot):
         desk.control.runner.stop()
         desk.engine.leave.release(_FREE)
     assert desk.settled == []
+
+
+@pytest.mark.parametrize("way", ["undo", "begin", "edit"])
+def test_an_abandoned_design_ends_before_its_first_lens(desk, qtbot, designed, way):
+    begun = []
+
+    def endless(scene, *_):
+        begun.append(scene.receiver.z)
+        while True:
+            check_given_up()
+            time.sleep(0.002)
+        yield
+
+    desk.follow._live = LiveDesign(endless, refit=lambda *_: None)
+    desk.edit(7)
+    qtbot.waitUntil(lambda: begun == [7])
+    if way == "undo":
+        desk.document.undo_stack.undo()
+    elif way == "begin":
+        desk.document.begin(designed, "new")
+        qtbot.waitUntil(lambda: begun == [7, 5])
+    else:
+        desk.edit(8)  # the first lens may still come soon
+        qtbot.waitUntil(lambda: begun == [7, 8])
+    desk.follow.rest()
+    qtbot.waitUntil(lambda: not desk.follow._background.running)
+
+
+def test_a_slow_machine_makes_edits_wait_for_a_pause_and_switches_nothing_off(
+    desk, qtbot, monkeypatch
+):
+    monkeypatch.setattr(followed, "_SOON", 0.05)
+    monkeypatch.setattr(followed, "_SHARE", 2.0)
+    desk.follow._late.setInterval(50)
+    desk.engine.hold()
+    desk.edit(6)
+    qtbot.waitUntil(lambda: "takes long" in desk.follow.text)
+    desk.engine.leave.release(_FREE)
+    desk.wait()
+    for z in (7, 8, 9):  # within one pause
+        desk.edit(z)
+    assert [z for z, _ in desk.engine.asked] == [6]
+    assert desk.follow.follows(desk.document.session) and desk.follow.text
+    desk.wait(2)
+    assert [z for z, _ in desk.engine.asked] == [6, 9]
+    assert desk.document.session.result is not None
 
 
 def test_every_finished_lens_is_a_step_and_a_run_that_can_be_restored(desk, designed):

@@ -168,3 +168,14 @@ def test_the_lens_of_a_run_is_checked_at_its_end(window, run, checks, qtbot):
     move_screen(window.document, 7)
     assert window.status._verified.text() == "" and window.loaded.views.loss._verified == ()
     assert verified(window)[0] == "1.25 %"
+
+
+def test_no_check_runs_beside_a_run_on_one_core(window, as_run, checks, monkeypatch, qtbot):
+    monkeypatch.setattr("ui.run.run_check._REST", 0.0)
+    monkeypatch.setattr("ui.run.run_check._RESTS", 0.0)
+    monkeypatch.setattr("ui.run.run_check.QThread.idealThreadCount", lambda: 1)
+    window.loaded.control.runner._generate = as_run(20, pause=0.01)
+    with qtbot.waitSignal(window.loaded.control.ended, timeout=60_000):
+        window.commands["start"].trigger()
+    qtbot.waitUntil(lambda: not window.loaded.runs.check._background.busy)
+    assert [rays for _, rays, _ in checks.asked] == [4_000_000]  # after the run

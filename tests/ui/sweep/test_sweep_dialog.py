@@ -3,6 +3,7 @@
 import time
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 from workbench.progress import check_interruption
 from workbench.sweep.processes import Failed, attempt
@@ -108,3 +109,19 @@ def test_a_sweep_that_is_stopped_keeps_what_is_finished_and_goes_on_from_there(
         dialog.begin.click()
     assert dialog.told.text().startswith("3 of 3 designs, ")
     assert kept <= set((tmp_path / "lenses").glob("*.freeform"))
+
+
+def test_a_design_without_a_file_is_swept_only_into_a_folder_that_is_chosen(
+    window, workers, qtbot, tmp_path, monkeypatch
+):
+    window.commands["sweep"].trigger()
+    dialog = window.sweeps.dialog
+    choose(dialog, 0, "run.seed", "1")
+    assert dialog.folder.text() == ""
+    chosen = [str(tmp_path / "mine"), ""]
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: chosen.pop())
+    dialog.toggle()
+    assert "Choose a folder" in dialog.told.text() and not dialog._background.busy
+    dialog.toggle()
+    qtbot.waitUntil(lambda: len(dialog._rows) == 1, timeout=60_000)
+    assert (tmp_path / "mine").is_dir()
