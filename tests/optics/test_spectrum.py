@@ -8,6 +8,7 @@ import torch
 
 from workbench.analysis.cells.image import imaging
 from workbench.analysis.photo.photo import photograph
+from workbench.analysis.tolerances import Perturbation
 from workbench.analysis.validation import validate
 from workbench.design.design_run import DesignRun
 from workbench.design.task import begin
@@ -144,3 +145,10 @@ def test_a_photo_shows_the_lines_of_the_spectrum_in_their_colours_and_places():
     columns = np.arange(80)
     apart = np.average(columns, weights=blue) - np.average(columns, weights=red.clip(0))
     assert 5 < apart < 12  # the pixels are 0.1 wide, and blue is bent more by 0.8
+
+
+def test_an_error_of_the_index_leaves_the_dispersion():
+    scene = scene_of({"spectrum": LINES})
+    off, _ = Perturbation(index=0.01).applied(scene, wedge(scene))
+    indices = [[line.scene.optic.index for line in each.lines] for each in (scene, off)]
+    assert np.subtract(*indices) == pytest.approx([-0.01] * 3, abs=1e-12)

@@ -21,7 +21,8 @@ from workbench.arrays import Array
 from workbench.errors import Refused, RunFailed
 from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.said import Said
-from workbench.scene import CustomIndex, Element, Scene, SplineFace
+from workbench.scene import Element, Lens, Scene, SplineFace
+from workbench.scene.material import denser
 
 
 @dataclass(frozen=True)
@@ -42,9 +43,9 @@ class Perturbation:
     ) -> tuple[Scene, Mapping[str, Array]]:
         """Return scene and control heights of the perturbed lens; nets may be finer."""
         optic = scene.optic
-        if self.index:
-            index = CustomIndex(index=optic.index + self.index)
-            optic = optic.model_copy(update={"material": index})
+        if self.index and isinstance(optic, Lens):
+            material = denser(optic.material, optic.index, self.index)
+            optic = optic.model_copy(update={"material": material})
         for number, (face, (amplitude, scale)) in enumerate(
             (
                 (optic.designed_face, self.surface),

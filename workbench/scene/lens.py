@@ -392,5 +392,5 @@ class Lens(Element):
     def index(self) -> float:
         """Refractive index as a number."""
         if isinstance(self.material, CustomIndex):
-            return self.material.index
+            return self.material.at(self._wavelength)
         return materials.refractive_index(self.material, self._wavelength)

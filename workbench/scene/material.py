@@ -2,9 +2,16 @@
 
 from typing import Annotated, Any
 
-from pydantic import ConfigDict, ValidationError, ValidatorFunctionWrapHandler, WrapValidator
+from pydantic import (
+    ConfigDict,
+    PrivateAttr,
+    ValidationError,
+    ValidatorFunctionWrapHandler,
+    WrapValidator,
+)
 from pydantic_core import PydanticCustomError
 
+from workbench.materials import refractive_index
 from workbench.scene.fields import about
 from workbench.scene.part import Part
 
@@ -17,6 +24,25 @@ class CustomIndex(Part):
     index: Annotated[
         float, about("Index", "Refractive index at the wavelength of the light.", gt=1)
     ]
+    _off: tuple[str, float] | None = PrivateAttr(default=None)
+
+    def at(self, wavelength_um: float) -> float:
+        """Refractive index at a wavelength."""
+        if self._off is None:
+            return self.index
+        name, off = self._off
+        return refractive_index(name, wavelength_um) + off
+
+
+def denser(material: str | CustomIndex, index: float, off: float) -> CustomIndex:
+    """Return a material whose index, which is given, is off; its dispersion stays.
+
+    No scene file has it: there it is its index alone.
+    """
+    made = CustomIndex(index=index + off)
+    if isinstance(material, str):
+        made._off = material, off
+    return made
 
 
 def _name_or_index(value: Any, read: ValidatorFunctionWrapHandler) -> Any:
