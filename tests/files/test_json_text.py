@@ -1,7 +1,7 @@
 import pytest
 
 from workbench.errors import Refused
-from workbench.files.header import check_fields_once
+from workbench.files.scene import check_fields_once
 
 
 @pytest.mark.parametrize(

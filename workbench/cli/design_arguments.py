@@ -79,7 +79,7 @@ def add_bound(commands: Any) -> None:
 
 
 def _run_bound(options: argparse.Namespace) -> None:
-    from workbench.cli.validate import bound
+    from workbench.cli.bound import bound
 
     bound(options.scene, options.json)
 

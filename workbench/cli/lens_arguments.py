@@ -107,7 +107,7 @@ def add_tolerances(commands: Any) -> None:
 
 
 def _run_tolerances(options: argparse.Namespace) -> None:
-    from workbench.cli.manufacture import tolerances
+    from workbench.cli.tolerances import tolerances
 
     within = tolerances_of(options)
     tolerances(options.session, within, options.samples, options.rays, options.plot, options.json)

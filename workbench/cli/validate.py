@@ -1,7 +1,6 @@
-"""``freeform validate`` and ``freeform bound``."""
+"""``freeform validate``."""
 
 import json
-import sys
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
@@ -20,8 +19,7 @@ from workbench.design.session import result_of, verified_error
 from workbench.errors import RunFailed
 from workbench.extended.bound import Bound
 from workbench.files.atomic import check_writable, replacing
-from workbench.files.session import open_design, read_session
-from workbench.process import keep_freed_memory
+from workbench.files.session import read_session
 from workbench.scene import AnyReceiver, Scene
 
 
@@ -203,21 +201,3 @@ def _interval(ends: tuple[float, float]) -> str:
 
 def _or_dash(value: float | None, form: str, tail: str = "") -> str:
     return "-" if value is None else f"{value:{form}}{tail}"
-
-
-def bound(path: Path, as_json: bool) -> None:
-    """Print the lower bound of the error for a scene; raise Refused if it cannot be read."""
-    keep_freed_memory()  # a search makes the same arrays over and over
-    session = open_design(path)
-    for remark in session.picture_remarks:
-        print(remark, file=sys.stderr)
-    session.scene.check_one_image("the bound")
-    found = Bound(session.scene, session.target)
-    if as_json:
-        print(json.dumps(found.to_data()))
-        return
-    for sentence in found.sentences:
-        print(sentence)
-    print("\nAssumptions")
-    for assumption in found.assumptions:
-        print(f"  {assumption}")

@@ -1,7 +1,7 @@
-"""The header of a session, and JSON text without duplicate keys."""
+"""``session.json``: all of a session but its arrays."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Annotated, Any, Final, Literal
 
 from pydantic import Field, ValidationError
@@ -9,40 +9,11 @@ from pydantic import Field, ValidationError
 from workbench.design.session import LONGEST_NAME
 from workbench.errors import Refused
 from workbench.files.figures import Figures, VerifiedFigures
-from workbench.refusals import field_name, refusal
+from workbench.files.scene import check_fields_once
+from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import AutoNet, Part, Scene
 from workbench.scene.faces import NetShape
-
-
-class _Fields(list[tuple[str, Any]]):
-    """Fields of an object in order, with duplicates."""
-
-
-def check_fields_once(text: str | bytes, before: str = "") -> None:
-    """Refuse valid JSON in which an object has a field twice: readers differ in which they use."""
-    # Numbers stay text: they may have thousands of digits.
-    read = json.loads(
-        text, object_pairs_hook=_Fields, parse_int=str, parse_float=str, parse_constant=str
-    )
-    for path in _twice(read, ""):
-        raise Refused(before + path, Said("is given twice; each field can be there once"))
-
-
-def _twice(value: object, path: str) -> Iterator[str]:
-    """Paths of duplicate fields."""
-    if isinstance(value, _Fields):
-        seen = set()
-        for name, below in value:
-            at = f"{path}.{field_name(name)}" if path else field_name(name)
-            if name in seen:
-                yield at
-            seen.add(name)
-            yield from _twice(below, at)
-    elif isinstance(value, list):
-        for number, below in enumerate(value):
-            yield from _twice(below, f"{path}[{number}]")
-
 
 VERSION: Final = 3
 """Version of the newest session files that this program reads."""

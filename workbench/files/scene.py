@@ -1,12 +1,15 @@
-"""Scene files: JSON text in UTF-8."""
+"""Scene files: JSON text in UTF-8 without duplicate fields."""
 
+import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from workbench.errors import Refused
 from workbench.files.atomic import replacing
-from workbench.files.header import check_fields_once
 from workbench.reading import opened
+from workbench.refusals import field_name
 from workbench.said import Said
 from workbench.scene import Scene
 
@@ -77,3 +80,32 @@ def _portable(field: str, file: Path, folder: Path) -> str:
             field, Said("{name!r} is no text and cannot be kept in one", name=name)
         ) from error
     return name
+
+
+class _Fields(list[tuple[str, Any]]):
+    """Fields of an object in order, with duplicates."""
+
+
+def check_fields_once(text: str | bytes, before: str = "") -> None:
+    """Refuse valid JSON in which an object has a field twice: readers differ in which they use."""
+    # Numbers stay text: they may have thousands of digits.
+    read = json.loads(
+        text, object_pairs_hook=_Fields, parse_int=str, parse_float=str, parse_constant=str
+    )
+    for path in _twice(read, ""):
+        raise Refused(before + path, Said("is given twice; each field can be there once"))
+
+
+def _twice(value: object, path: str) -> Iterator[str]:
+    """Paths of duplicate fields."""
+    if isinstance(value, _Fields):
+        seen = set()
+        for name, below in value:
+            at = f"{path}.{field_name(name)}" if path else field_name(name)
+            if name in seen:
+                yield at
+            seen.add(name)
+            yield from _twice(below, at)
+    elif isinstance(value, list):
+        for number, below in enumerate(value):
+            yield from _twice(below, f"{path}[{number}]")
