@@ -243,6 +243,18 @@ EXAMPLES = (
         "Collimated LED and freeform plate",
         "A stock lens makes the light parallel, a thin plate forms the letter; see its soft edges.",
     ),
+    Example(
+        "diffuser-screen",
+        _TRAINS,
+        "Diffuser before the screen",
+        "A film 4 mm before the screen blurs the letter; see the lens sharpen what the film blurs.",
+    ),
+    Example(
+        "diffuser-lens",
+        _TRAINS,
+        "Diffuser behind the lens",
+        "A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.",
+    ),
     *(
         Example(
             f"derivative-degree{degree}-filter{size}",

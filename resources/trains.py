@@ -1,6 +1,16 @@
 """Example scenes of several elements."""
 
+from typing import Any
+
 from resources.parts import bspline, in_mm, lens, screen, shown
+
+
+def _with_diffuser(source: dict[str, Any], diffuser: dict[str, Any], image: str) -> dict[str, Any]:
+    """Rear projection: the image is seen from behind the screen."""
+    acrylic = lens([30, 30], 8, "PMMA", bspline(), min_thickness=2)
+    film = {"kind": "diffuser", "name": "film", "transmittance": 0.9, **diffuser}
+    return in_mm(source, [acrylic, film], shown(image, screen(200, [60, 60]), viewed_from="back"))
+
 
 SCENES = {
     # A silicone dome on an LED of 1 mm, a freeform lens, and a plate that covers them.
@@ -45,6 +55,24 @@ SCENES = {
             ),
         ],
         shown("letter-256", screen(214, [60, 60], [128, 128])),
+    ),
+    "diffuser-screen": _with_diffuser(
+        {"kind": "point", "position": [0, 0, -80]},
+        {
+            "position": [0, 0, 196],
+            "half_width": [70, 70],
+            "scatter": {"kind": "gaussian", "sigma": 10},
+        },
+        "letter-256",
+    ),
+    "diffuser-lens": _with_diffuser(
+        {"kind": "collimated"},
+        {
+            "position": [0, 0, 25],
+            "half_width": [40, 40],
+            "scatter": {"kind": "gaussian", "sigma": 0.3},
+        },
+        "photo-256",
     ),
 }
 """Scenes by the names of their examples."""

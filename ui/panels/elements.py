@@ -17,7 +17,9 @@ from workbench.materials import CATALOGUE
 from workbench.powers import written
 from workbench.scene import (
     AnyElement,
+    Diffuser,
     FieldDescription,
+    GaussianScatter,
     Kinds,
     Lens,
     Mirror,
@@ -27,11 +29,12 @@ from workbench.scene import (
 )
 from workbench.scene.kinds import title_of
 
-_KINDS: tuple[type[AnyElement], ...] = (Lens, Mirror)
+_KINDS: tuple[type[AnyElement], ...] = (Lens, Mirror, Diffuser)
 _MATERIAL = "PMMA"
 # A new lens is plano-convex: its back face is a sphere of so many half widths, and it is so many
 # half widths thick, which leaves glass at the corners of a square one.
 _RADIUS, _THICKNESS = 4.0, 0.5
+_SIGMA = 5.0  # degrees, of a new diffuser
 _GAP = 0.1  # half widths between a new element and the one before
 
 
@@ -48,12 +51,13 @@ class ElementListRow(PartListRow[AnyElement]):
             (
                 tr("Add a plano-convex lens of fixed shape behind the last element"),
                 tr("Add a plane mirror behind the last element"),
+                tr("Add a diffuser behind the last element"),
                 tr("Add a copy of the chosen element behind the last element"),
                 tr("Remove the chosen element"),
                 tr("Exchange the chosen element with the one before it, along z too"),
                 tr("Exchange the chosen element with the one behind it, along z too"),
             ),
-            (tr("Add lens"), tr("Add mirror")),
+            (tr("Add lens"), tr("Add mirror"), tr("Add diffuser")),
         )
         self._scene: Scene | None = None
 
@@ -119,6 +123,9 @@ def _element(
     fields["half_width"] = like.half_width
     if kind is Mirror:
         return Mirror(kind="mirror", face=faces[0], **fields)
+    if kind is Diffuser:
+        scatter = GaussianScatter(kind="gaussian", sigma=_SIGMA)
+        return Diffuser(kind="diffuser", scatter=scatter, **fields)
     thickness = _rounded(_THICKNESS * max(like.half_width))
     return Lens(kind="lens", material=_MATERIAL, thickness=thickness, faces=faces, **fields)
 

@@ -40,6 +40,7 @@ from workbench.arrays import Array
 from workbench.design.transport import First, first_of, first_of_several
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
+from workbench.extended.scattering import Scattering, film_scene
 from workbench.geometry.faces import NO_FACES
 from workbench.scene import Scene
 
@@ -48,7 +49,7 @@ _ROUGH = 64
 
 
 class _Aim(NamedTuple):
-    """A task for light without a size."""
+    """A task for light that nothing blurs."""
 
     scene: Scene
     target: Array
@@ -66,7 +67,10 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
     fixed : mapping of str to ndarray, shape (n_u, n_v)
         As for `first_of`.
     """
-    scene = scene.alone
+    scattering = Scattering.of(scene) if len(scene.images) == 1 else None
+    scene = film_scene(scene).alone
+    if scattering is not None:
+        scene, target = _grown(scene, *scattering.unscattered(target))
     if len(scene.images) > 1:
         return first_of_several(
             scene, target, lambda image: first_lens(image.scene, image.target, fixed), fixed
@@ -99,16 +103,24 @@ def _aim(scene: Scene, target: Array, exit_z: float) -> _Aim:
     blur = Blur.of(scene, exit_z).seen_in(receiver.pixels)
     parts = blur.parts
     light = spread_light(target, blur, parts)
+    wide, light = _grown(scene, light, blur.margin, parts)
+    return _Aim(wide.model_copy(update={"source": scene.source.sharp}), light)
+
+
+def _grown(
+    scene: Scene, light: Array, blur_margin: tuple[int, int], parts: int = 1
+) -> tuple[Scene, Array]:
+    """The task for light in parts of pixels that has the margin of a blur."""
+    receiver = scene.receiver
     # Some of it may be beside the receiver, as far as there is light.
     margin = [
         m if np.isinf(most) else min(m, int((most / r - 1) / 2 * n))
         for m, most, r, n in zip(
-            blur.margin, receiver.farthest, receiver.half_extent, receiver.pixels, strict=True
+            blur_margin, receiver.farthest, receiver.half_extent, receiver.pixels, strict=True
         )
     ]
-    cut_x, cut_y = (parts * (m - kept) for m, kept in zip(blur.margin, margin, strict=True))
+    cut_x, cut_y = (parts * (m - kept) for m, kept in zip(blur_margin, margin, strict=True))
     light = light[cut_y : light.shape[0] - cut_y, cut_x : light.shape[1] - cut_x]
     grown = receiver.grown((margin[0], margin[1]))
     n_x, n_y = (parts * n for n in grown.pixels)
-    wide = scene.with_receiver(grown.model_copy(update={"pixels": (n_x, n_y)}))
-    return _Aim(wide.model_copy(update={"source": scene.source.sharp}), light)
+    return scene.with_receiver(grown.model_copy(update={"pixels": (n_x, n_y)})), light

@@ -8,6 +8,10 @@ from scipy.fft import next_fast_len
 from torch import Tensor
 from torch.autograd.function import once_differentiable
 
+from workbench.arrays import Array
+from workbench.optics.account import Account
+from workbench.optics.light import Light
+
 
 class LightBlurring:
     """Blurs light that lies in parts of pixels, and adds changes of the blur.
@@ -30,6 +34,32 @@ class LightBlurring:
         self._grid = next_fast_len(n_y + 2 * m_y), next_fast_len(n_x + 2 * m_x)
         self._kernels, self._factors = self._waves(_by_parts(kernels)), factors
         self._changes = [self._waves(_by_parts(each)) for each in changes]
+
+    @classmethod
+    def of(
+        cls, kernels: Array, changes: Array, factors: Array, device: torch.device
+    ) -> "LightBlurring":
+        """Return the blurring by arrays, in float32 on a device."""
+        parts = kernels, changes, factors
+        return cls(*(torch.as_tensor(part, dtype=torch.float32, device=device) for part in parts))
+
+    def light(
+        self, light: Light, pixels: tuple[int, int], margin: tuple[int, int], parts: int = 1
+    ) -> Light:
+        """Light of a receiver and some pixels beyond, blurred, and its account.
+
+        ``parts`` of a pixel along each axis have their own blurred light, which is added up.
+        """
+        (n_x, n_y), (m_x, m_y), account = pixels, margin, light.account
+        # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
+        image = self.image(light.flux.float()).clamp_min(0)
+        if parts > 1:
+            rows, columns = n_y + 2 * m_y, n_x + 2 * m_x
+            image = image.view(rows, parts, columns, parts).sum((1, 3))
+        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x]
+        on_screen = seen.sum(dtype=torch.float64).item()
+        lost = {**account.lost, "off_screen": account.arrived - on_screen}
+        return Light(image, Account(on_screen, lost))
 
     def image(self, light: Tensor) -> Tensor:
         """The image (n_y, n_x) of light in parts (parts n_y, parts n_x); differentiable."""

@@ -30,7 +30,6 @@ from torch import Tensor
 from workbench.design.blurred_light import LightBlurring
 from workbench.design.lens_blur import LensBlur
 from workbench.extended.blur import changes_at
-from workbench.optics.account import Account
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.samples import Corners
@@ -77,16 +76,11 @@ class BlurredPlan:
 
     def trace(self, heights: Mapping[str, Tensor], margin: tuple[int, int] = (0, 0)) -> Light:
         """Image and light account of a lens; see `BeamPlan.trace`."""
-        (n_x, n_y), (m_x, m_y), parts = self._pixels, margin, self._parts
-        sharp, account = self._plan.trace(heights, (parts * m_x, parts * m_y))
+        (m_x, m_y), parts = margin, self._parts
+        sharp = self._plan.trace(heights, (parts * m_x, parts * m_y))
         if margin not in self._blurring:
-            self._blurring[margin] = self._made(margin, sharp.device)
-        # Not negative but for rounding, and at the rims of spots that are narrower than the mean.
-        image = self._blurring[margin].image(sharp.float()).clamp_min(0)
-        seen = image.detach()[m_y : m_y + n_y, m_x : m_x + n_x]
-        on_screen = seen.sum(dtype=torch.float64).item()
-        lost = {**account.lost, "off_screen": account.arrived - on_screen}
-        return Light(image, Account(on_screen, lost))
+            self._blurring[margin] = self._made(margin, sharp.flux.device)
+        return self._blurring[margin].light(sharp, self._pixels, margin)
 
     def _made(self, margin: tuple[int, int], device: torch.device) -> LightBlurring:
         """The blurring of images with so many pixels beyond the screen on each side."""
@@ -97,9 +91,4 @@ class BlurredPlan:
         changes, factors = kernels[None][:0], np.zeros((0, n_y + 2 * m_y, n_x + 2 * m_x))
         if change is not None:
             changes, factors = changes_at(mean, places), change.at(self._pixels, margin)
-        return LightBlurring(
-            *(
-                torch.as_tensor(part, dtype=torch.float32, device=device)
-                for part in (kernels, changes, factors)
-            )
-        )
+        return LightBlurring.of(kernels, changes, factors, device)

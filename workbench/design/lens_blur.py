@@ -80,10 +80,10 @@ class BlurChange:
         if not inside.any():
             return None
         weight = np.sqrt(spots.flux[inside])
-        powers = weight * _powers(x[inside] / far_x, y[inside] / far_y)
+        terms = weight * powers(x[inside] / far_x, y[inside] / far_y, _DEGREE)
         found = weight * _differences(spots.spread[..., inside], spots.flux[inside])
-        factors = np.linalg.lstsq(powers.T, found.T)[0].T
-        left = np.square(found - factors @ powers).sum()
+        factors = np.linalg.lstsq(terms.T, found.T)[0].T
+        left = np.square(found - factors @ terms).sum()
         return cls(factors, (far_x, far_y)) if left < _LEFT * np.square(found).sum() else None
 
     def at(self, pixels: tuple[int, int], margin: tuple[int, int]) -> Array:
@@ -102,7 +102,7 @@ class BlurChange:
             ((np.arange(n + 2 * m) - (n + 2 * m - 1) / 2) / far).clip(-1, 1)
             for n, m, far in zip(pixels, margin, self.half_extent, strict=True)
         )
-        return np.asarray(np.tensordot(self.factors, _powers(x[None, :], y[:, None]), 1))
+        return np.asarray(np.tensordot(self.factors, powers(x[None, :], y[:, None], _DEGREE), 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,11 +121,11 @@ class LensBlur:
     change: BlurChange | None = None
 
 
-def _powers(x: Array, y: Array) -> Array:
-    """Powers of x and y together up to the degree, along the first axis; x and y broadcast."""
-    powers = range(_DEGREE + 1)
+def powers(x: Array, y: Array, degree: int) -> Array:
+    """Powers of x and y together up to a degree, along the first axis; x and y broadcast."""
+    each = range(degree + 1)
     return np.stack(
-        np.broadcast_arrays(*(x**i * y**j for i in powers for j in powers if i + j <= _DEGREE))
+        np.broadcast_arrays(*(x**i * y**j for i in each for j in each if i + j <= degree))
     )
 
 

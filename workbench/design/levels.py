@@ -13,9 +13,11 @@ from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.density import Density
 from workbench.design.lens_blur import BlurChange, LensBlur
 from workbench.design.near_sources import fitting_source_cells
+from workbench.design.scattered_plan import directions_at_receiver
 from workbench.design.several_images import AnyImage, SeveralImages
 from workbench.design.wide_image import WideImage
 from workbench.extended.blur import Blur, one_over_the_lens
+from workbench.extended.scattering import Scattering, film_scene
 from workbench.measured.lamps import of_known_size
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.samples import Corners
@@ -124,6 +126,7 @@ def image_of(
     blur: LensBlur | None = None,
     asked_light: float | None = None,
     cells: Corners | None = None,
+    scattering: Scattering | None = None,
 ) -> WideImage:
     """The image by which a level compares lenses.
 
@@ -145,9 +148,12 @@ def image_of(
         As for `WideImage`; see `asked_light_of`.
     cells : Corners, optional
         In place of those of the level; see `fitting_source_cells`.
+    scattering : Scattering, optional
+        As for `WideImage`.
     """
     cells = cells or cells_of(level, scene, mirrored, sharp=blur is not None)
-    return WideImage(scene, target, cells, light_extent, mirrored, blur, asked_light)
+    how = mirrored, blur, asked_light, scattering
+    return WideImage(scene, target, cells, light_extent, *how)
 
 
 def cells_of(
@@ -233,8 +239,11 @@ def _image_of(
     mirrored: tuple[bool, bool],
 ) -> WideImage:
     """One of the images of a scene, for lenses like one that is there."""
-    scene, cells = image.scene, None
+    scene, cells = film_scene(image.scene), None
     blur = lens_blur_of(scene, heights)
+    # Light of a source of some size is even within a pixel.
+    directions = directions_at_receiver(image.scene, heights)
+    scattering = Scattering.of(image.scene, directions, parts=1 if blur else None)
     if blur is None and _origins(scene) > 1:
         cells = fitting_source_cells(scene, heights, mirrored)
     return image_of(
@@ -246,6 +255,7 @@ def _image_of(
         blur,
         asked_light_of(scene, heights),
         cells,
+        scattering,
     )
 
 

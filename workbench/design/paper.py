@@ -36,6 +36,7 @@ def check_paper(scene: Scene) -> None:
             ),
         )
     scene.check_one_image(Said("the paper's method"))
+    scene.check_no_diffuser(Said("the paper's method"))
     check_memory(scene)
 
 

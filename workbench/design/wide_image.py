@@ -11,8 +11,10 @@ from workbench.design.blurred_plan import BlurredPlan
 from workbench.design.lens_blur import LensBlur
 from workbench.design.lens_state import LensState
 from workbench.design.loss import check_finite, check_light, measure_of, paper_loss, share
+from workbench.design.scattered_plan import BeamImages, ScatteredPlan
 from workbench.design.step import Step
 from workbench.extended.blur import Blur
+from workbench.extended.scattering import Scattering
 from workbench.extended.wanted import wanted_light
 from workbench.geometry.surface import freeform_nets
 from workbench.optics.beam_plan import BeamPlan
@@ -49,6 +51,8 @@ class WideImage:
         of its middle is traced then, and blurred.
     asked_light : float, optional
         Flux that the image shall have. By default what arrives, however much that is.
+    scattering : Scattering, optional
+        What a diffuser makes of the light that comes to the receiver of ``scene``.
 
     Attributes
     ----------
@@ -56,9 +60,9 @@ class WideImage:
         Time of a look at a lens and its gradients, in those of a beam of light: how many cells are
         traced, those of all origins together, of which boxes take less.
     blurred : bool
-        Whether it is the light of a source whose size blurs it.
+        Whether it is the light of a source whose size blurs it, or of a diffuser.
     blur_widths : tuple[float, float]
-        Mean widths of ``blur`` along x and y, parts of those of the receiver; 0 without one.
+        Mean widths of ``blur`` and ``scattering`` along x and y, parts of those of the receiver.
     """
 
     def __init__(
@@ -70,27 +74,35 @@ class WideImage:
         mirrored: tuple[bool, bool] = (False, False),
         blur: LensBlur | None = None,
         asked_light: float | None = None,
+        scattering: Scattering | None = None,
     ) -> None:
         self._scene, receiver = scene, scene.receiver
         (n_x, n_y), r, most = receiver.pixels, receiver.half_extent, receiver.farthest
         m_x, m_y = (
             _margin(light_extent[k] / r[k], receiver.pixels[k], most[k] / r[k]) for k in (0, 1)
         )
-        self._plan: BeamPlan | BlurredPlan = (
-            BlurredPlan(scene, (cells[0], cells[1]), blur, mirrored)
+        parts = scattering.parts if scattering else 1
+        fine = receiver.model_copy(update={"pixels": (parts * n_x, parts * n_y)})
+        traced = scene.with_receiver(fine)
+        plan: BeamPlan | BlurredPlan = (
+            BlurredPlan(traced, (cells[0], cells[1]), blur, mirrored)
             if blur
-            else BeamPlan(scene, cells, mirrored=mirrored)
+            else BeamPlan(traced, cells, mirrored=mirrored)
+        )
+        self._plan: BeamImages = (
+            ScatteredPlan(plan, scattering, receiver.pixels) if scattering else plan
         )
         self._margin, self._asked_light = (m_x, m_y), asked_light
         halves = 2 ** sum(mirrored)
         corners = Corners(*cells)
-        self.blurred = blur is not None or corners.origins > 1
-        x, y = blur.mean.widths if blur else (0.0, 0.0)
+        self.blurred = blur is not None or scattering is not None or corners.origins > 1
+        blurs = [each.widths for each in (blur and blur.mean, scattering) if each]
+        x, y = map(max, zip((0.0, 0.0), *blurs, strict=True))
         self.blur_widths = x / n_x, y / n_y
         origins = corners.origins * scene.source.point_count
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
-        boxes = isinstance(self._plan, BeamPlan) and self._plan.boxes
+        boxes = isinstance(plan, BeamPlan) and plan.boxes
         each = _OF_A_BOX[len(freeform_nets(scene.optic)) - 1] if boxes else 1.0
         self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
         self._pixel_measure = receiver.pixel_measure
@@ -99,7 +111,11 @@ class WideImage:
         self._share = torch.as_tensor(share(target), dtype=torch.float32, device=device)
         # Where pixels cover different measures, densities are compared, as shares of all light.
         seen = Blur.of(scene).seen_in(receiver.pixels)
-        wanted = wanted_light(share(target * receiver.relative_measure()), seen, (m_x, m_y))
+        flux = share(target * receiver.relative_measure())
+        if scattering is None:
+            wanted = wanted_light(flux, seen, (m_x, m_y))
+        else:
+            wanted = scattering.wanted(flux, (m_x, m_y), seen.spread()[0])
         wanted = wanted / receiver.relative_measure(m_y)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._relative = measure_of(receiver, device)

@@ -16,7 +16,7 @@ the distance of the result from the optimum, and decides when to stop.
 
 import math
 from collections.abc import Generator, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -175,7 +175,15 @@ def error_allowing(target: Array, blur: Blur) -> Generator[None, None, float]:
     return float(np.linalg.norm(image - wanted) / np.linalg.norm(wanted))
 
 
-def spread_light(target: Array, blur: Blur, parts: int = 1) -> Array:
+class Spreading(Protocol):
+    """A blur whose kernels for uniform light in parts of a pixel are known; see `Blur.spread`."""
+
+    def spread(self, parts: int = 1) -> Array:
+        """Return kernels (parts parts, 2 m_y + 1, 2 m_x + 1)."""
+        ...
+
+
+def spread_light(target: Array, blur: Spreading, parts: int = 1) -> Array:
     """Return the light, uniform in each part of a pixel, that is closest when blurred.
 
     A lens can make that, unlike light at single points or with sharp edges. It has the shape (parts

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 from workbench.said import Said
-from workbench.scene import AnyReceiver, Lens, Mirror, Scene
+from workbench.scene import AnyReceiver, Diffuser, Lens, Mirror, Scene
 from workbench.scene.losses import Loss
 
 _AT_RECEIVERS: Mapping[str, Loss] = {
@@ -22,7 +22,12 @@ _AT_RECEIVERS: Mapping[str, Loss] = {
         always=True,
     ),
 }
-LOSSES: Mapping[str, Loss] = {**_AT_RECEIVERS, **Lens.all_losses(), **Mirror.all_losses()}
+LOSSES: Mapping[str, Loss] = {
+    **_AT_RECEIVERS,
+    **Lens.all_losses(),
+    **Mirror.all_losses(),
+    **Diffuser.all_losses(),
+}
 """All losses by name, in the order in which they are listed."""
 
 

@@ -17,7 +17,16 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.optics.interfaces import Interface, Reflection, Refraction
 from workbench.optics.surfaces import BSplineSurface, Conic, Plane, Surface
 from workbench.optics.transmittance import TransmittanceLaw
-from workbench.scene import ConicFace, Element, Lens, Mirror, PlacedFace, PlaneFace, Scene
+from workbench.scene import (
+    ConicFace,
+    Diffuser,
+    Element,
+    Lens,
+    Mirror,
+    PlacedFace,
+    PlaneFace,
+    Scene,
+)
 
 
 class FaceStep(NamedTuple):
@@ -157,7 +166,16 @@ def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)
 
 
+def _of_diffuser(diffuser: Diffuser, along: PathContext) -> tuple[FaceStep, ...]:
+    """Where it takes light; what scattering does to the image is done to the image."""
+    (placed,), outline = diffuser.placed_faces, outline_of(diffuser)
+    law = TransmittanceLaw.constant(1.0, 1 - diffuser.transmittance)
+    plane = _fixed(placed, placed.z - along.datum, outline)
+    return (FaceStep(plane, Refraction(law, "absorbed_diffuser"), "missed_diffuser"),)
+
+
 _FACES: Mapping[type, Callable[[Any, PathContext], Iterable[FaceStep]]] = {
     Lens: _of_lens,
     Mirror: _of_mirror,
+    Diffuser: _of_diffuser,
 }

@@ -7,6 +7,7 @@ possible: whatever cannot be built, traced or made is refused here, with the pat
 from workbench.scene.area_source import AreaSource
 from workbench.scene.auto_net import AutoNet
 from workbench.scene.collimated_source import CollimatedSource, GaussianProfile, UniformProfile
+from workbench.scene.diffuser import Diffuser, GaussianScatter, LambertianScatter
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element, PlacedFace
 from workbench.scene.emission import ExactMethod, MeshMethod
 from workbench.scene.faces import (
@@ -72,6 +73,7 @@ __all__ = [
     "CollimatedSource",
     "ConicFace",
     "CustomIndex",
+    "Diffuser",
     "DrawnTarget",
     "Element",
     "EllipseRegion",
@@ -85,10 +87,12 @@ __all__ = [
     "FlatBase",
     "GaussianFilter",
     "GaussianProfile",
+    "GaussianScatter",
     "GridSource",
     "Image",
     "ImageTarget",
     "Kinds",
+    "LambertianScatter",
     "Lens",
     "LightOfPoints",
     "Measure",

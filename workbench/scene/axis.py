@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from workbench.arrays import Array
+from workbench.scene.diffuser import Diffuser
 from workbench.scene.element import Element
 from workbench.scene.mirror import Mirror
 from workbench.scene.receiver import AnyReceiver
@@ -35,6 +36,8 @@ def incoming(source: "Source", elements: Sequence[Element]) -> tuple[Array, ...]
 
 def outgoing(element: Element, way: Array) -> Array:
     """Return the unit vector (3,) along which light leaves an element that it comes to."""
+    if isinstance(element, Diffuser):
+        return way
     normal = element.turn[:, 2]
     return way - 2 * (way @ normal) * normal if isinstance(element, Mirror) else normal
 

@@ -257,34 +257,34 @@ class Element(Part):
         """The plane of the aperture: light that passes the outline there reaches the element."""
 
     @property
-    @abstractmethod
     def datum(self) -> float:
         """The z from which paths of slanted light count: near the faces."""
+        return self.front_z
 
     @property
-    @abstractmethod
     def entrance_range(self) -> tuple[float, float]:
         """The lowest and the highest z that the entrance face can come to."""
+        return self.front_z, self.front_z
 
     @property
-    @abstractmethod
     def entrance_offsets(self) -> tuple[float, float]:
         """The same from its place on the axis."""
+        return 0.0, 0.0
 
     @property
-    @abstractmethod
     def leaving_z(self) -> float:
         """About where light leaves it, as far as that is known before a design."""
+        return self.front_z
 
     @property
-    @abstractmethod
     def lowest(self) -> float:
         """The z that no point of it can be below: sources stand before that."""
+        return self.floor
 
     @property
-    @abstractmethod
     def highest(self) -> float:
         """The z that no point of its face can be above, as far as it is known before a run."""
+        return self.ceiling
 
     @property
     def edge_z(self) -> float:
@@ -302,14 +302,14 @@ class Element(Part):
         """The z that its face is kept below whatever the height range is; infinite without one."""
 
     @property
-    @abstractmethod
     def index(self) -> float:
         """Refractive index of what is before its face."""
+        return 1.0
 
     @property
-    @abstractmethod
     def steepest(self) -> float:
         """Tangent of the largest angle to the axis at which light may come to its face, about."""
+        return 1.0
 
     @property
     @abstractmethod
@@ -317,9 +317,9 @@ class Element(Part):
         """The least part of the light that its last face loses."""
 
     @property
-    @abstractmethod
     def least_thickness(self) -> float:
         """The least that the solid part may be thick, by itself."""
+        return 0.0
 
     @property
     @abstractmethod
@@ -331,7 +331,6 @@ class Element(Part):
     def held_by(self) -> Literal["height_range", "max_thickness", "screen"]:
         """What keeps its face below, if no height range does."""
 
-    @abstractmethod
     def bounded(
         self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
     ) -> Self:
@@ -347,6 +346,7 @@ class Element(Part):
             Of the distance to the receiver, that it may rise where neither a height range nor a
             maximal thickness is given.
         """
+        return self
 
     def ranged(self, low: float, high: float) -> Self:
         """The element with another height range; nothing else of it moves."""

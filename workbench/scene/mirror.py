@@ -103,39 +103,9 @@ class Mirror(Element):
         return self.base.height if self.designed else self.base.extent(self.half_width)[0]
 
     @property
-    def datum(self) -> float:
-        """That of the base."""
-        return self.base.height
-
-    @property
     def entrance(self) -> PlaneFace:
         """None that could be shaped."""
         return PlaneFace()
-
-    @property
-    def entrance_range(self) -> tuple[float, float]:
-        """There is no such face."""
-        return self.front_z, self.front_z
-
-    @property
-    def entrance_offsets(self) -> tuple[float, float]:
-        """There is no such face."""
-        return 0.0, 0.0
-
-    @property
-    def leaving_z(self) -> float:
-        """The same: light comes and goes on one side."""
-        return self.front_z
-
-    @property
-    def lowest(self) -> float:
-        """The z that no point of the mirror can be below."""
-        return self.floor
-
-    @property
-    def highest(self) -> float:
-        """The z that no point of the mirror can be above."""
-        return self.ceiling
 
     @property
     def floor(self) -> float:
@@ -156,24 +126,9 @@ class Mirror(Element):
         return self.height_range or (-most, most)
 
     @property
-    def index(self) -> float:
-        """There is no glass."""
-        return 1.0
-
-    @property
-    def steepest(self) -> float:
-        """That of light from points nearby."""
-        return 1.0
-
-    @property
     def least_loss(self) -> float:
         """What it absorbs."""
         return 1 - self.reflectance
-
-    @property
-    def least_thickness(self) -> float:
-        """The plate is as thick as its thickness says, at least."""
-        return 0.0
 
     @property
     def deflection(self) -> float:
@@ -184,12 +139,6 @@ class Mirror(Element):
     def held_by(self) -> Literal["height_range"]:
         """The most that the range may automatically be."""
         return "height_range"
-
-    def bounded(
-        self, source_z: float, receiver_z: float, several: bool = False, part: float = 1.0
-    ) -> Self:
-        """Itself: the range of its heights is finite anyway."""
-        return self
 
     def flat_z(self, heights: Array) -> float:
         """The back of the plate."""

@@ -13,6 +13,7 @@ from workbench.refusals import refusal
 from workbench.said import Said
 from workbench.scene import limits, versions
 from workbench.scene.axis import incoming, leaving
+from workbench.scene.diffuser import Diffuser
 from workbench.scene.element import DEFAULT_WAVELENGTH, Element
 from workbench.scene.fields import about
 from workbench.scene.filter import Filter, GaussianFilter
@@ -39,7 +40,7 @@ from workbench.scene.target import Target
 from workbench.scene.train_checks import check_elements, check_receivers, too_many
 
 Unit = Literal["mm", "cm", "m", "inch"]
-AnyElement = Annotated[Lens | Mirror, Kinds("kind")]
+AnyElement = Annotated[Lens | Mirror | Diffuser, Kinds("kind")]
 
 
 class _Versioned(Part, extra="ignore"):
@@ -93,8 +94,8 @@ class Scene(Part):
         Field(min_length=1),
         about(
             "Elements",
-            "Lenses and mirrors in the order in which light meets them. Light that passes one by "
-            "is lost there.",
+            "Lenses, mirrors and diffusers in the order in which light meets them. Light that "
+            "passes one by is lost there.",
         ),
     ]
     images: Annotated[
@@ -306,6 +307,20 @@ class Scene(Part):
                 Said(
                     "the element is not upright, which {who} cannot take into account; 0", who=who
                 ),
+            )
+
+    @property
+    def diffuser(self) -> Diffuser | None:
+        """The diffuser before the receivers, which can only be the last element."""
+        last = self.elements[-1]
+        return last if isinstance(last, Diffuser) else None
+
+    def check_no_diffuser(self, who: str) -> None:
+        """Refuse a diffuser, as `check_one_image` refuses several images."""
+        if self.diffuser is not None:
+            raise Refused(
+                f"elements[{len(self.elements) - 1}].kind",
+                Said("'diffuser', which {who} cannot take into account; none", who=who),
             )
 
     def check_one_image(self, who: str) -> None:

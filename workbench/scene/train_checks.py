@@ -10,6 +10,7 @@ from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.said import Said
 from workbench.scene.axis import leaving, outgoing
+from workbench.scene.diffuser import Diffuser, LambertianScatter
 from workbench.scene.element import Element
 from workbench.scene.faces import SplineFace
 from workbench.scene.lens import Lens
@@ -47,6 +48,7 @@ def check_elements(scene: "Scene") -> None:
         raise Refused("elements", Said("no face is designed; one face of shape 'bspline'"))
     for number in range(len(scene.elements)):
         _check_element(scene, number)
+    _check_diffuser(scene)
 
 
 def check_receivers(scene: "Scene", receivers: Sequence[AnyReceiver]) -> None:
@@ -131,7 +133,7 @@ def _check_element(scene: "Scene", number: int) -> None:
 def _check_side(path: str, element: Element, way: Array) -> None:
     """Refuse light that comes to the back of a lens, or of a mirror that the design shapes."""
     cosine = float(way @ element.turn[:, 2])
-    if cosine > _GRAZING or (isinstance(element, Mirror) and not element.designed):
+    if cosine > _GRAZING or not (isinstance(element, Lens) or element.designed):
         return
     back = Said(
         "light comes to the back of {name}, at {angle:.0f} degrees from its z; less than 90, as "
@@ -140,6 +142,44 @@ def _check_side(path: str, element: Element, way: Array) -> None:
         angle=math.degrees(math.acos(max(cosine, -1.0))),
     )
     raise Refused(f"{path}.tilt", back)
+
+
+def _check_diffuser(scene: "Scene") -> None:
+    """Refuse elements behind a diffuser, and receivers that a Lambertian one cannot light.
+
+    Directions behind a diffuser are many, and an image of them is a convolution on the receiver
+    alone. Behind a Lambertian diffuser, that holds for planes parallel to it; in the far field its
+    light is the same for all lenses.
+    """
+    for number, element in enumerate(scene.elements[:-1]):
+        if isinstance(element, Diffuser):
+            raise Refused(
+                f"elements[{number + 1}]",
+                Said(
+                    "'{name}' is behind the diffuser {diffuser}; move the diffuser to the end",
+                    name=scene.elements[number + 1].name,
+                    diffuser=element.name,
+                ),
+            )
+    last = scene.elements[-1]
+    if not isinstance(last, Diffuser) or not isinstance(last.scatter, LambertianScatter):
+        return
+    across = last.turn[:, 2]
+    for number, receiver in enumerate(scene.receivers):
+        if not isinstance(receiver, Screen):
+            raise Refused(
+                f"images[{number}].receiver.kind",
+                Said(
+                    "behind a Lambertian diffuser all lenses make the same far field; 'plane', or "
+                    "{field}: 'gaussian'",
+                    field=f"elements[{len(scene.elements) - 1}].scatter.kind",
+                ),
+            )
+        if abs(receiver.across @ across) < 1 - _ROUNDING:
+            raise Refused(
+                f"images[{number}].receiver.tilt",
+                Said("not parallel to the Lambertian diffuser {name}; its tilt", name=last.name),
+            )
 
 
 def _check_order(scene: "Scene", number: int, element: Element) -> None:

@@ -13,7 +13,12 @@ from workbench.analysis.tracing.elements import (
     TracedFace,
     TracedRays,
 )
-from workbench.analysis.tracing.interfaces import DielectricBoundary, MirrorBoundary, reflectances
+from workbench.analysis.tracing.interfaces import (
+    DielectricBoundary,
+    MirrorBoundary,
+    ScatterBoundary,
+    reflectances,
+)
 from workbench.analysis.tracing.pose import ElementPose, Pose
 from workbench.analysis.tracing.receivers import detector_of
 from workbench.analysis.tracing.sources import light_source
@@ -29,7 +34,7 @@ from workbench.analysis.tracing.surfaces import (
 from workbench.arrays import Array
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
-from workbench.scene import AnyReceiver, ConicFace, Element, Lens, Mirror, Scene
+from workbench.scene import AnyReceiver, ConicFace, Diffuser, Element, Lens, Mirror, Scene
 from workbench.scene.faces import Face
 from workbench.scene.train_checks import check_receivers
 
@@ -123,7 +128,7 @@ class OpticalTrain:
         for number, (element, way) in enumerate(zip(elements, scene.ways, strict=True)):
             designed = number == scene.designed_number
             stands, own_turn = _Stands(number == 0, False), _turn(element)
-            if isinstance(element, Mirror) and way @ own_turn[:, 2] < 0:
+            if isinstance(element, Mirror | Diffuser) and way @ own_turn[:, 2] < 0:
                 stands, own_turn = _Stands(False, True), own_turn * [1.0, -1.0, -1.0]
             if designed:
                 own = _DESIGNED[type(element)](element, heights, pose, stands)
@@ -281,6 +286,11 @@ def _fixed_mirror(mirror: Mirror, stands: _Stands) -> Sequence[tuple[TracedFace,
     return ((surface, MirrorBoundary(mirror.reflectance)),)
 
 
+def _diffuser(diffuser: Diffuser, stands: _Stands) -> Sequence[tuple[TracedFace, Boundary]]:
+    plane = FlatFace(0.0, outline_of(diffuser), "missed_diffuser")
+    return ((plane, ScatterBoundary(diffuser)),)
+
+
 def _placed(
     faces: Sequence[tuple[TracedFace, Boundary]], turn: Array, shift: Array, size: float
 ) -> Sequence[tuple[TracedFace, Boundary]]:
@@ -296,4 +306,5 @@ _DESIGNED: Mapping[
 _FIXED: Mapping[type, Callable[[Any, _Stands], Sequence[tuple[TracedFace, Boundary]]]] = {
     Lens: _fixed_lens,
     Mirror: _fixed_mirror,
+    Diffuser: _diffuser,
 }

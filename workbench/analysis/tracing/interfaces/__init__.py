@@ -2,5 +2,6 @@
 
 from workbench.analysis.tracing.interfaces.dielectric import DielectricBoundary, reflectances
 from workbench.analysis.tracing.interfaces.mirror import MirrorBoundary
+from workbench.analysis.tracing.interfaces.scatter import ScatterBoundary
 
-__all__ = ["DielectricBoundary", "MirrorBoundary", "reflectances"]
+__all__ = ["DielectricBoundary", "MirrorBoundary", "ScatterBoundary", "reflectances"]
