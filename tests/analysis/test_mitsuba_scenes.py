@@ -116,3 +116,38 @@ def test_mitsuba_finds_the_same_light_of_a_train(monkeypatch):
     assert found.ours.efficiency > 0.1
     assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.02)
     assert found.difference < 1.3 * found.noise
+
+
+def test_mitsuba_finds_the_same_light_of_a_folded_train(monkeypatch):
+    monkeypatch.setattr("workbench.analysis.mitsuba_elements._CELLS", 128)  # made sooner
+    plane = {"shape": "plane"}
+    # Two mirrors as in a periscope, whose light goes beside the first one.
+    scene = Scene.from_data(
+        {
+            "version": 3,
+            "source": {"kind": "point", "position": [0.1, 0, -5]},
+            "elements": [
+                {"kind": "lens", "name": "lens", "half_width": [1.2, 1.0], "tilt": [4, -3, 20]}
+                | {"thickness": 0.5, "material": {"index": 1.5}, "position": [0.1, -0.1, 0]}
+                | {"faces": [plane, {"shape": "bspline"}]},
+                {"kind": "mirror", "name": "fold", "half_width": [1.6, 2.2], "reflectance": 0.9}
+                | {"position": [0, 0, 3], "tilt": [45, 0, 0]}
+                | {"face": {"shape": "conic", "radius": 60.0}},
+                {"kind": "mirror", "name": "back", "half_width": [1.8, 2.4], "outline": "ellipse"}
+                | {"position": [0, 4, 3], "tilt": [-135, 0, 0], "face": plane},
+            ],
+            "images": [
+                {
+                    "receiver": {"kind": "plane", "position": [0, 4, 9]}
+                    | {"half_width": [1.8, 1.8], "pixels": [16, 16]},
+                    "target": {"builtin": "ball"},
+                }
+            ],
+        }
+    ).with_net((8, 8))
+    x, y = ControlNet.of(scene.optic).positions
+    heights = 0.5 - 0.16 * np.square(x[:, None]) - 0.12 * np.square(y) + 0.03 * x[:, None]
+    found = cross_check(scene, np.ones((16, 16)), {"lens.back": heights}, rays=200_000)
+    assert found.ours.efficiency > 0.2
+    assert found.mitsuba.efficiency == pytest.approx(found.ours.efficiency, rel=0.01)
+    assert found.difference < 1.3 * found.noise

@@ -20,7 +20,7 @@ from workbench.analysis.mitsuba_receivers import picture_of
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.progress import Progress, no_progress
-from workbench.scene import Scene
+from workbench.scene import Scene, Screen
 
 # Variant without a compiler at run time: that of the others needs an LLVM of the right version.
 _VARIANT = "scalar_rgb"
@@ -49,15 +49,13 @@ class MitsubaScene:
 
     def __init__(self, scene: Scene, heights: Mapping[str, Array]) -> None:
         self._mi = _mitsuba()
-        self._picture = picture_of(scene.receiver, scene.elements[-1].lit(scene.source.wavelength))
+        self._picture = picture_of(scene)
         # Mitsuba counts in single precision and has thresholds made for lengths of about 1.
         self._scene, self._unit = scene, max(scene.optic.half_width)
+        self._onwards = scene.onwards(scene.receiver)
         check_known(scene.source)
         self._pixel_area = self._picture.screen.pixel_measure / self._unit**2
-        screen, last = self._picture.screen, scene.elements[-1]
-        # 1 if light goes through the screen along its normal, -1 if against it.
-        across = np.subtract(screen.position, last.position) @ screen.sides[2]
-        self._sense = math.copysign(1.0, across)
+        screen = self._picture.screen
         self._unlit: dict[str, Any] = {
             "type": "scene",
             "integrator": {"type": "ptracer", "max_depth": _segments(scene), "rr_depth": 100},
@@ -87,7 +85,7 @@ class MitsubaScene:
         samples = -(-rays // (n_x * n_y))
         passes = min(-(-samples * n_x * n_y // _AT_ONCE), samples)
         samples = -(-samples // passes)
-        source, first = self._scene.source, self._scene.first
+        source, first = self._scene.entrance
         lights, emitted = mitsuba_lights(self._mi, source, first, self._unit, rays, seed)
         lit = self._mi.load_dict(self._unlit | lights)
         radiance = np.zeros((n_y, n_x))
@@ -97,19 +95,25 @@ class MitsubaScene:
             picture = self._mi.render(lit, spp=samples, seed=int(state))
             radiance += np.array(picture)[:, :, 0]
             progress(done / passes)
-        if self._sense < 0:  # seen from the other side, x goes to the left
+        if self._onwards < 0:  # seen from the other side, x goes to the left
             radiance = radiance[:, ::-1]
         # Scattered evenly into the half-sphere.
         irradiance = math.pi / passes * radiance
         flux = np.asarray(irradiance * self._pixel_area / emitted)
         return self._picture.light(flux, self._scene.receiver)
 
+    def _seen(self, screen: Screen) -> tuple[Array, Array]:
+        """Middle of a screen, and its unit vectors as rows, in Mitsuba: as the first element is."""
+        first = self._scene.first
+        return first.seen(np.array(screen.position)) / self._unit, screen.sides @ first.turn
+
     def _screen(self) -> dict[str, Any]:
         screen = self._picture.screen
         r_x, r_y = (r / self._unit for r in screen.half_width)
         to_world = np.eye(4)
-        to_world[:3, :3] = screen.sides.T * [r_x, r_y, 1.0]
-        to_world[:3, 3] = np.array(screen.position) / self._unit
+        middle, sides = self._seen(screen)
+        to_world[:3, :3] = sides.T * [r_x, r_y, 1.0]
+        to_world[:3, 3] = middle
         return {
             "type": "rectangle",
             "to_world": self._mi.ScalarTransform4f(to_world),
@@ -124,9 +128,9 @@ class MitsubaScene:
     def _camera(self) -> dict[str, Any]:
         """Its picture is the screen, exactly."""
         screen, (n_x, n_y) = self._picture.screen, self._picture.screen.pixels
-        middle, r_x = np.array(screen.position) / self._unit, screen.half_width[0] / self._unit
-        _, up, across = screen.sides
-        behind = middle + _AWAY * r_x * self._sense * across
+        middle, (_, up, across) = self._seen(screen)
+        r_x = screen.half_width[0] / self._unit
+        behind = middle + _AWAY * r_x * self._onwards * across
         return {
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(1 / _AWAY)),

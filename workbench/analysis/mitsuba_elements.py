@@ -14,7 +14,6 @@ import numpy.typing as npt
 from workbench.arrays import Array
 from workbench.errors import Refused
 from workbench.geometry.face_grids import face_normals, face_points
-from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Rectangle, outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.said import Said
@@ -42,7 +41,7 @@ class _Placed(NamedTuple):
     """An element with what its shapes need.
 
     ``reach`` is how far its baffle may go from its axis; ``unit`` counts as 1 in Mitsuba. Both are
-    in scene units. ``apertured`` says whether light has to pass its outline in its front plane.
+    in scene units. Coordinates of Mitsuba are those of the ``first`` element.
     """
 
     mi: Any
@@ -50,11 +49,7 @@ class _Placed(NamedTuple):
     heights: Mapping[str, Array]
     reach: float
     unit: float
-    apertured: bool
-
-    @property
-    def frame(self) -> Frame:
-        return Frame.at(self.element.position, self.element.tilt)
+    first: Element
 
     def grid(self) -> tuple[Array, Array]:
         """Places in [-1, 1] along each axis; knots of a freeform face are among them."""
@@ -68,14 +63,6 @@ class _Placed(NamedTuple):
             counts = [1, 1] if outline_of(self.element).whole else [_ROUND, _ROUND]
         u, v = (np.linspace(-1, 1, count + 1) for count in counts)
         return u, v
-
-    def own(self, points: Array) -> Array:
-        """Points of the scene in the coordinates of the element."""
-        return np.asarray((points - self.frame.position) @ self.frame.rotation)
-
-    def in_scene(self, points: Array) -> Array:
-        """Points of the element in the coordinates of the scene."""
-        return np.asarray(points @ self.frame.rotation.T + self.frame.position)
 
 
 def mitsuba_elements(
@@ -108,13 +95,11 @@ def mitsuba_elements(
             unknown = Said("Mitsuba is given no {kind}; leave it out to compare", kind=each.kind)
             raise Refused(f"elements[{number}].kind", unknown)
         element = each.lit(scene.source.wavelength)
-        reach = _free_reach(stations, number, Frame.at(each.position, each.tilt))
-        apertured = number == 0 or element.designed
-        reach = min(reach, _BAFFLE * unit)
-        placed = _Placed(mi, element, heights, reach, unit, apertured)
+        reach = min(_free_reach(stations, number, each), _BAFFLE * unit)
+        placed = _Placed(mi, element, heights, reach, unit, scene.first)
         own = row_of(_KINDS, element)(placed)
         if number or element.onwards > 0:  # light of the source comes to a mirror alone
-            own |= _baffles(placed)
+            own |= _baffles(placed, apertured=number == 0)
         shapes |= {f"{name}{number}": shape for name, shape in own.items()}
     return shapes
 
@@ -158,16 +143,16 @@ def _mirror(placed: _Placed) -> Shapes:
     return {"face": _mesh(placed, points, metal, face_normals(element, face, u, v, placed.heights))}
 
 
-def _baffles(placed: _Placed) -> Shapes:
-    """Black surfaces around the outline: at the rim, and in the plane of the aperture."""
+def _baffles(placed: _Placed, apertured: bool) -> Shapes:
+    """Black surfaces around the outline: at the rim, and in the plane of an aperture."""
     element, (u, v) = placed.element, placed.grid()
     rims = [
-        placed.own(_rim(face_points(element, face, u, v, placed.heights)))
+        element.seen(_rim(face_points(element, face, u, v, placed.heights)))
         for face in element.placed_faces
     ]
     levels = {float(min(rims[0][:, 2].max(), rims[-1][:, 2].min()))}
-    if placed.apertured:
-        levels.add(element.front_z - element.position[2])
+    if apertured:
+        levels.add(element.front_z)
     outline = outline_of(element)
     black = placed.mi.load_dict(_BLACK)
     shapes: Shapes = {}
@@ -179,7 +164,7 @@ def _baffles(placed: _Placed) -> Shapes:
         x, y = Rectangle(element.half_width).from_square(u[:, None], v)
         around = _rim(np.stack([x, y, np.full_like(x, level)], axis=-1))
         foot = rims[0] * [1, 1, 0] + [0, 0, level]
-        ring = placed.in_scene(np.stack([around, foot], axis=1))
+        ring = element.in_scene(np.stack([around, foot], axis=1))
         shapes[f"frame{number}_"] = _mesh(placed, ring, black)
     return shapes
 
@@ -191,7 +176,8 @@ def _beside(placed: _Placed, level: float, name: str) -> Shapes:
     if wide <= max(r_x, r_y):
         return {}
     place = np.eye(4)
-    place[:3, :3], place[:3, 3] = placed.frame.rotation, placed.frame.position / placed.unit
+    place[:3, :3] = placed.first.turn.T @ placed.element.turn
+    place[:3, 3] = placed.first.seen(placed.element.origin) / placed.unit
     beside_x, beside_y = (r_x + wide) / 2, (r_y + wide) / 2
     rectangles = [
         (-beside_x, 0.0, (wide - r_x) / 2, wide),
@@ -214,31 +200,37 @@ def _beside(placed: _Placed, level: float, name: str) -> Shapes:
 
 def _stations(scene: Scene, screen: Screen) -> list[Array]:
     """Points (n, 3) of the source, of each element and of the screen, in the order of the light."""
-    elements = [
-        _across(Frame.at(each.position, each.tilt), each.half_width) for each in scene.elements
-    ]
+    elements = [_across(each) for each in scene.elements]
     if scene.source.place is None:
-        first = elements[0] - [0.0, 0.0, 2 * max(scene.elements[0].half_width)]
+        first = elements[0] - 2 * max(scene.elements[0].half_width) * scene.ways[0]
     else:
         first = scene.source.seen((_ACROSS, _ACROSS))
-    return [first, *elements, _across(Frame.at(screen.position, screen.tilt), screen.half_width)]
+    x, y = _square(screen.half_width)
+    right, up, _ = screen.sides
+    last = np.array(screen.position) + x[:, None] * right + y[:, None] * up
+    return [first, *elements, last]
 
 
-def _across(frame: Frame, half_width: tuple[float, float]) -> Array:
+def _across(element: Element) -> Array:
+    x, y = _square(element.half_width)
+    return element.in_scene(np.stack([x, y, np.full_like(x, element.position[2])], axis=1))
+
+
+def _square(half_width: tuple[float, float]) -> tuple[Array, Array]:
     side = np.linspace(-1, 1, _ACROSS)
     x, y = np.meshgrid(side * half_width[0], side * half_width[1])
-    points = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
-    return np.asarray(points @ frame.rotation.T + frame.position)
+    return x.ravel(), y.ravel()
 
 
-def _free_reach(stations: Sequence[Array], number: int, frame: Frame) -> float:
+def _free_reach(stations: Sequence[Array], number: int, element: Element) -> float:
     """How far from the axis of an element its plane meets no other light of the train."""
     nearest = math.inf
     for before in range(len(stations) - 1):
         if number + 1 in (before, before + 1):
             continue
         start, end = (
-            (points - frame.position) @ frame.rotation for points in stations[before : before + 2]
+            element.seen(points) - [0.0, 0.0, element.position[2]]
+            for points in stations[before : before + 2]
         )
         start, end = np.broadcast_arrays(start[:, None], end[None, :])
         crosses = start[..., 2] * end[..., 2] < 0
@@ -262,10 +254,11 @@ def _mesh(placed: _Placed, points: Array, material: Any, normals: Array | None =
         has_vertex_normals=normals is not None,
     )
     content = mi.traverse(mesh)
-    content["vertex_positions"] = (points / placed.unit).astype(np.float32).ravel()
+    points = placed.first.seen(points) / placed.unit
+    content["vertex_positions"] = points.astype(np.float32).ravel()
     content["faces"] = triangles.ravel()
     if normals is not None:
-        content["vertex_normals"] = normals.astype(np.float32).ravel()
+        content["vertex_normals"] = (normals @ placed.first.turn).astype(np.float32).ravel()
     content.update()
     return mesh
 

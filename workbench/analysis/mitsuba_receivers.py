@@ -9,7 +9,7 @@ from scipy.sparse import csr_array
 
 from workbench.arrays import Array
 from workbench.errors import Refused
-from workbench.scene import AnyReceiver, Element, FarField, Screen
+from workbench.scene import AnyReceiver, FarField, Scene, Screen
 
 # How far a screen stands for a far field, in half-widths of the lens: light of opposite rims is
 # apart by twice as small an angle, 2e-6 radians or 0.0001 degrees.
@@ -45,18 +45,18 @@ class Picture(NamedTuple):
         return found
 
 
-def picture_of(receiver: AnyReceiver, optic: Element) -> Picture:
-    """The picture that tells the light on a receiver.
+def picture_of(scene: Scene) -> Picture:
+    """The picture that tells the light on the receiver of a scene.
 
     Raises
     ------
     Refused
         If pixels of a screen are not square, or a far field goes too far to the side.
     """
-    return _PICTURES[type(receiver)](receiver, optic)
+    return _PICTURES[type(scene.receiver)](scene.receiver, scene)
 
 
-def _of_screen(screen: Screen, optic: Element) -> Picture:
+def _of_screen(screen: Screen, scene: Scene) -> Picture:
     (r_x, r_y), (n_x, n_y) = screen.half_width, screen.pixels
     if not math.isclose(r_x / n_x, r_y / n_y, rel_tol=1e-6):
         raise Refused(
@@ -67,7 +67,7 @@ def _of_screen(screen: Screen, optic: Element) -> Picture:
     return Picture(screen)
 
 
-def _of_far_field(far_field: FarField, optic: Element) -> Picture:
+def _of_far_field(far_field: FarField, scene: Scene) -> Picture:
     """A screen so far that its places are directions."""
     widest = max(abs(c) + r for c, r in zip(far_field.center, far_field.half_angle, strict=True))
     if widest > _MOST:
@@ -88,11 +88,13 @@ def _of_far_field(far_field: FarField, optic: Element) -> Picture:
     for slope in (slope_x, slope_y):
         middle.append(float(slope.max() + slope.min()) / 2)
         counts.append(math.ceil(float(np.ptp(slope)) / size))
-    away = _FAR * max(optic.half_width)
+    last = scene.elements[-1]
+    away = _FAR * max(last.half_width)
+    x, y, z = last.in_scene(np.array([0.0, 0.0, last.leaving_z])).tolist()
     half_width = counts[0] * size / 2 * away, counts[1] * size / 2 * away
     screen = Screen(
         kind="plane",
-        position=(middle[0] * away, middle[1] * away, optic.leaving_z + optic.onwards * away),
+        position=(x + middle[0] * away, y + middle[1] * away, z + scene.onwards(far_field) * away),
         half_width=half_width,
         pixels=(min(counts[0], 4096), min(counts[1], 4096)),
     )
@@ -129,7 +131,7 @@ def _shares(begin: Array, end: Array) -> list[tuple[Array, Array]]:
     return [(first, before), (first + 1, 1 - before)]
 
 
-_PICTURES: Mapping[type, Callable[[Any, Element], Picture]] = {
+_PICTURES: Mapping[type, Callable[[Any, Scene], Picture]] = {
     Screen: _of_screen,
     FarField: _of_far_field,
 }

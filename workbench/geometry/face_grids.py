@@ -5,7 +5,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.scene import Element, PlacedFace
@@ -27,9 +26,7 @@ def face_points(
     else:
         x, y = outline.from_square(u[:, None], v)
         z = placed.z + (face.base if isinstance(face, SplineFace) else face).sag(x, y)
-    frame = Frame.at(element.position, element.tilt)
-    own = np.stack([x, y, z - element.position[2]], axis=-1)
-    return np.asarray(own @ frame.rotation.T + frame.position)
+    return element.in_scene(np.stack([x, y, z], axis=-1))
 
 
 def face_normals(
@@ -44,7 +41,7 @@ def face_normals(
         own /= np.linalg.norm(own, axis=-1, keepdims=True)
     else:
         own = face.normal(*outline.from_square(u[:, None], v))
-    return np.asarray(own @ Frame.at(element.position, element.tilt).rotation.T)
+    return np.asarray(own @ element.turn.T)
 
 
 def element_sides(
@@ -59,8 +56,6 @@ def element_sides(
     )
     if others:
         return front, others[-1]
-    frame = Frame.at(element.position, element.tilt)
-    back = (front - frame.position) @ frame.rotation
-    z = element.position[2]
-    back[..., 2] = element.flat_z(back[..., 2] + z) - z
-    return front, np.asarray(back @ frame.rotation.T + frame.position)
+    back = element.seen(front).copy()
+    back[..., 2] = element.flat_z(back[..., 2])
+    return front, element.in_scene(back)

@@ -23,7 +23,6 @@ from matplotlib import colormaps
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 from workbench.arrays import Array
-from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import freeform_nets
 from workbench.pictures import meshes
@@ -358,10 +357,9 @@ def _axis(scene: Scene) -> Array:
 
 
 def _place_of(optic: Element) -> Array:
-    """Matrix (4, 4) that takes points of the designed element, with the scene's z, to the scene."""
-    frame, place = Frame.at(optic.position, optic.tilt), np.eye(4)
-    place[:3, :3] = frame.rotation
-    place[:3, 3] = frame.position - frame.rotation[:, 2] * optic.position[2]
+    """Matrix (4, 4) that takes points of an element to the scene; see `Element.in_scene`."""
+    place = np.eye(4)
+    place[:3, :3], place[:3, 3] = optic.turn, optic.origin
     return place
 
 

@@ -46,17 +46,13 @@ def write_step_train(design: Design, file: BinaryIO) -> Deviation:
     scene, model, items = design.scene, Model(), []
     off = 0.0
     for number, element in enumerate(scene.elements):
-        frame = Frame.at(element.position, element.tilt)
+        model.frame = Frame(element.origin, element.turn)
         if number == scene.designed_number:
-            # The control heights count z from the scene's origin.
-            down = frame.rotation[:, 2] * element.position[2]
-            model.frame = Frame(frame.position - down, frame.rotation)
             model.turned = element.onwards < 0
             shape = partial(solid_shape, name=element.name)
             item, error = shape_of(shape, model, design.faces)
             model.turned = False
         else:
-            model.frame = frame
             item, error = _fixed_solid(model, element)
         items.append(item)
         off = max(off, error)
@@ -167,16 +163,13 @@ class _FixedFace:
 
 def _fixed_solid(model: Model, element: Element) -> tuple[str, float]:
     """Add the solid of a fixed element; return it, and the error of what is fitted."""
-    z = element.position[2]
-    front, *others = (
-        _FixedFace(element, placed.face, placed.z - z) for placed in element.placed_faces
-    )
+    front, *others = (_FixedFace(element, placed.face, placed.z) for placed in element.placed_faces)
     if others:
         back = others[-1]
     else:  # a plate
         side = np.linspace(-1, 1, 65)
         x, y = outline_of(element).from_square(side[:, None], side)
-        flat = element.flat_z(z + front.heights(x, y)) - z
+        flat = element.flat_z(front.heights(x, y))
         back = _FixedFace(element, PlaneFace(), flat)
     tops, feet = back.rim(model), front.rim(model)
     walls = _walls(model, element, front.corners)
