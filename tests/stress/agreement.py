@@ -29,16 +29,22 @@ def disagreements(seed: int, number: int) -> tuple[bool, list[str]]:
     data, scene = random_task(seed, number)
     if scene is None:
         return False, []
-    target = _target(scene)
     try:
-        *_, last = run(scene, target)
-        heights = last.state.heights
-        found = validate(scene, target, heights, RAYS, accuracy=ACCURACY)
+        said = contradictions(scene)
     except (Refused, RunFailed) as failure:
         assert str(failure).strip()
         return False, []
-    said = list(filter(None, _differences(scene, last, found)))
     return True, [f"task {number} of seed {seed}: {each}\n{json.dumps(data)}" for each in said]
+
+
+def contradictions(
+    scene: Scene, rays: int = RAYS, accuracy: float = ACCURACY, share_of_run: float = _SHARE_OF_RUN
+) -> list[str]:
+    """In what a run of a scene, cells and random rays contradict each other."""
+    target = _target(scene)
+    *_, last = run(scene, target)
+    found = validate(scene, target, last.state.heights, rays, accuracy=accuracy)
+    return list(filter(None, _differences(last, found, share_of_run)))
 
 
 def _target(scene: Scene) -> np.ndarray[Any, Any]:
@@ -50,10 +56,10 @@ def _target(scene: Scene) -> np.ndarray[Any, Any]:
     return target
 
 
-def _differences(scene: Scene, last: Snapshot, found: Validation) -> list[str | None]:
+def _differences(last: Snapshot, found: Validation, share_of_run: float) -> list[str | None]:
     by_check = (found.by_cells or found).efficiency
     apart = last.state.account.efficiency - by_check
-    far = abs(apart) > _SHARE_OF_RUN
+    far = abs(apart) > share_of_run
     return [
         found.contradiction,
         f"the run is off by {apart:.4f} of all light: {by_check:.4f}" if far else None,

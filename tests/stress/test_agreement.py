@@ -9,7 +9,9 @@ import os
 
 import pytest
 
-from tests.stress.agreement import disagreements
+from tests.stress.agreement import contradictions, disagreements
+from tests.stress.lamps import LAMPS
+from workbench.scene import Scene
 
 SEED = int(os.environ.get("FREEFORM_STRESS_SEED", "1"))
 PARTS, EACH = 40, 10
@@ -22,6 +24,62 @@ def test_some_tasks(number):
     traced, said = disagreements(1, number)
     assert traced
     assert not said, "\n".join(said)
+
+
+def lens(**fields):
+    return {
+        "lens": {"half_width": [1, 1], "refractive_index": 1.5, "control_points": [16, 16]} | fields
+    }
+
+
+def screen(z, half_width=(3, 3), pixels=(16, 16), **fields):
+    return {"screen": {"z": z, "half_width": half_width, "pixels": pixels} | fields}
+
+
+def far(*half_angle):
+    return {"far_field": {"half_angle": half_angle, "pixels": [8, 8]}}
+
+
+def light(kind, **fields):
+    return {"source": {"kind": kind} | fields}
+
+
+def mirror(**fields):
+    return {"mirror": {"half_width": [1, 1], "control_points": [16, 16]} | fields}
+
+
+BEAM = light("collimated", profile={"kind": "gaussian", "radius": 0.02})
+FREE = {"shape": "freeform"}
+# Tasks of users of which a run, cells or random rays once said something else than the others.
+REPORTED = {
+    "a beam far narrower than the lens": lens() | BEAM | far(20, 10),
+    "such a beam on two faces": lens(entrance=FREE) | BEAM | far(20, 10),
+    "such a beam on a net of low degree": lens(degree=[1, 2]) | BEAM | screen(5, [1, 1]),
+    "a mirror in tilted light": mirror()
+    | light("collimated", direction=[20, -10])
+    | screen(-1.2, [30, 18]),
+    "a lamp beside a mirror": mirror() | light("point", position=[2, 0, -3]) | screen(-5),
+    "tilted light on a freeform entrance face": lens(entrance=FREE | {"height_range": [-0.5, 0.1]})
+    | light("collimated", direction=[30, 0])
+    | screen(5),
+    "a lamp of a file right before the lens": lens()
+    | light("photometric", file="narrow.ies", position=[0, -0.5, -0.001])
+    | screen(100, [30, 18]),
+    "a very far screen": lens() | light("collimated") | screen(1e9, [1, 1]),
+    "nearly all directions": lens() | light("collimated") | far(89.9, 89.9),
+    "a slim mirror beside a lamp of a file": mirror(
+        half_width=[0.27, 0.027], degree=[1, 2], outline="ellipse"
+    )
+    | light("photometric", file="crooked.ies", position=[0.4, 0, -0.5])
+    | screen(-0.32, [8, 4.8], [16, 200], tilt=[10, 0]),
+}
+
+
+@pytest.mark.parametrize("task", REPORTED.values(), ids=REPORTED.keys())
+def test_tasks_that_users_reported(task):
+    data = {"version": 2, "unit": "mm", "target": {"builtin": "tophat"}, "run": {"iterations": 1}}
+    scene = Scene.from_data(data | task).carrying(LAMPS)
+    assert not contradictions(scene, rays=20_000, accuracy=1e-2, share_of_run=0.004)
 
 
 @pytest.mark.slow
