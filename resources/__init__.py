@@ -255,6 +255,25 @@ EXAMPLES = (
         "Diffuser behind the lens",
         "A film that scatters by 0.3° blurs over 1 mm at the screen; compare with the photograph.",
     ),
+    Example(
+        "fold-mirror",
+        _TRAINS,
+        "Fold mirror",
+        "A plane mirror turns the light by 90° before the freeform lens; see the folded axis.",
+    ),
+    Example(
+        "mirror-and-lens",
+        _TRAINS,
+        "Mirror and lens",
+        "The mirror is designed for the light behind a stock lens; see where the rays cross it.",
+    ),
+    Example(
+        "tilted-lens",
+        _TRAINS,
+        "Tilted lens",
+        "The lens is tilted and shifted, and is designed as it stands; see the image come out "
+        "straight.",
+    ),
     *(
         Example(
             f"derivative-degree{degree}-filter{size}",

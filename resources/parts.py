@@ -32,6 +32,11 @@ def lens(
     }
 
 
+def mirror(half_width: Sequence[float], face: dict[str, Any], **fields: Any) -> dict[str, Any]:
+    """A mirror, its vertex at the origin."""
+    return {"kind": "mirror", "name": "mirror", "half_width": half_width, "face": face, **fields}
+
+
 def screen(
     z: float,
     half_width: Sequence[float],

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from resources.parts import bspline, in_mm, lens, screen, shown
+from resources.parts import bspline, in_mm, lens, mirror, screen, shown
 
 
 def _with_diffuser(source: dict[str, Any], diffuser: dict[str, Any], image: str) -> dict[str, Any]:
@@ -73,6 +73,53 @@ SCENES = {
             "scatter": {"kind": "gaussian", "sigma": 0.3},
         },
         "photo-256",
+    ),
+    # The mirror turns light along +z to +y: what is behind it is turned by -90° about x.
+    "fold-mirror": in_mm(
+        {"kind": "collimated", "angular_diameter": 0.2},
+        [
+            mirror([9.5, 14], {"shape": "plane"}, name="fold", tilt=[45, 0, 0]),
+            lens(
+                [10, 10],
+                4,
+                "PMMA",
+                bspline(),
+                position=[0, 20, 0],
+                tilt=[-90, 0, 0],
+                min_thickness=1,
+            ),
+        ],
+        shown("letter-256", screen(0, [35, 35], [128, 128], [0, 174], tilt=[-90, 0, 0])),
+    ),
+    # Light comes askew, and goes back beside where it came from.
+    "mirror-and-lens": in_mm(
+        {"kind": "collimated", "direction": [-15, 0]},
+        [
+            mirror([10, 10], bspline(), reflectance=0.9),
+            lens(
+                [20, 20],
+                8,
+                "N-BK7",
+                {"shape": "conic", "radius": -100},
+                name="field",
+                position=[0, 16, -60],
+                tilt=[-165, 0, 0],
+            ),
+        ],
+        shown("letter-256", screen(-150, [30, 30], [128, 128], [0, 40], tilt=[15, 0, 0])),
+    ),
+    "tilted-lens": in_mm(
+        {"kind": "collimated"},
+        lens(
+            [10, 10],
+            3,
+            "PMMA",
+            bspline(),
+            position=[2, 1, 0],
+            tilt=[6, -5, 0],
+            min_thickness=1,
+        ),
+        shown("photo-256", screen(150, [30, 30], [128, 128])),
     ),
 }
 """Scenes by the names of their examples."""
