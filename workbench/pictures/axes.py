@@ -29,7 +29,7 @@ SIGNED = "RdBu_r"
 """Colour map of signed values."""
 UNSIGNED = ("inferno", "viridis", "cividis", "gray")
 """Colour maps of values from zero on, perceptually uniform, readable without red and green."""
-_FONT = 8
+FONT = 8
 _DIGITS = 3  # of a coordinate
 _ZERO = 1e-4  # of a rectangle, less than a pixel of it
 _ROUNDING = 1e-9  # relative to the values
@@ -152,9 +152,9 @@ def map_image(
         interpolation="nearest",
         label=name,
     )
-    axes.set_xlabel(extent.label(0), fontsize=_FONT, labelpad=2)
-    axes.set_ylabel(extent.label(1), fontsize=_FONT, labelpad=2)
-    axes.tick_params(labelsize=_FONT)
+    axes.set_xlabel(extent.label(0), fontsize=FONT, labelpad=2)
+    axes.set_ylabel(extent.label(1), fontsize=FONT, labelpad=2)
+    axes.tick_params(labelsize=FONT)
     set_round_ticks(axes)
     return image
 
@@ -187,11 +187,19 @@ def colour_bar(axes: "Axes", image: Any, unit: str, extend: str) -> Any:
     # Beside the image itself, not beside the slot that the image may not fill.
     beside = axes.inset_axes((1.05, 0.0, 0.055, 1.0))
     bar = axes.figure.colorbar(image, cax=beside, extend=extend)
-    bar.set_label(unit, fontsize=_FONT)
-    bar.ax.tick_params(labelsize=_FONT)
+    bar.set_label(unit, fontsize=FONT)
+    bar.ax.tick_params(labelsize=FONT)
     set_bar_labels(bar)
     bar.outline.set_linewidth(0.6)
     return bar
+
+
+def label_curves(axes: Axes, x: str, y: str) -> None:
+    """Label both axes of curves and draw a grid."""
+    axes.set_xlabel(x, fontsize=FONT, labelpad=2)
+    axes.set_ylabel(y, fontsize=FONT, labelpad=2)
+    axes.tick_params(which="both", labelsize=FONT)
+    axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
 
 
 def set_round_ticks(axes: "Axes") -> None:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from workbench.arrays import Array
 from workbench.design.session import KeptRun, Session
 from workbench.measured.lamps import LightUnit, light_unit
-from workbench.pictures.axes import SIGNED, Extent, colour_bar, pixel_at, stable_scale
+from workbench.pictures.axes import FONT, SIGNED, Extent, colour_bar, pixel_at, stable_scale
 from workbench.pictures.images import LIGHT, full_scale, receiver_map
 from workbench.pictures.loss import LossCourse, draw_courses
 from workbench.powers import written
@@ -20,7 +20,6 @@ from workbench.targets.raster import averaged
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_FONT = 8
 _TITLE_LETTERS = 34
 
 
@@ -114,7 +113,7 @@ class Comparison:
             axes.set_axis_off()
             why = "The receivers cover different places: nothing to subtract."
             at, middle = axes.transAxes, "center"
-            axes.text(0.5, 0.5, why, fontsize=_FONT, ha=middle, va=middle, transform=at)
+            axes.text(0.5, 0.5, why, fontsize=FONT, ha=middle, va=middle, transform=at)
             return
         image = receiver_map(axes, "difference", one.scene, SIGNED)
         image.set_data(self.difference)
@@ -137,4 +136,4 @@ def _short(name: str) -> str:
 
 
 def _title(axes: "Axes", text: str) -> None:
-    axes.set_title(text, fontsize=_FONT + 1)
+    axes.set_title(text, fontsize=FONT + 1)

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from workbench.arrays import Array
-from workbench.pictures.axes import set_round_ticks, set_tick_labels
+from workbench.pictures.axes import FONT, label_curves, set_round_ticks, set_tick_labels
 from workbench.pictures.images import LIGHT, full_scale
 from workbench.scene import Scene
 
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from workbench.analysis.focus import Focus
     from workbench.design.session import Checked
 
-_FONT = 8
 _DPI = 150
 _COLUMNS, _MOST = 6, 12  # images beside each other, and in all
 _BLUE, _ORANGE, _GREY = "#2f86d1", "#d9822b", "#8a8f98"
@@ -42,7 +41,7 @@ def draw_focus(
     for axes, number in zip(panels, chosen, strict=False):
         image = series[number]
         axes.imshow(image.irradiance, LIGHT, vmin=0, vmax=top, extent=(-r_x, r_x, -r_y, r_y))
-        axes.set_title(f"z = {image.z:.6g} {scene.unit}", fontsize=_FONT)
+        axes.set_title(f"z = {image.z:.6g} {scene.unit}", fontsize=FONT)
     _draw_curves(below.subplots(), scene, series)
 
 
@@ -54,13 +53,10 @@ def _draw_curves(axes: "Axes", scene: Scene, series: Sequence["Focus"]) -> None:
     axes.plot(z, light, "s--", color=_ORANGE, markersize=3, label="light on the screen")
     axes.axvline(scene.receiver.plane_z, color=_GREY, linestyle=":", linewidth=1, label="screen")
     axes.set_ylim(bottom=0)
-    axes.set_xlabel(f"z of the screen ({scene.unit})", fontsize=_FONT)
-    axes.set_ylabel("%", fontsize=_FONT)
-    axes.tick_params(labelsize=_FONT)
+    label_curves(axes, f"z of the screen ({scene.unit})", "%")
     set_tick_labels(axes, "x")
     set_tick_labels(axes, "y")
-    axes.grid(visible=True, linewidth=0.6, alpha=0.35)
-    axes.legend(loc="best", fontsize=_FONT)
+    axes.legend(loc="best", fontsize=FONT)
 
 
 def write_focus(file: BinaryIO, scene: Scene, target: Array, series: Sequence["Focus"]) -> None:
@@ -85,11 +81,8 @@ class FocusCurve:
         self._shown: Sequence[tuple[float, float]] = ()
         axes.set_xlim(*ends)
         axes.set_ylim(0, 1)
-        axes.set_xlabel(f"z of the screen ({scene.unit})", fontsize=_FONT, labelpad=2)
-        axes.set_ylabel("error (%)", fontsize=_FONT, labelpad=2)
-        axes.tick_params(labelsize=_FONT)
+        label_curves(axes, f"z of the screen ({scene.unit})", "error (%)")
         set_round_ticks(axes)
-        axes.grid(visible=True, linewidth=0.6, alpha=0.35)
 
     def update(self, errors: Sequence[tuple[float, float]], z: float) -> bool:
         """Show errors as (z, relative L2 error) sorted by z; return whether to redraw."""
@@ -113,12 +106,9 @@ def draw_errors(axes: "Axes", nominal: float, errors: Sequence[float]) -> None:
         at = float(np.percentile(ordered, part))
         axes.axvline(at, color=_GREY, linestyle=":", linewidth=1.0, label=f"{part} %: {at:.2f} %")
     axes.set_ylim(0, 100)
-    axes.set_xlabel("relative L2 error (%)", fontsize=_FONT)
-    axes.set_ylabel("lenses up to there (%)", fontsize=_FONT)
-    axes.tick_params(labelsize=_FONT)
+    label_curves(axes, "relative L2 error (%)", "lenses up to there (%)")
     set_tick_labels(axes, "x")
-    axes.grid(visible=True, linewidth=0.6, alpha=0.35)
-    axes.legend(loc="lower right", fontsize=_FONT)  # below the curve
+    axes.legend(loc="lower right", fontsize=FONT)  # below the curve
 
 
 def write_errors(path: Path | BinaryIO, nominal: float, errors: Sequence[float]) -> None:
@@ -161,15 +151,12 @@ def draw_sweep(axes: "Axes", title: str, curves: Sequence[Curve]) -> None:
             label=curve.name,
         )
     axes.set_ylim(bottom=0)
-    axes.set_xlabel(title, fontsize=_FONT)
-    axes.set_ylabel("verified error (%)", fontsize=_FONT)
-    axes.tick_params(labelsize=_FONT)
+    label_curves(axes, title, "verified error (%)")
     if any(not _is_number(text) for text in texts):
         axes.set_xticks(list(positions.values()), texts)
     set_tick_labels(axes, "y")
-    axes.grid(visible=True, linewidth=0.6, alpha=0.35)
     if any(curve.name for curve in curves):
-        axes.legend(fontsize=_FONT)
+        axes.legend(fontsize=FONT)
 
 
 def _positions(texts: Sequence[str]) -> dict[str, float]:

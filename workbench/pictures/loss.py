@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from workbench.arrays import Array
-from workbench.pictures.axes import UpdatedPicture
+from workbench.pictures.axes import FONT, UpdatedPicture, label_curves
 from workbench.powers import written
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 Against = Literal["iterations", "seconds"]
 
-_FONT = 8
 _EXTREMES = 1e-200, 1e200  # of an axis: ticks far beyond the ends are still finite
 _SHORT_RANGE = 50
 _NAME = 13  # width of a legend entry, in letters
@@ -70,10 +69,7 @@ class LossPicture(UpdatedPicture):
         self._against = against
         self._logarithmic = logarithmic
         name = "iteration" if against == "iterations" else "time (s)"
-        axes.set_xlabel(name, fontsize=_FONT, labelpad=2)
-        axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
-        axes.tick_params(which="both", labelsize=_FONT)
-        axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
+        label_curves(axes, name, "loss")
         axes.set_xscale("log" if logarithmic[0] else "linear")
         axes.set_yscale("log" if logarithmic[1] else "linear")
         for axis in (axes.xaxis, axes.yaxis):
@@ -92,7 +88,7 @@ class LossPicture(UpdatedPicture):
         )
         self._points.set_in_layout(False)  # where there are none, they lie at 0, 0
         self._value = axes.text(
-            0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=_FONT + 1
+            0.97, 0.94, "", transform=axes.transAxes, ha="right", va="top", fontsize=FONT + 1
         )
         self._stage_lines: list[Artist] = []
         self._stages_at: tuple[float, ...] = ()
@@ -129,10 +125,9 @@ class LossPicture(UpdatedPicture):
     ) -> bool:
         """Show losses; return whether the whole figure has to be redrawn.
 
-        `losses` (k,): loss after each iteration; a logarithmic axis shows positive ones only;
-        `iterations`: least length of the axis of iterations; `stage_starts`: index of the first
-        loss of each stage but the first; marked by vertical lines; `times` (k,): run time at the
-        end of each iteration, for an axis of seconds; `verified`: checks of lenses of the run.
+        `losses` (k,): after each iteration; `iterations`: least length of the axis; `stage_starts`:
+        index of the first loss of each stage but the first; `times` (k,): run time at the end of
+        each iteration; `verified`: checks of lenses of the run.
         """
         by_time = self._against == "seconds"
         x = self._x_values(losses, np.zeros(0) if times is None else times)
@@ -162,7 +157,7 @@ class LossPicture(UpdatedPicture):
         points = [self._points] if self._has_points else []
         named = [self._line, *points, *self._others]
         box = self._axes.bbox
-        em = _FONT * self._axes.get_figure(root=True).dpi / 72  # type: ignore[union-attr]
+        em = FONT * self._axes.get_figure(root=True).dpi / 72  # type: ignore[union-attr]
         line = 1.3 * em
         top = round(0.94 - line / max(box.height, line), 2)  # below the value
         rows, columns = int(top * box.height / line), int(box.width / (_NAME * em))
@@ -181,7 +176,7 @@ class LossPicture(UpdatedPicture):
                 bbox_to_anchor=(1.0, top),  # curves fall from the left
                 borderaxespad=0.2,
                 ncols=columns,
-                fontsize=_FONT,
+                fontsize=FONT,
                 frameon=False,
                 labelcolor="linecolor",
                 labelspacing=0.2,
@@ -228,15 +223,12 @@ class LossPicture(UpdatedPicture):
 
 def draw_courses(axes: "Axes", runs: Sequence[LossCourse]) -> None:
     """Draw the losses of several runs against iterations."""
-    axes.set_xlabel("iteration", fontsize=_FONT, labelpad=2)
-    axes.set_ylabel("loss", fontsize=_FONT, labelpad=2)
+    label_curves(axes, "iteration", "loss")
     axes.set_yscale("log")
-    axes.tick_params(which="both", labelsize=_FONT)
-    axes.grid(visible=True, which="major", linewidth=0.6, alpha=0.35)
     for run, (colour, stroke) in zip(runs, ((_THIS_RUN, "-"), *_OTHERS), strict=False):
         x_values = np.arange(1, run.losses.size + 1)
         axes.plot(x_values, run.losses, color=colour, linestyle=stroke, label=run.name)
-    axes.legend(fontsize=_FONT, frameon=False, labelcolor="linecolor")
+    axes.legend(fontsize=FONT, frameon=False, labelcolor="linecolor")
 
 
 def _set_ticks(axis: "Axis", logarithmic: bool, low: float, high: float) -> None:

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from workbench.arrays import Array
 from workbench.measured.lamps import light_unit
-from workbench.pictures.axes import Extent, UpdatedPicture, set_round_ticks
+from workbench.pictures.axes import FONT, Extent, UpdatedPicture, label_curves, set_round_ticks
 from workbench.pictures.images import full_scale, target_irradiance
 from workbench.scene import Scene
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 Place = tuple[float, float]
 
-_FONT = 8
 _HEADROOM = 1.4  # above the scale of the images, for bright spots and the legend
 _LIGHT, _TARGET = "#2f86d1", "#d9822b"  # distinguishable without red or green
 
@@ -91,16 +90,14 @@ class SectionCurves(UpdatedPicture):
         self._target = target_irradiance(scene, target)
         self._shown: tuple[object, ...] = ()
         self._unit = light_unit(scene)
-        axes.set_ylabel(self._unit.words, fontsize=_FONT, labelpad=2)
-        axes.tick_params(labelsize=_FONT)
+        label_curves(axes, "", self._unit.words)
         set_round_ticks(axes)
-        axes.grid(visible=True, linewidth=0.6, alpha=0.35)
         (wanted,) = axes.plot([], [], color=_TARGET, linewidth=1.2, linestyle="--", label="target")
         (light,) = axes.plot([], [], color=_LIGHT, linewidth=1.4, label=scene.receiver.density)
         self._target_line, self._light_line = wanted, light
         axes.legend(
             loc="upper right",
-            fontsize=_FONT,
+            fontsize=FONT,
             frameon=False,
             labelcolor="linecolor",
             handlelength=1.5,
@@ -117,7 +114,7 @@ class SectionCurves(UpdatedPicture):
         if self._shown == (cut.name, cut.ends, top):
             return False
         self._shown = (cut.name, cut.ends, top)
-        self._axes.set_xlabel(cut.name, fontsize=_FONT, labelpad=2)
+        self._axes.set_xlabel(cut.name, fontsize=FONT, labelpad=2)
         self._axes.set_ylim(0, top)
         self._axes.set_xlim(*cut.ends)
         return True
