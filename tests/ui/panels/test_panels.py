@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from tests.ui.hands import choose, editor, enter, field_row, row, rows
+from tests.ui.hands import choose, editor, enter, field_row, fill, row, rows
 from workbench.files.session import Session
 from workbench.scene import Scene
 from workbench.targets import load_target
@@ -114,6 +114,17 @@ def test_a_refusal_stands_beside_its_field(forms, document, qtbot, path, text, r
     assert reason in field.refusal
     assert field._refusal.isVisible()
     assert forms.refused
+
+
+def test_a_spectrum_is_typed_as_one_line_refused_and_left_out(forms, document, qtbot):
+    field = row(forms, "source.spectrum").editor
+    fill(qtbot, field, "0.45, 1; 0.6, 3")
+    assert document.session.scene.source.spectrum == ((0.45, 1.0), (0.6, 3.0))
+    fill(qtbot, field, "0.45, 0; 0.6, 0")
+    assert "all parts of the flux are 0" in row(forms, "source.spectrum").refusal
+    fill(qtbot, field, "")
+    assert document.session.scene.source.spectrum is None
+    assert not row(forms, "source.spectrum").refusal
 
 
 def test_two_values_that_only_fit_together_are_taken_together(forms, document, qtbot):
