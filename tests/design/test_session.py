@@ -110,6 +110,15 @@ def test_limits_that_the_lens_is_within_keep_the_result(session, values):
     assert other.start is None
 
 
+def test_a_lens_that_is_moved_along_z_takes_its_heights_along(session):
+    optic = session.scene.optic
+    x, y, z = optic.position
+    scene = session.scene.with_optic(optic.model_copy(update={"position": (x, y, z + 0.25)}))
+    moved = session.with_scene(scene, session.target)
+    for face, heights in session.heights.items():
+        assert moved.heights[face] == pytest.approx(heights + 0.25, abs=1e-12)
+
+
 def test_locks_stay_with_their_control_points_wherever_these_are(session):
     locked = FaceArrays({"lens.back": np.zeros(session.scene.optic.net_shape, dtype=bool)})
     session = replace(session, locked=locked)

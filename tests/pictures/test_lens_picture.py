@@ -157,3 +157,13 @@ def test_all_elements_of_a_train_are_drawn_in_their_places(plotter):
     for place in ((-2.4, 0, -9.6), (-np.sqrt(2.5**2 - 1.5**2), 0, -8.4), (3.0, 20, 12)):
         ((x, y),) = sight.pixels(np.array([place]))
         assert sight.point(x, y) == pytest.approx(np.array(place), abs=0.3)
+
+
+def test_rays_of_a_train_end_where_they_are_lost():
+    scene = Scene.from_json(path("examples", "dome-cover.json").read_text()).with_net((8, 8))
+    heights = {"lens.back": np.full((8, 8), 5.0)}
+    points = ray_paths(scene, heights, (15, 15)).points
+    beside = np.hypot(points[:, 2, 0], points[:, 2, 1]) > 2.4 + 1e-9  # the back of the dome
+    assert 0 < beside.sum() < len(points)
+    assert (points[beside, 3:] == points[beside, 2:3]).all()
+    assert (points[~beside, 3, 2] > points[~beside, 2, 2]).all()

@@ -1,4 +1,4 @@
-"""Moves and widens the source."""
+"""Moves and widens the source, and moves elements of a train."""
 
 import math
 from collections.abc import Callable, Set
@@ -12,8 +12,8 @@ from ui.views.keys import ARROWS
 from ui.views.tools.tool import Pointer
 from ui.words import tr
 from workbench.arrays import Array
-from workbench.pictures.source_handles import Handle, moved
-from workbench.scene import Source
+from workbench.pictures.source_handles import ElementHandle, Handle, moved
+from workbench.scene import Scene
 
 if TYPE_CHECKING:
     from ui.views.scene_view import SceneView
@@ -30,29 +30,29 @@ _STEPS: dict[int, tuple[int, int, int]] = {
 
 
 @dataclass
-class _SourceDrag:
-    before: Source
+class _Drag:
+    before: Scene
     handle: Handle
     at: Pointer | None  # None with a key
     by: Array  # shape (3,), scene units
 
 
 class MoveSource(QObject):
-    """The tool for the source.
+    """The tool for the source, and for elements of a train.
 
     Parameters
     ----------
     view : SceneView
-        Where the source is shown.
-    source : callable
-        The one to move, or None while none may be moved.
+        Where they are shown.
+    scene : callable
+        The scene whose source or element to move, or None while none may be moved.
 
     Attributes
     ----------
     begun : Signal()
         A drag has begun: what is moved until the next one is one step.
-    moved : Signal(Source)
-        Where it has been dragged.
+    moved : Signal(Scene)
+        The scene with what has been dragged at its new place, not checked yet.
     taken_back : Signal()
         It is to be where it was when the drag began.
     """
@@ -67,16 +67,20 @@ class MoveSource(QObject):
     keys: Set[int] = _STEPS.keys()
 
     def __init__(
-        self, view: "SceneView", source: Callable[[], Source | None], parent: QObject
+        self, view: "SceneView", scene: Callable[[], Scene | None], parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._view, self._source = view, source
-        self._drag: _SourceDrag | None = None
+        self._view, self._scene = view, scene
+        self._drag: _Drag | None = None
 
     @property
     def hint(self) -> str:
         """What can be done with it, in a line."""
         source = self._view.source
+        if self._view.has_train:
+            return tr(
+                "Drag the source or an element across, Ctrl: along z; Shift: finely; Esc: back."
+            )
         if source is None or source.place is None:
             return tr("Collimated light comes from everywhere: choose another source to move it")
         text = tr(
@@ -103,10 +107,13 @@ class MoveSource(QObject):
     def drag(self, at: Pointer) -> None:
         """Take it where the pointer goes, in its plane or along the axis."""
         drag, sight = self._drag, self._view.sight
-        if drag is None or drag.at is None or drag.before.place is None or sight is None:
+        if drag is None or drag.at is None or sight is None:
             return
-        middle = np.add(drag.before.place, drag.by)
-        to = _ALONG if at.along and drag.handle == "middle" else _ACROSS
+        place = _place_of(drag.before, drag.handle)
+        if place is None:
+            return
+        middle = np.add(place, drag.by)
+        to = _ALONG if at.along and not isinstance(drag.handle, int) else _ACROSS
         gone = (at.x - drag.at.x, at.y - drag.at.y)
         drag.at = at
         self._move(drag, sight.movement(middle, to, gone) @ to, at.fine)
@@ -140,17 +147,23 @@ class MoveSource(QObject):
         """It has no size."""
 
     def _begin(self, handle: Handle, at: Pointer | None = None) -> None:
-        source = self._source()
-        if source is not None:
-            self._drag = _SourceDrag(source, handle, at, np.zeros(3))
+        scene = self._scene()
+        if scene is not None:
+            self._drag = _Drag(scene, handle, at, np.zeros(3))
             self.begun.emit()
 
-    def _move(self, drag: _SourceDrag, by: Array, fine: bool) -> None:
+    def _move(self, drag: _Drag, by: Array, fine: bool) -> None:
         optic = self._view.optic
         if optic is not None:
             drag.by = drag.by + by * (_FINE if fine else 1.0)
             digits = _DIGITS - math.floor(math.log10(max(optic.half_width)))
             self.moved.emit(moved(drag.before, drag.handle, drag.by, digits))
+
+
+def _place_of(scene: Scene, handle: Handle) -> tuple[float, float, float] | None:
+    if isinstance(handle, ElementHandle):
+        return scene.elements[handle.number].position
+    return scene.source.place
 
 
 def _words(lengths: tuple[float, ...]) -> str:

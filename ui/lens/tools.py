@@ -37,7 +37,6 @@ if TYPE_CHECKING:
     from ui.views.tools.tool import Tool
     from workbench.files.session import Session
     from workbench.geometry.faces import ControlHeights
-    from workbench.scene import Source
 
 _BUSY = later("Stop the run first; then change the {optic} by hand.")
 _NO_LENS = later("There is no {optic} to shape yet.")
@@ -110,7 +109,7 @@ class LensTools(QObject):
         return tool
 
     def _move_source(self) -> MoveSource:
-        tool = MoveSource(self._view, self._source, self)
+        tool = MoveSource(self._view, self._movable, self)
         tool.begun.connect(self._count)
         tool.moved.connect(self._move)
         tool.taken_back.connect(self._move_back)
@@ -175,13 +174,13 @@ class LensTools(QObject):
         self._settling = draft if settled else None
         self._live.show(draft)
 
-    def _source(self) -> "Source | None":
+    def _movable(self) -> Scene | None:
         if not self._is_idle():
             return None
         if self._view.exploded:
             self.message.emit(tr(_NOT_TO_SCALE))
             return None
-        return self._document.session.scene.source
+        return self._document.session.scene
 
     def _count(self) -> None:
         self._drags += 1
@@ -191,11 +190,12 @@ class LensTools(QObject):
         """What makes all edits of a drag one step."""
         return f"drag {self._drags}"
 
-    def _move(self, source: "Source") -> None:
-        old = self._document.session.scene
+    def _move(self, moved: Scene) -> None:
+        of_source = moved.source != self._document.before(self._key).scene.source
+        text = tr("move the source") if of_source else tr("move the element")
         try:
-            scene = Scene.from_data({**old.to_data(), "source": source.model_dump(mode="json")})
-            self._as_own(lambda: self._document.edit(scene, tr("move the source"), self._key))
+            scene = Scene.from_data(moved.to_data())
+            self._as_own(lambda: self._document.edit(scene, text, self._key))
         except Refused as refused:
             self.message.emit(error_text(refused))
             return

@@ -101,7 +101,12 @@ class SceneContents:
         here = marked is not None and marked[0] == frame.state.heights
         dots.place(marked[1] if marked is not None and here else np.zeros((0, 3)))
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
-        handles.show(frame.source if tool is not None and tool.shows_handles else None)
+        if tool is not None and tool.shows_handles:
+            elements = frame.session.scene.elements
+            places = [element.position for element in elements] if len(elements) > 1 else []
+            handles.show(frame.source, np.reshape(places, (-1, 3)))
+        else:
+            handles.show(None)
 
     def recolour(self, *, dark: bool) -> None:
         """Change between dark and light background."""

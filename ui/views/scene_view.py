@@ -112,6 +112,11 @@ class SceneView(View):
         return None if self._session is None else self._session.scene.source
 
     @property
+    def has_train(self) -> bool:
+        """Whether there are several elements."""
+        return self._session is not None and len(self._session.scene.elements) > 1
+
+    @property
     def exploded(self) -> bool:
         """Whether distances are not drawn to scale."""
         return self._look.exploded

@@ -230,6 +230,9 @@ class Session:
         exact = all(others[face].contains(nets[face]) for face in kept)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
         result, start = self.result if exact and same_task else None, self.heights
+        rise = scene.optic.position[2] - self.scene.optic.position[2]
+        if start is not None and rise:  # heights go along with their element
+            start = FaceArrays({face: z + rise for face, z in start.items()})
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
             carried = {face: carry(nets[face], start[face], others[face]) for face in kept}

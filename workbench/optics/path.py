@@ -215,15 +215,21 @@ class Path:
         Returns
         -------
         tuple of list of Vector, and Arrival
-            Places of the scene where they begin and on each face; of rays that do not meet it,
-            where they end. Then the arrival at the receiver.
+            Places of the scene where they begin and on each face; of rays that do not meet it, and
+            at all faces behind it, where they end. Then the arrival at the receiver.
         """
-        places = [place_seen(rays.position, self._source)]
+        places, alive = [place_seen(rays.position, self._source)], rays.alive
         rays = rays._replace(position=_lifted(rays.position, -self.datum))
         frames = [None, *(step.frame for step in self.steps), self._end]
         changes = changes_of(frames, self._begin)
         rays, lost, passages = _through(self.steps, changes, rays, heights)
-        places += [self.places_at(passage) for passage in passages]
+        for passage in passages:
+            x, y, z = (
+                torch.where(alive, here, before)
+                for here, before in zip(self.places_at(passage), places[-1], strict=True)
+            )
+            places.append((x, y, z))
+            alive = passage.passed.rays.alive
         return places, Arrival(*self.receiver.places(rays), rays, lost)
 
     def ends(self, rays: RayBundle) -> Vector:

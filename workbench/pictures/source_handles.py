@@ -1,36 +1,45 @@
-"""Handles for moving and resizing a point source or a grid of point sources.
+"""Handles for moving and resizing a point source or a grid of point sources, and for elements.
 
 The handles of a source that is small on screen stand beside it, so that the source itself can still
 be dragged. They follow the camera: each rendering places them anew.
 """
 
 import weakref
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
 from workbench.arrays import Array
 from workbench.pictures.actors import PointMarkers
 from workbench.pictures.projection import Projection
-from workbench.scene import Source
+from workbench.scene import Scene, Source
 
-Handle = Literal["middle"] | int
-"""The whole source, or the number of a corner of a grid."""
+
+class ElementHandle(NamedTuple):
+    """An element of the train, by its number."""
+
+    number: int
+
+
+Handle = Literal["middle"] | int | ElementHandle
+"""The whole source, the number of a corner of a grid, or an element."""
 
 _COLOUR = {True: "#ffffff", False: "#000000"}  # by dark
 _SIZE = 11.0  # pixels
 _PICK_DISTANCE = 14.0  # pixels; farther away nothing is picked
 _CORNER_DISTANCE = 3 * _PICK_DISTANCE  # least pixels from the middle to a corner handle
+_NOWHERE: Array = np.zeros((0, 3))
 _INSIDE = (9, 9)  # points of a grid, along x and y, that drag the whole grid
 
 
 class SourceHandles:
-    """Draws handles of a source on a plotter of the caller; none at first."""
+    """Draws handles of a source and of elements on a plotter of the caller; none at first."""
 
     def __init__(self, plotter: Any, *, dark: bool = False) -> None:
         self._markers = PointMarkers(plotter, _SIZE, round=False)
         self._projection = Projection(plotter)
         self._source: Source | None = None
+        self._elements = _NOWHERE
         self._renderer, handles = plotter.renderer, weakref.ref(self)
 
         def follow(*_: object) -> None:
@@ -40,9 +49,12 @@ class SourceHandles:
         self._observer = self._renderer.AddObserver("StartEvent", follow)
         self.recolour(dark)
 
-    def show(self, source: Source | None) -> None:
-        """Show the handles of a source; a collimated source has none."""
-        self._source = source
+    def show(self, source: Source | None, elements: Array = _NOWHERE) -> None:
+        """Show the handles of a source, and of elements at places (n, 3).
+
+        A collimated source has none.
+        """
+        self._source, self._elements = source, elements
         self._place()
 
     def close(self) -> None:
@@ -56,19 +68,22 @@ class SourceHandles:
     def pick(self, x: float, y: float) -> Handle | None:
         """Return the handle at a pixel from the lower left; None if there is none."""
         source = self._source
-        if source is None:
-            return None
-        corner = self._nearest(self._corner_handles(source), x, y)
-        if corner is not None:
-            return corner
-        return None if self._nearest(source.seen(_INSIDE), x, y) is None else "middle"
+        if source is not None:
+            corner = self._nearest(self._corner_handles(source), x, y)
+            if corner is not None:
+                return corner
+            if self._nearest(source.seen(_INSIDE), x, y) is not None:
+                return "middle"
+        element = self._nearest(self._elements, x, y)
+        return None if element is None else ElementHandle(element)
 
     def _place(self) -> None:
         source = self._source
         if source is None or source.place is None:
-            self._markers.place(np.zeros((0, 3)))
+            self._markers.place(self._elements)
         else:
-            self._markers.place(np.vstack([self._corner_handles(source), source.place]))
+            place = np.array([source.place])
+            self._markers.place(np.vstack([self._corner_handles(source), place, self._elements]))
 
     def _corner_handles(self, source: Source) -> Array:
         corners = source.corners
@@ -88,15 +103,30 @@ class SourceHandles:
         return int(away.argmin()) if away.min() <= _PICK_DISTANCE else None
 
 
-def moved(source: Source, handle: Handle, by: Array, digits: int) -> Source:
-    """Return the source after one of its handles was dragged by a vector (3,).
+def moved(scene: Scene, handle: Handle, by: Array, digits: int) -> Scene:
+    """Return the scene after one of its handles was dragged by a vector (3,); it is not checked.
 
     A corner widens or narrows a grid on both sides of its middle. ``digits`` is the number of
     decimals of the new lengths.
     """
+    if isinstance(handle, ElementHandle):
+        elements = list(scene.elements)
+        element = elements[handle.number]
+        place = _rounded(element.position, by, digits)
+        elements[handle.number] = element.model_copy(update={"position": place})
+        return scene.model_copy(update={"elements": tuple(elements)})
+    source = scene.source
     if source.place is None:
-        return source
+        return scene
     if handle == "middle":
-        x, y, z = (np.round(np.add(source.place, by), digits) + 0.0).tolist()  # without -0
-        return source.placed((x, y, z))
-    return source.widened(source.corners[handle] + by, digits)
+        source = source.placed(_rounded(source.place, by, digits))
+    else:
+        source = source.widened(source.corners[handle] + by, digits)
+    return scene.model_copy(update={"source": source})
+
+
+def _rounded(
+    place: tuple[float, float, float], by: Array, digits: int
+) -> tuple[float, float, float]:
+    x, y, z = (np.round(np.add(place, by), digits) + 0.0).tolist()  # without -0
+    return x, y, z

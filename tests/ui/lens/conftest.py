@@ -1,14 +1,18 @@
 """Windows with the tools of the 3D view and a design."""
 
+from pathlib import Path
+
 import pytest
 
 from tests.ui.lens.tool_window import Drag, ToolWindow
+from workbench.design.task import begin
 
 
 @pytest.fixture
 def make_tools(display, make_session, qtbot):
-    def make_tools(changes=None):
-        tools = ToolWindow(make_session(changes))
+    def make_tools(changes=None, scene=None):
+        session = make_session(changes) if scene is None else begin(scene, Path.cwd())
+        tools = ToolWindow(session)
         qtbot.addWidget(tools.window, before_close_func=lambda _: tools.close())
         with qtbot.waitExposed(tools.window):
             tools.window.show()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from tests.ui.lens.tool_window import control_point, seen_at, upwards
 from ui.files.plots import ScenePictures
 from workbench.optics.plan import Plan
+from workbench.scene import Scene
 
 pytestmark = pytest.mark.usefixtures("kernels")
 
@@ -229,6 +230,40 @@ def test_a_small_source_is_moved_by_any_of_its_corners_and_keeps_its_size(make_t
     source = tools.document.session.scene.source
     assert source.half_width == (0.02, 0.02)
     assert source.position == (pytest.approx(0.5, abs=0.05), pytest.approx(0, abs=0.05), -3.0)
+
+
+def test_an_element_of_a_train_is_moved(make_tools, make_scene, drag, qtbot):
+    data = make_scene().to_data()
+    first = data["elements"][0]
+    plate = first | {"name": "plate", "position": [0, 0, 2], "thickness": 0.2, "min_thickness": 0.1}
+    plate |= {"faces": [{"shape": "plane"}, {"shape": "plane"}]}
+    tools = make_tools(scene=Scene.from_data(data | {"elements": [first, plate]}))
+    view, document = tools.view, tools.document
+    tools.commands["move_source"]()
+    qtbot.waitUntil(lambda: len(view.handles._elements) == 2)
+    start = seen_at(view, (0, 0, 2))
+    held = drag(view, start)
+    held.move(seen_at(view, (0.3, -0.2, 2)) - start)
+    x, y, z = document.session.scene.elements[1].position
+    assert (x, y) == (pytest.approx(0.3, abs=0.05), pytest.approx(-0.2, abs=0.05)) and z == 2
+    held.release()
+    assert document.undo_stack.undoText() == "move the element"
+    there = document.session.scene.elements[1].position
+    qtbot.waitUntil(lambda: there in map(tuple, view.handles._elements), timeout=20_000)
+    # Along the axis, but not into the lens before it.
+    start = seen_at(view, (x, y, 2))
+    held = drag(view, start)
+    ctrl = Qt.KeyboardModifier.ControlModifier
+    held.move(seen_at(view, (x, y, 3)) - start, ctrl)
+    high = document.session.scene.elements[1].position[2]
+    assert high == pytest.approx(3, abs=0.1)
+    held.move(seen_at(view, (x, y, 0.3)) - seen_at(view, (x, y, 3)), ctrl)
+    assert document.session.scene.elements[1].position[2] == high
+    assert "elements[1].position" in tools.said[-1]
+    held.release()
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.session.scene.elements[1].position == (0, 0, 2)
 
 
 def hold_key(view, key, times, as_repeats=True):
