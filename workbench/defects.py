@@ -1,7 +1,6 @@
-"""Unexpected errors, which are defects of this program: one sentence for who uses it, and a file.
+"""Unexpected errors: one sentence for the user, and a log file with program, system and traceback.
 
-The file is in the user's state folder and has all that a report needs: what ran where, and the
-traceback. It does not grow beyond some size: what is older than the last errors goes.
+The file is in the user's state folder. Beyond a size it is renamed, and the older file is removed.
 """
 
 import os
@@ -14,17 +13,13 @@ import platformdirs
 
 import workbench
 
-# Characters of one error, and bytes of a file; there is at most one older file.
+# Characters of one error, and bytes of the file.
 _LONGEST = 1 << 16
 _LARGEST = 1 << 18
 
 
 def unexpected(error: BaseException) -> str:
-    """Write an error down, and say what it is and where the details are.
-
-    `error`: with its traceback, and with what caused it. Returns a part of a sentence: ``unexpected
-    KeyError: 'x' (details are in /home/…/errors.log)``.
-    """
+    """Log an error and return it in words: ``unexpected KeyError: 'x' (details are in …)``."""
     text = f"unexpected {type(error).__name__}: {error}".rstrip(": ")
     try:
         _append(file(), f"{datetime.now().astimezone():%Y-%m-%d %H:%M:%S %z}\n{details(error)}\n")
@@ -34,7 +29,7 @@ def unexpected(error: BaseException) -> str:
 
 
 def details(error: BaseException) -> str:
-    """The program, the system and the traceback."""
+    """Return program, system and traceback."""
     about = (
         f"Freeform Lens Workbench {workbench.__version__}, Python {platform.python_version()}, "
         f"{platform.platform()}"
@@ -44,7 +39,7 @@ def details(error: BaseException) -> str:
 
 
 def file() -> Path:
-    """Where errors are written down."""
+    """Return the log file."""
     return Path(platformdirs.user_state_dir("freeform-workbench", appauthor=False)) / "errors.log"
 
 

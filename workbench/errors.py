@@ -1,4 +1,4 @@
-"""The two ways in which the engine says no, and how they quote what is wrong."""
+"""Exceptions of the engine, and quotes of invalid values."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -27,7 +27,7 @@ class Refused(Exception):
 
 @contextmanager
 def refused_within(whole: str) -> Iterator[None]:
-    """Give refusals of a part's fields their paths from the whole: ``whole`` stands before them."""
+    """Prefix the paths of refusals in the block with ``whole``."""
     try:
         yield
     except Refused as refused:
@@ -35,15 +35,15 @@ def refused_within(whole: str) -> Iterator[None]:
 
 
 class RunFailed(Exception):
-    """A design run that cannot go on, said in one sentence."""
+    """A design run that cannot continue; the message is one sentence."""
 
 
 def visible(text: str) -> str:
-    """Text without what a terminal obeys or no encoding has: names of files come from strangers."""
+    """Escape characters that a terminal would interpret or cannot encode, as in names of files."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
 def shown(value: object) -> str:
-    """A value as a sentence can hold it: on one line, and short."""
+    """Return a value as short text on one line."""
     text = repr(value)
     return text if len(text) <= LONGEST_QUOTE else text[: LONGEST_QUOTE - 3] + "..."

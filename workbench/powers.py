@@ -1,8 +1,4 @@
-"""Numbers that people read: with a power of ten in front of the unit where zeros would be many.
-
-A length of 0.00005234 mm has ten signs, and 5.234e-05 mm is for programmers; people read
-52.34 · 10⁻⁶ mm. The powers are those of the prefixes of units. Files have the numbers themselves.
-"""
+"""Numbers as text, with a power of ten before the unit in place of many zeros: 52.34 · 10⁻⁶ mm."""
 
 import math
 import re
@@ -11,16 +7,14 @@ import numpy as np
 
 from workbench.units import sized
 
-# Largest numbers of a scale that are written without a power, and from where not.
-_PLAIN = 1e-2, 1e5
-# The least for one number, which has no zeros but these.
-_LEAST_ALONE = 1e-3
+_PLAIN = 1e-2, 1e5  # range of the largest number of a scale without a power
+_LEAST_ALONE = 1e-3  # least single number without a power
 _HIGH = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _POWER = re.compile(r"10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+ ")
 
 
 def power_of(low: float, high: float) -> int:
-    """The exponent for a scale between two ends: a multiple of 3; 0 where no power is needed.
+    """Return the exponent for a scale between two ends: a multiple of 3, 0 for no power.
 
     Examples
     --------
@@ -35,12 +29,9 @@ def power_of(low: float, high: float) -> int:
 
 
 def written(value: float, unit: str = "", digits: int = 4) -> str:
-    """One number with its unit, as it is said in a sentence.
+    """Return a number with its unit, at most ``digits`` significant digits, without end zeros.
 
-    A number without a unit, as a loss, has any power.
-
-    `value`: the number; `unit`: what stands behind it; empty for none; `digits`: how many of the
-    number count; zeros at its end are left out.
+    Without a unit the exponent may be any, else it is a multiple of 3.
 
     Examples
     --------
@@ -62,7 +53,7 @@ def written(value: float, unit: str = "", digits: int = 4) -> str:
 
 
 def with_power(name: str, power: int) -> str:
-    """What stands at an axis, with a power in front of its unit.
+    """Return the label of an axis with a power before its unit.
 
     Examples
     --------
@@ -81,7 +72,7 @@ def with_power(name: str, power: int) -> str:
 
 
 def without_power(name: str) -> str:
-    """What stands at an axis, in the unit itself.
+    """Return the label of an axis without a power.
 
     Examples
     --------
@@ -92,7 +83,7 @@ def without_power(name: str) -> str:
 
 
 def _rounded(value: float, digits: int) -> float:
-    """To so many digits; zero without a sign."""
+    """Round to significant digits; zero has no sign."""
     return float(f"{value:.{digits}g}") + 0.0
 
 

@@ -1,4 +1,4 @@
-"""Reads what people type for a number: 2.5, 2,5, 50/2, 5 cm, 3 * (1 mm + 200 µm)."""
+"""Typed numbers: 2.5, 2,5, 50/2, 5 cm, 3 * (1 mm + 200 µm)."""
 
 import ast
 import operator
@@ -37,16 +37,11 @@ class _Quantity:
 
 
 def read_number(text: str, unit: str = "") -> Fraction:
-    """Work out what somebody typed.
+    """Evaluate a typed number or expression in the unit of its field; raise ValueError if invalid.
 
-    Numbers have a decimal point, or a comma where it cannot stand between thousands. Thousands may
-    be grouped by spaces or apostrophes, or by the mark that is not the decimal one. Numbers may be
-    added, subtracted, multiplied and divided, with parentheses. A length may have any unit of
-    `WRITTEN`, where the field is of one, and a part of something may be in percent; without it, it
-    is in the unit of the field.
-
-    `text`: what was typed; `unit`: unit of the field; empty for a plain number, "of …" for a part
-    of something. Raises `ValueError` with what is wrong in one sentence.
+    The decimal mark is a point, or a comma where it cannot group thousands. Thousands may be
+    grouped by spaces, apostrophes or the other mark. Expressions have + − * / and parentheses. A
+    length may have any unit of `WRITTEN`, and a part ("of …") may be in percent.
 
     Examples
     --------
@@ -68,7 +63,7 @@ def read_number(text: str, unit: str = "") -> Fraction:
 
 
 def _known(unit: str) -> Mapping[str, Fraction]:
-    """What may stand behind a number, in the field's unit."""
+    """Units that may follow a number, in the field's unit."""
     if unit in WRITTEN:
         return {name: metres / WRITTEN[unit] for name, metres in WRITTEN.items()}
     if unit.startswith("of "):
@@ -77,7 +72,7 @@ def _known(unit: str) -> Mapping[str, Fraction]:
 
 
 def _once(units: Mapping[str, Fraction]) -> list[str]:
-    """Each unit by its first name."""
+    """First name of each unit."""
     first: dict[Fraction, str] = {}
     for name, size in units.items():
         first.setdefault(size, name)
@@ -85,7 +80,7 @@ def _once(units: Mapping[str, Fraction]) -> list[str]:
 
 
 def _source(text: str, units: Mapping[str, Fraction]) -> tuple[str, dict[str, _Quantity]]:
-    """An expression of names in place of numbers and units, and what they stand for."""
+    """Expression with names in place of numbers and units, and their values."""
     parts: list[str] = []
     values: dict[str, _Quantity] = {}
     at = 0
@@ -126,7 +121,7 @@ def _decimal(text: str) -> Fraction:
     plain = text.replace(",", ".")
     if plain.count(".") > 1:
         raise ValueError(f"{text} has more than one decimal point")
-    number = float(plain)  # of no more digits than it shows, so that no exponent takes the memory
+    number = float(plain)  # not Fraction(plain): a large exponent would need much memory
     if isinf(number):
         raise ValueError(f"{text} is too large")
     return Fraction(repr(number))

@@ -35,15 +35,11 @@ SENTENCES = {
     "auto_net": "{input}: two whole numbers or 'auto' are needed",
     "material": "{input} is neither a name nor an index above 1",
 }
-"""What is wrong, by pydantic's error type; {x} are the values pydantic reports with it."""
+"""Messages by pydantic's error type; {x} are values that pydantic reports."""
 
 
 def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene") -> Refused:
-    """Describe the first thing that is wrong.
-
-    `error`: what validation found; `model`: the model that was asked for; `whole`: the path where
-    no field of it is wrong, but all.
-    """
+    """Return a refusal for the first error; ``whole`` is the path if no single field is wrong."""
     details = error.errors(include_url=False)[0]
     path, fields = _follow(details["loc"], model)
     if details["type"] == "unknown_kind" and isinstance(details["input"], dict):
@@ -52,7 +48,7 @@ def refusal(error: ValidationError, model: type[BaseModel], whole: str = "scene"
 
 
 def _follow(location: tuple[int | str, ...], model: type[BaseModel]) -> tuple[str, list[str]]:
-    """Path as a person writes it, without union tags, and the fields known beside its last step."""
+    """Path without union tags, and the known fields at its last step."""
     path = ""
     candidates = [model]
     fields = list(model.model_fields)
@@ -102,5 +98,5 @@ def _sentence(details: ErrorDetails, fields: list[str]) -> str:
 
 
 def field_name(name: str) -> str:
-    """A field's name as a path can hold it: what is not a field of ours may be any text."""
+    """Return the name of a field in a path; unknown names are quoted and cut."""
     return name if name.isidentifier() and len(name) < LONGEST_QUOTE else shown(name)

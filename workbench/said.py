@@ -1,15 +1,11 @@
-"""A sentence with values in it, which can be said in another language later."""
+"""A translatable message with values."""
 
 from collections.abc import Mapping
 from typing import Any, Self
 
 
 class Said(str):
-    """A sentence that remembers its words and its values.
-
-    It is the English sentence; the window translates the words and puts the values in again.
-
-    `**values`: by their names; ``optic`` and ``receiver`` are what these are called.
+    """English text that keeps its words and values, so that the window can translate it.
 
     Examples
     --------

@@ -1,6 +1,6 @@
-"""The shared libraries that pip cannot bring, and the Debian package that brings each.
+"""Shared libraries that pip does not install, with their Debian packages.
 
-Only the standard library is used here: this is asked before anything is installed.
+Only the standard library is imported: this runs before anything is installed.
 """
 
 from __future__ import annotations
@@ -11,18 +11,18 @@ import shutil
 import sys
 from collections.abc import Iterable, Sequence
 
-# What drawing without a window needs.
+# For drawing without a window.
 OFF_SCREEN = (
-    # numba asks for this very file and falls back on threads that must not be used from two places.
+    # Without this file numba falls back on threads that are not safe in several threads.
     ("libgomp.so.1.0.0", "libgomp1"),
-    # VTK opens these only when it draws, and then crashes when one is absent.
+    # VTK loads these when it draws, and crashes if one is missing.
     ("libGL.so.1", "libgl1"),
     ("libEGL.so.1", "libegl1"),
     ("libX11.so.6", "libx11-6"),
     ("libXcursor.so.1", "libxcursor1"),
 )
 
-# What the window needs besides: Qt's libraries and its X11 plugin are linked to these.
+# For the window: Qt's libraries and its X11 plugin are linked to these.
 WINDOW = (
     *OFF_SCREEN,
     ("libglib-2.0.so.0", "libglib2.0-0"),
@@ -49,18 +49,17 @@ WINDOW = (
     ("libxcb-xkb.so.1", "libxcb-xkb1"),
 )
 
-# What Mitsuba 3 is linked to, where it is installed to check lenses.
+# For Mitsuba 3.
 MITSUBA = (("libatomic.so.1", "libatomic1"),)
 
-# What tests of the window need where there is no display: a screen, and hands to use it.
+# For tests of the window without a display.
 VIRTUAL_SCREEN = (("xvfb-run", "xvfb"), ("xauth", "xauth"), ("xdotool", "xdotool"))
 
 
 def keep_shaders_in_memory() -> None:
-    """Have Mesa, which may draw, keep no shaders on the disk; to be called before it is loaded.
+    """Keep Mesa from caching shaders on disk; call this before it is loaded.
 
-    It writes them through a map of a file, so a full disk would end the process on the spot (bus
-    error) with all unsaved work. Compiling them takes a fifth of a second.
+    It writes them through a memory map, so a full disk would kill the process (bus error).
     """
     os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
 
@@ -81,7 +80,7 @@ def missing_programs(programs: Iterable[tuple[str, str]]) -> list[tuple[str, str
 
 
 def advice(missing: Sequence[tuple[str, str]]) -> str:
-    """Return the line that names what is missing and the command that brings it."""
+    """Return a line with the missing libraries and the command that installs them."""
     names = ", ".join(name for name, _ in missing)
     packages = " ".join(package for _, package in missing)
     sudo = "" if os.geteuid() == 0 else "sudo "

@@ -1,4 +1,4 @@
-"""Units of length, and how one goes into another."""
+"""Units of length and their conversion."""
 
 from fractions import Fraction
 
@@ -12,7 +12,7 @@ METRES = {
 
 
 def ratio(unit: str, other: str) -> Fraction:
-    """How many of the other unit make one of the first, exactly."""
+    """Return one unit in another unit, exactly."""
     return METRES[unit] / METRES[other]
 
 
@@ -22,10 +22,7 @@ def sized(number: str, unit: str) -> str:
 
 
 def times(number: float, factor: Fraction) -> float:
-    """The product, with the number taken as it is written: 0.3 mm are 0.03 cm, not 0.03 + 3e-18.
-
-    Raises `OverflowError` if the product is beyond float64.
-    """
+    """Multiply the decimal number as written: 0.3 mm are 0.03 cm, not 0.03 + 3e-18."""
     return float(Fraction(repr(number)) * factor)
 
 
@@ -37,4 +34,4 @@ WRITTEN = METRES | {
     "um": METRES["mm"] / 1000,
     "nm": METRES["mm"] / 1_000_000,
 }
-"""What people write behind a length, in metres."""
+"""Units that may be typed after a length, in metres."""
