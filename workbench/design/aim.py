@@ -37,7 +37,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workbench.arrays import Array
-from workbench.design.transport import First, first_of, first_of_several
+from workbench.design.transport import First, first_of, first_of_several, shared_start
 from workbench.extended.blur import Blur, one_over_the_lens
 from workbench.extended.deblur import spread_light
 from workbench.extended.scattering import Scattering, film_scene
@@ -68,9 +68,14 @@ def first_lens(scene: Scene, target: Array, fixed: Mapping[str, Array] = NO_FACE
         As for `first_of`.
     """
     scattering = Scattering.of(scene) if len(scene.images) == 1 else None
-    scene = film_scene(scene).alone
+    scene = film_scene(scene)
+    several = len(scene.designed_numbers) > 1
+    scene = scene if several else scene.alone
     if scattering is not None:
         scene, target = _grown(scene, *scattering.unscattered(target))
+    if several:
+        heights = shared_start(scene, target, fixed)
+        return None if heights is None else First(heights)
     if len(scene.images) > 1:
         return first_of_several(
             scene, target, lambda image: first_lens(image.scene, image.target, fixed), fixed

@@ -33,6 +33,7 @@ from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.design.waves import FaceWaves
 from workbench.geometry.faces import NO_LOCKS
+from workbench.geometry.surface import freeform_nets
 from workbench.optics.plan import device_of, tensors_of
 from workbench.progress import check_given_up
 from workbench.scene import Scene
@@ -85,7 +86,11 @@ def auto_steps(room: Room) -> Generator[Step, None, str]:
     )
     if goes_on:
         next(steps)  # has been shown
-    elif len(room.limits) > 1 and not locked:
+    elif (
+        list(room.limits) == list(freeform_nets(scene.optic))
+        and len(room.limits) > 1
+        and not locked
+    ):
         steps = with_gain(steps, room, auto_steps)
     return (yield from steps)
 

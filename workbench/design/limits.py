@@ -43,6 +43,15 @@ class HeightLimits:
     shaping: Mask
 
     @classmethod
+    def of_scene(cls, scene: Scene, part: float = _USUAL) -> dict[str, "HeightLimits"]:
+        """The limits of all freeform faces of a scene, by id; ``part`` as for `bounded`."""
+        return {
+            face: limits
+            for focused in scene.focused
+            for face, limits in cls.of_faces(bounded(focused, part)).items()
+        }
+
+    @classmethod
     def of_faces(cls, optic: Element) -> dict[str, "HeightLimits"]:
         """The limits of each freeform face of an optic, by its name, on its own net.
 

@@ -27,7 +27,7 @@ from workbench.design.transport import both_faces, start
 from workbench.design.wide_image import MARGINS
 from workbench.errors import Refused
 from workbench.extended.blur import Blur, one_over_the_lens
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, freeform_nets, nets_of
 from workbench.optics.path import Path
 from workbench.optics.precision import precision_of
 from workbench.optics.samples import Corners
@@ -127,7 +127,7 @@ def _of_start(scene: Scene) -> float:
 
 def _of_descent(scene: Scene) -> float:
     """Bytes of a step on the finest images, all of which are there at the same time."""
-    heights = sum(math.prod(net.shape) for net in freeform_nets(scene.optic).values())
+    heights = sum(math.prod(net.shape) for net in nets_of(scene).values())
     steps = _REAL * heights * (2 * remembered(heights) + _VECTORS)
     return _SCATTERED * (steps + sum(map(_of_image, scene.single)))
 
@@ -149,7 +149,7 @@ def _of_nodes(scene: Scene, cells: Corners, finer: int = 0) -> float:
     grids = cells.origins * scene.source.point_count
     nodes = (cells.x + 1) * (cells.y + 1) * grids * len(scene.lines)
     traced = _OF_SAMPLES if cells.of_source else _TRACED
-    traced += _OF_TWO_FACES * (scene.optic.designed_front is not None)
+    traced += _OF_TWO_FACES * (len(nets_of(scene)) > 1)
     if not CompiledTrain.matches(Path.of(scene, ControlNet.of(scene.optic), samples=_A_FEW)):
         traced += _WITHOUT_KERNEL
     drawn = _DRAWN if grids == 1 else 0  # several grids are drawn one after the other

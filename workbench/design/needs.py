@@ -6,11 +6,11 @@ import numpy as np
 import torch
 
 from workbench.arrays import Array, Mask
-from workbench.design.limits import CLOSEST, HeightLimits, bounded
+from workbench.design.limits import CLOSEST, HeightLimits
 from workbench.design.methods import method_of
 from workbench.errors import Refused
 from workbench.geometry.body import check_body
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.optics.plan import device_of
 from workbench.optics.sources import emitter_of
 from workbench.said import Said
@@ -58,7 +58,7 @@ def check_stages(
             if locked:
                 _check_net(part, finished)
     if locked and start is not None:
-        limits = HeightLimits.of_faces(bounded(finished, CLOSEST))
+        limits = HeightLimits.of_scene(finished, CLOSEST)
         kept = {face: limits[face].kept(each, locked.get(face)) for face, each in start.items()}
         check_body(finished, kept)
 
@@ -111,7 +111,7 @@ def _check_lit(part: Scene) -> None:
 
 def _check_net(part: Scene, finished: Scene) -> None:
     """Refuse another net than that of the finished lens, which the locks are about."""
-    if freeform_nets(part.optic) != freeform_nets(finished.optic):
+    if nets_of(part) != nets_of(finished):
         raise Refused(
             f"{part.face_path()}.control_points",
             Said(

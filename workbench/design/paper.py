@@ -13,7 +13,7 @@ from workbench.design.room import Room
 from workbench.design.smoothness import Smoothness
 from workbench.design.step import Step
 from workbench.errors import Refused
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.optics.plan import device_of
 from workbench.said import Said
 from workbench.scene import Scene
@@ -57,9 +57,7 @@ def paper_steps(room: Room) -> Generator[Step, None, NoReturn]:
     image = FilteredImage(scene, room.target)
     free = room.height_range(device)
     smoothness = Smoothness.of(scene, room.target, device)
-    shifts = {
-        face: build(net, scene.run, device) for face, net in freeform_nets(scene.optic).items()
-    }
+    shifts = {face: build(net, scene.run, device) for face, net in nets_of(scene).items()}
     rest = free.apart
     if start is not None:
         rest = {face: z - shifts[face]().detach() for face, z in free.parameters(start).items()}

@@ -6,7 +6,7 @@ Here is arithmetic alone, quick to import; `workbench.design.networks` builds th
 import math
 
 from workbench.errors import Refused
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.process import as_bytes, available_memory
 from workbench.said import Said
 from workbench.scene import Scene
@@ -22,7 +22,7 @@ def parameter_count(scene: Scene) -> int:
     on the input 1; the two others are linked to the layer before, fully or within the
     neighbourhood. Every link has a weight and every neuron a bias.
     """
-    return sum(_parameters_of_face(scene, net) for net in freeform_nets(scene.optic).values())
+    return sum(_parameters_of_face(scene, net) for net in nets_of(scene).values())
 
 
 def _parameters_of_face(scene: Scene, net: ControlNet) -> int:

@@ -76,7 +76,8 @@ class Room:
         self._net = ControlNet.of(scene.optic)
         self._lens, self._face = bounded(scene), scene.optic.designed_face
         self._found: tuple[First | None] | None = None  # once it was looked for
-        self.limits = HeightLimits.of_faces(self._lens)
+        self._others = tuple(bounded(other) for other in scene.focused[:-1])
+        self.limits = self._limits_with(self._lens)
         if start is not None:
             self._raised(float(start[self._face].max()))
 
@@ -109,8 +110,17 @@ class Room:
             return False
         thickness = min(ceiling, most) - lens.front_z
         self._lens = lens.model_copy(update={"max_thickness": thickness})
-        self.limits = HeightLimits.of_faces(self._lens)
+        self.limits = self._limits_with(self._lens)
         return True
+
+    def _limits_with(self, lens: Element, ranged: bool = False) -> dict[str, HeightLimits]:
+        """Limits of all faces, in the order of the light, from those of the last element."""
+        others = [self._with_range(other) if ranged else other for other in self._others]
+        return {
+            face: limits
+            for element in (*others, lens)
+            for face, limits in HeightLimits.of_faces(element).items()
+        }
 
     def alone(self) -> "Room":
         """The room of the exit face alone behind a flat entrance face.
@@ -139,7 +149,7 @@ class Room:
         start = self.start or {}
         return FreeHeights(
             HeightRange.within(limits, device, face).keeping(self.locked.get(face), start.get(face))
-            for face, limits in HeightLimits.of_faces(self._ranged).items()
+            for face, limits in self._limits_with(self._ranged, ranged=True).items()
         )
 
     @property
@@ -243,13 +253,20 @@ class Room:
     @cached_property
     def _ranged(self) -> Element:
         """The lens with a height range in any case."""
-        if self._lens.height_range is not None:
-            return self._lens
-        faces = [self.limits[self._face].undesigned]
-        faces += [each[self._face] for each in (self.first, self.start) if each is not None]
-        most = max(float(np.abs(z - self._base).max()) for z in faces)
+        return self._with_range(self._lens)
+
+    def _with_range(self, lens: Element) -> Element:
+        """A bounded element with a height range in any case."""
+        if lens.height_range is not None:
+            return lens
+        face = lens.designed_face
+        faces = [self.limits[face].undesigned]
+        faces += [each[face] for each in (self.first, self.start) if each is not None]
+        x, y = ControlNet.of(lens).positions
+        base = lens.base.height_at(x[:, None], y[None, :])
+        most = max(float(np.abs(z - base).max()) for z in faces)
         half = max(_TIMES * most, _LEAST * _natural(self.scene))
-        return self._lens.ranged(-half, half)
+        return lens.ranged(-half, half)
 
     @cached_property
     def _ranged_limits(self) -> HeightLimits:

@@ -21,9 +21,9 @@ from workbench.design.room import Room
 from workbench.design.snapshot import Snapshot
 from workbench.errors import RunFailed
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.said import Said
-from workbench.scene import AutoNet, Element, Scene
+from workbench.scene import AutoNet, Scene
 
 _FULL_CARD = Said(
     "the graphics card has too little free memory; compute on the processor, or take fewer pixels"
@@ -83,7 +83,7 @@ def run(
     scene = definite(scene, target)
     scenes = scene.stage_scenes()
     locked = {face: mask for face, mask in locked.items() if mask.any()}
-    done = all(face in locked and locked[face].all() for face in freeform_nets(scene.optic))
+    done = all(face in locked and locked[face].all() for face in nets_of(scene))
     # Given heights stand at the end of all stages already.
     first = 0 if start is None and not done else len(scenes) - 1
     check_stages(scenes, first, start, locked)
@@ -130,7 +130,7 @@ def run(
         else:
             ended = Said(LOCKED if done else DONE)
         if stage + 1 < len(scenes) and best_heights is not None:
-            start = _carried(best_heights, stage_scene.optic, scenes[stage + 1].optic)
+            start = _carried(best_heights, stage_scene, scenes[stage + 1])
     del steps  # and its images, before others are made
     return (yield from _judged(scene, target, room, kept, snapshot, ended))
 
@@ -138,7 +138,7 @@ def run(
 def _finished(state: LensState, room: Room, scene: Scene) -> LensState:
     """The lens of a stage as one of the whole design."""
     shortfall = room.shortfall(state.heights)
-    heights = _carried(state.heights, room.scene.optic, scene.optic)
+    heights = _carried(state.heights, room.scene, scene)
     return replace(state, shortfall=shortfall, heights=heights)
 
 
@@ -178,9 +178,9 @@ def _scene_notes(scene: Scene, target: Array) -> tuple[str, ...]:
     return tuple(filter(None, (net if chosen else None, *surprises)))
 
 
-def _carried(heights: ControlHeights, optic: Element, other: Element) -> ControlHeights:
-    """Control heights of a lens on the nets of another one."""
-    nets, others = freeform_nets(optic), freeform_nets(other)
+def _carried(heights: ControlHeights, scene: Scene, other: Scene) -> ControlHeights:
+    """Control heights of a scene on the nets of another one."""
+    nets, others = nets_of(scene), nets_of(other)
     if nets == others:
         return heights
     return FaceArrays(

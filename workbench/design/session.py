@@ -9,15 +9,15 @@ import numpy as np
 from workbench import units
 from workbench.arrays import Array
 from workbench.design.lens_state import scaled
-from workbench.design.limits import CLOSEST, HeightLimits, bounded, undesigned
+from workbench.design.limits import CLOSEST, HeightLimits, bounded
 from workbench.design.net import definite
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
 from workbench.geometry.approximation import project
 from workbench.geometry.faces import NO_LOCKS, ControlHeights, FaceArrays, Locks
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.said import Said
-from workbench.scene import Scene, SplineFace, Unit
+from workbench.scene import Scene, Unit
 
 LONGEST_NAME = 100
 """Most characters in the name of a kept run."""
@@ -225,7 +225,7 @@ class Session:
         unit = scene.unit
         if unit != self.scene.unit and target is self.target and scene == self.scene.in_unit(unit):
             return self.in_unit(unit)
-        nets, others = freeform_nets(self.scene.optic), freeform_nets(scene.optic)
+        nets, others = nets_of(self.scene), nets_of(scene)
         kept = nets.keys() & others.keys()
         exact = all(others[face].contains(nets[face]) for face in kept)
         same_task = task_of(scene) == task_of(self.scene) and np.array_equal(target, self.target)
@@ -236,10 +236,11 @@ class Session:
         if start is not None and others != nets:
             carry = ControlNet.refine if exact else project
             carried = {face: carry(nets[face], start[face], others[face]) for face in kept}
-            new = {face: z for face, z in undesigned(bounded(scene)).items() if face not in kept}
+            limits = HeightLimits.of_scene(scene)
+            new = {face: each.undesigned for face, each in limits.items() if face not in kept}
             start = FaceArrays(new | carried)
             result = result and result.with_state(heights=start)
-        if scene.optic.half_width != self.scene.optic.half_width:
+        if any(others[face].half_width != nets[face].half_width for face in kept):
             result = start = None
         if start is not None and _limits(scene) != _limits(self.scene):
             within = _within(scene, start)
@@ -329,19 +330,23 @@ def task_of(scene: Scene) -> tuple[Scene, float]:
 
     A task of another size is the same one as long as its numbers are: no length has one of its own.
     """
-    optic, front_z = scene.optic, scene.optic.front_z
-    for placed in optic.placed_faces:
-        if isinstance(placed.face, SplineFace):
-            optic = optic.shaped(placed.name, control_points=None, degree=None, height_range=None)
-    thickness = ("max_thickness", "min_thickness")
-    optic = optic.model_copy(update={name: None for name in thickness if hasattr(optic, name)})
-    task = asked_of_the_lens(scene.with_optic(optic)).model_copy(update={"unit": None})
+    front_z = scene.optic.front_z
+    for number in scene.designed_numbers:
+        element = scene.elements[number]
+        for placed in element.placed_faces:
+            if placed.face.designed:
+                free = {"control_points": None, "degree": None, "height_range": None}
+                element = element.shaped(placed.name, **free)
+        bounds = {name for name in ("max_thickness", "min_thickness") if hasattr(element, name)}
+        element = element.model_copy(update=dict.fromkeys(bounds))
+        scene = scene.with_element(number, element)
+    task = asked_of_the_lens(scene).model_copy(update={"unit": None})
     return task, front_z
 
 
 def _within(scene: Scene, heights: ControlHeights) -> ControlHeights:
     """Control heights within the limits of a scene; the same object where they are already."""
-    limits = HeightLimits.of_faces(bounded(scene, CLOSEST))
+    limits = HeightLimits.of_scene(scene, CLOSEST)
     nearest = {face: limits[face].nearest(each) for face, each in heights.items()}
     same = all(nearest[face] is each for face, each in heights.items())
     return heights if same else FaceArrays(nearest)
@@ -354,6 +359,12 @@ def _unhindered(result: Result) -> Result:
 
 def _limits(scene: Scene) -> tuple[object, ...]:
     """What tells where control heights may be."""
-    lens = bounded(scene)
-    ends = lens.entrance_range, lens.floor, lens.ceiling
-    return lens.height_range and (lens.height_range, lens.base), *ends
+    return tuple(
+        (
+            lens.height_range and (lens.height_range, lens.base),
+            lens.entrance_range,
+            lens.floor,
+            lens.ceiling,
+        )
+        for lens in map(bounded, scene.focused)
+    )

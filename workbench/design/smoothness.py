@@ -47,16 +47,13 @@ class Smoothness:
     """
 
     def __init__(self, scene: Scene, target: Array, device: torch.device) -> None:
-        optic, run, nets = scene.optic, scene.run, freeform_nets(scene.optic)
-        x, y = nets[optic.designed_face].positions
-        # An entrance face bends away from a plane, whose place does not matter.
-        bases = {optic.designed_face: optic.base.height_at(x[:, None], y[None, :])}
-        self.faces = {
-            face: FaceCurvature(
-                net, bases.get(face, np.zeros(net.shape)), device, optic.outwards(face)
-            )
-            for face, net in nets.items()
-        }
+        run = scene.run
+        self.faces = {}
+        for element in scene.elements:
+            for face, net in freeform_nets(element).items():
+                x, y = net.positions
+                base = element.place_of(face, x[:, None], y[None, :])
+                self.faces[face] = FaceCurvature(net, base, device, element.outwards(face))
         self._weight, self._radius = run.smoothness or 0.0, run.min_radius
         self._tool = run.min_tool_radius
         wanted = share(target)

@@ -16,7 +16,7 @@ from workbench.design.step import Step
 from workbench.extended.blur import Blur
 from workbench.extended.scattering import Scattering
 from workbench.extended.wanted import wanted_light
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.optics.beam_plan import BeamPlan
 from workbench.optics.light import Light
 from workbench.optics.plan import device_of
@@ -103,7 +103,7 @@ class WideImage:
         if corners.of_source is not None:
             origins = math.prod(corners.of_source)
         boxes = isinstance(plan, BeamPlan) and plan.boxes
-        each = _OF_A_BOX[len(freeform_nets(scene.optic)) - 1] if boxes else 1.0
+        each = _OF_A_BOX[min(len(nets_of(scene)), 2) - 1] if boxes else 1.0
         self.effort = each * corners.x * corners.y * origins * len(scene.lines) / halves
         self._pixel_measure = receiver.pixel_measure
         self._on_screen = (slice(m_y, m_y + n_y), slice(m_x, m_x + n_x))

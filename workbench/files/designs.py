@@ -15,9 +15,9 @@ from workbench.errors import Refused, shown
 from workbench.files.entries import Entries
 from workbench.files.figures import AccountFigures, Figures
 from workbench.geometry.faces import ControlHeights, FaceArrays
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.said import Said
-from workbench.scene import DrawnTarget, PlacedFace, Scene
+from workbench.scene import DrawnTarget, Element, PlacedFace, Scene
 
 _LOSS = "loss.npy"
 _SECONDS = "seconds.npy"  # missing in sessions of earlier programs
@@ -61,9 +61,9 @@ class Names(NamedTuple):
             return f"entrance_{what or 'points'}.npy"
         return f"{what or 'control_points'}.npy"
 
-    def lift(self, scene: Scene) -> float:
-        """Return z of the scene for a height of 0 in an entry."""
-        return scene.optic.position[2] if self.version >= 3 else 0.0
+    def lift(self, scene: Scene, face: str) -> float:
+        """Return z of the scene for a height of 0 in an entry of a face."""
+        return _elements(scene)[face].position[2] if self.version >= 3 else 0.0
 
 
 NEWEST = Names(3)
@@ -72,9 +72,10 @@ NEWEST = Names(3)
 
 def face_entries(scene: Scene, heights: Mapping[str, Array], what: str = "") -> dict[str, Array]:
     """Control heights of faces by the names of their entries; see `Names.face`."""
-    lift = NEWEST.lift(scene)
-    placed = {each.name: each for each in scene.optic.placed_faces}
-    return {NEWEST.face(placed[face], what): z - lift for face, z in heights.items()}
+    placed = {each.name: each for each in designed_faces(scene)}
+    return {
+        NEWEST.face(placed[face], what): z - NEWEST.lift(scene, face) for face, z in heights.items()
+    }
 
 
 def entries_of(folder: str, scene: Scene, target: Array, result: Result | None) -> dict[str, Array]:
@@ -111,8 +112,17 @@ def names_of(
 
 def designed_faces(scene: Scene) -> list[PlacedFace]:
     """The faces of a scene that have control heights."""
-    nets = freeform_nets(scene.optic)
-    return [placed for placed in scene.optic.placed_faces if placed.name in nets]
+    return [
+        placed
+        for element in scene.elements
+        for placed in element.placed_faces
+        if placed.face.designed
+    ]
+
+
+def _elements(scene: Scene) -> dict[str, Element]:
+    """Elements of a scene by the ids of their faces."""
+    return {placed.name: element for element in scene.elements for placed in element.placed_faces}
 
 
 def read_target(entries: Entries, names: Names, folder: str, scene: Scene) -> Array:
@@ -188,11 +198,15 @@ def read_heights(
 
     Raises `Refused` if they do not fit the scene or are so large that the file is damaged.
     """
-    nets, lift = freeform_nets(scene.optic), names.lift(scene)
+    nets = nets_of(scene)
     return FaceArrays(
         {
             placed.name: _read_face(
-                entries, folder + names.face(placed, what), scene, nets[placed.name].shape, lift
+                entries,
+                folder + names.face(placed, what),
+                scene,
+                nets[placed.name].shape,
+                names.lift(scene, placed.name),
             )
             for placed in designed_faces(scene)
         }

@@ -43,7 +43,7 @@ from workbench.files.header import (
 )
 from workbench.files.scene import LARGEST_TEXT, read_scene, with_absolute_files, with_portable_files
 from workbench.geometry.faces import FaceArrays
-from workbench.geometry.surface import freeform_nets
+from workbench.geometry.surface import nets_of
 from workbench.reading import digest, opened
 from workbench.said import Said
 from workbench.scene import Scene
@@ -143,7 +143,7 @@ def read_session(path: Path) -> Session:
         ]
         names = {HEADER} | names_of(entries, named, "", scene, header.result)
         names |= _names_of_light(entries, "", scene)
-        nets = freeform_nets(scene.optic)
+        nets = nets_of(scene)
         faces = designed_faces(scene)
         locks = {each.name: named.face(each, _LOCKED) for each in faces}
         locks = {face: name for face, name in locks.items() if name in entries}

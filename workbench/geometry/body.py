@@ -24,11 +24,19 @@ _SAMPLES = 512
 def check_body(
     scene: Scene, heights: Mapping[str, Array], receivers: Sequence[AnyReceiver] = ()
 ) -> None:
-    """Refuse a lens whose faces touch or cross, or an element that meets receiver or source.
+    """Refuse a lens whose faces touch or cross, or an element that meets what is next to it.
 
     ``heights`` (n_u, n_v) by face are in scene units; ``receivers`` replace those of the scene.
     Raise Refused with the place and the height there.
     """
+    for focused in scene.focused:
+        _check_element(focused, heights, receivers)
+
+
+def _check_element(
+    scene: Scene, heights: Mapping[str, Array], receivers: Sequence[AnyReceiver]
+) -> None:
+    """Check the only designed element of a scene."""
     optic = scene.optic
     gap = _CONTACT * max(optic.half_width)
     front = optic.designed_front or ""
@@ -78,11 +86,12 @@ def check_body(
 
 
 def _free_range(scene: Scene, receivers: Sequence[AnyReceiver]) -> tuple[float, float, Said, Said]:
+    behind = [each.nearest_to(scene.optic) for each in scene.behind[:1]]
     first = scene.images[0]
     images = (first.model_copy(update={"receiver": receiver}) for receiver in receivers)
     scene = scene.with_images(images).alone
     optic = scene.optic
-    ends = [receiver.nearest_to(optic) for receiver in scene.receivers]
+    ends = [receiver.nearest_to(optic) for receiver in scene.receivers] + behind
     if optic.onwards > 0:
         place = optic.entrance_range[0] - optic.entrance_offsets[0]
         above = Said("above {front}", front=optic.front_called)

@@ -16,7 +16,7 @@ from workbench.geometry.basis import (
     local_basis,
 )
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.scene import Element
+from workbench.scene import Element, Scene
 
 if TYPE_CHECKING:
     import torch
@@ -215,6 +215,11 @@ def freeform_nets(optic: Element) -> dict[str, ControlNet]:
     if entrance is None or front is None:
         return nets
     return {front: ControlNet(*entrance, optic.half_width), **nets}
+
+
+def nets_of(scene: Scene) -> dict[str, ControlNet]:
+    """Nets of the freeform faces of all elements of a scene, by id, in the order of the light."""
+    return {face: net for element in scene.elements for face, net in freeform_nets(element).items()}
 
 
 def even_counts(half_width: tuple[float, float], longer: int) -> tuple[int, int]:

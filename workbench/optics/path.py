@@ -14,7 +14,7 @@ from torch import Tensor
 from workbench.arrays import Array
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import Outline, outline_of
-from workbench.geometry.surface import ControlNet, freeform_nets
+from workbench.geometry.surface import ControlNet, nets_of
 from workbench.optics.arrival import Arrival
 from workbench.optics.interfaces import Passed
 from workbench.optics.rays import RayBundle, Vector, place_seen, seen
@@ -138,11 +138,12 @@ class Path:
         """
         optic, (source, first) = scene.optic, scene.entrance
         # Light along the axis stays so up to the only freeform face.
-        straight = source.along_axis and len(freeform_nets(optic)) == 1 and first.designed
+        straight = source.along_axis and len(nets_of(scene)) == 1 and first.designed
         datum = optic.base.height if straight else optic.datum
         emitter, outline = emitter_of(source, first, samples), outline_of(first)
         light = emitter.by_area, source.along_axis, source.subdivisions
-        steps = steps_of(scene, PathContext(net, datum, *light, dtype, device))
+        nets = {optic.designed_face: net}
+        steps = steps_of(scene, PathContext(nets, datum, *light, dtype, device))
         receiver = receiver_of(scene.receiver, optic, datum, scene.onwards(scene.receiver))
         walk = scene.run.seed, dtype, device, first.front_z
         frames = frame_of(scene.first, 0.0), scene.receiver.turn
@@ -218,11 +219,8 @@ class Path:
             Places of the scene where they begin and on each face; of rays that do not meet it, and
             at all faces behind it, where they end. Then the arrival at the receiver.
         """
+        passages, arrival = self.passages_of(rays, heights)
         places, alive = [place_seen(rays.position, self._source)], rays.alive
-        rays = rays._replace(position=_lifted(rays.position, -self.datum))
-        frames = [None, *(step.frame for step in self.steps), self._end]
-        changes = changes_of(frames, self._begin)
-        rays, lost, passages = _through(self.steps, changes, rays, heights)
         for passage in passages:
             x, y, z = (
                 torch.where(alive, here, before)
@@ -230,7 +228,17 @@ class Path:
             )
             places.append((x, y, z))
             alive = passage.passed.rays.alive
-        return places, Arrival(*self.receiver.places(rays), rays, lost)
+        return places, arrival
+
+    def passages_of(
+        self, rays: RayBundle, heights: Mapping[str, Tensor]
+    ) -> tuple[list[Passage], Arrival]:
+        """What other rays do at all faces, and their arrival; for the parameters see `follow`."""
+        rays = rays._replace(position=_lifted(rays.position, -self.datum))
+        frames = [None, *(step.frame for step in self.steps), self._end]
+        changes = changes_of(frames, self._begin)
+        rays, lost, passages = _through(self.steps, changes, rays, heights)
+        return passages, Arrival(*self.receiver.places(rays), rays, lost)
 
     def ends(self, rays: RayBundle) -> Vector:
         """Where to end rays behind the last face in a drawing; z as in the scene."""

@@ -80,8 +80,8 @@ class PathContext(NamedTuple):
 
     Attributes
     ----------
-    net : ControlNet
-        Where control heights sit.
+    nets : mapping of str to ControlNet
+        Where control heights of each freeform face of an element sit, by its id.
     datum : float
         z of the scene from which elements count z.
     by_area : bool
@@ -94,7 +94,7 @@ class PathContext(NamedTuple):
         Float type and device of the walk.
     """
 
-    net: ControlNet
+    nets: Mapping[str, ControlNet]
     datum: float
     by_area: bool
     along_axis: bool
@@ -113,13 +113,14 @@ def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
     steps: list[FaceStep] = []
     source, ways = frame_of(scene.first, 0.0), scene.ways
     for number, (element, way) in enumerate(zip(scene.elements, ways, strict=True)):
-        if number or scene.designed_number:  # light comes through an aperture, or other faces
+        if number or not element.designed:  # light comes through an aperture, or other faces
             along = along._replace(by_area=False, along_axis=False)
         lit = element.lit(scene.source.wavelength)
-        own, frame = along, None
+        nets = {face: along.nets.get(face, net) for face, net in freeform_nets(lit).items()}
+        own, frame = along._replace(nets=nets), None
         if not frame_of(lit, 0.0).seen_from(source).is_identity:
             # Fixed faces count z from their own element: where the source does is far from them.
-            own = along if element.designed else along._replace(datum=lit.position[2])
+            own = own if element.designed else own._replace(datum=lit.position[2])
             frame = frame_of(lit, own.datum)
         for step in _FACES[type(lit)](lit, own):
             steps.append(step._replace(frame=frame).facing(way))
@@ -129,15 +130,12 @@ def steps_of(scene: Scene, along: PathContext) -> tuple[FaceStep, ...]:
 def _of_lens(lens: Lens, along: PathContext) -> Iterator[FaceStep]:
     outline, straight = outline_of(lens), along.along_axis
     before = Rectangle(lens.half_width) if along.by_area else outline
-    nets = freeform_nets(lens)
-    if nets:
-        nets |= {lens.designed_face: along.net}
     names = ("fresnel_entrance", "missed_lens"), ("fresnel_exit", "left_side")
     media = zip(TransmittanceLaw.of(lens), (0.0, lens.absorption), names, strict=True)
     for placed, (law, absorption, (reflected, missed)) in zip(
         lens.placed_faces, media, strict=True
     ):
-        net = nets.get(placed.name)
+        net = along.nets.get(placed.name)
         if net is None:
             surface = _fixed(placed, placed.z - along.datum, before)
         else:
@@ -157,10 +155,10 @@ def _fixed(placed: PlacedFace, z: float, outline: Outline) -> Surface:
 
 def _of_mirror(mirror: Mirror, along: PathContext) -> tuple[FaceStep, ...]:
     (placed,), outline = mirror.placed_faces, outline_of(mirror)
-    whole = Rectangle(mirror.half_width)
-    if mirror.designed:
+    whole, net = Rectangle(mirror.half_width), along.nets.get(placed.name)
+    if net is not None:
         lit = whole if along.by_area and along.along_axis else outline
-        face: Surface = along.spline(mirror.designed_face, along.net, lit, placed.z)
+        face: Surface = along.spline(placed.name, net, lit, placed.z)
     else:
         face = _fixed(placed, placed.z - along.datum, whole if along.by_area else outline)
     return (FaceStep(face, Reflection(mirror.reflectance, "absorbed_mirror"), "missed_mirror"),)

@@ -188,6 +188,14 @@ class Element(Part):
         """Whether the design shapes one of its faces."""
         return any(placed.face.designed for placed in self.placed_faces)
 
+    @property
+    def undesigned(self) -> Self:
+        """The element with all of its faces fixed as they are before the design."""
+        element = self
+        for placed in self.placed_faces:
+            element = element.with_face(placed.name, placed.face.undesigned)
+        return element
+
     def lit(self, wavelength_um: float) -> Self:
         """Return the element as light of a wavelength meets it."""
         return self

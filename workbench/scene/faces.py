@@ -62,6 +62,11 @@ class FlatBase(Part):
 
     shape: Literal["flat"] = "flat"
 
+    @property
+    def face(self) -> "PlaneFace":
+        """The fixed face of the same shape."""
+        return PlaneFace()
+
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast."""
         return np.zeros(np.broadcast(x, y).shape)
@@ -92,6 +97,11 @@ class SphereBase(Part):
         Literal["concave", "convex"],
         about("Base form", "Concave rises towards the rim, convex falls."),
     ] = "concave"
+
+    @property
+    def face(self) -> "ConicFace":
+        """The fixed face of the same shape."""
+        return ConicFace(radius=self.radius if self.form == "concave" else -self.radius)
 
     @classmethod
     def defaults_for(cls, scene: "Scene") -> dict[str, Any]:
@@ -167,6 +177,11 @@ class PlaneFace(Part):
     designed: ClassVar[bool] = False
     height_range: ClassVar = None
 
+    @property
+    def undesigned(self) -> "PlaneFace":
+        """The same face: a design leaves it as it is."""
+        return self
+
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast."""
         return np.zeros(np.broadcast(x, y).shape)
@@ -239,6 +254,11 @@ class ConicFace(Part):
             units.times(a, factor ** (-2 * k - 3)) for k, a in enumerate(self.coefficients)
         )
         return super().scaled(factor).model_copy(update={"coefficients": coefficients})
+
+    @property
+    def undesigned(self) -> "ConicFace":
+        """The same face: a design leaves it as it is."""
+        return self
 
     def sag(self, x: npt.ArrayLike, y: npt.ArrayLike) -> Array:
         """Height above the vertex, scene units; x and y broadcast.
@@ -354,6 +374,11 @@ class SplineFace(Part):
     def designed(self) -> bool:
         """Whether the design shapes it."""
         return not self.fixed
+
+    @property
+    def undesigned(self) -> PlaneFace | ConicFace:
+        """The fixed face that it is before the design: its base."""
+        return self.base.face
 
     def net(self, other: NetShape) -> tuple[NetShape, tuple[int, int]]:
         """Numbers of control points and degrees beside another face with so many points."""

@@ -135,7 +135,8 @@ class Scene(Part):
             source, first = self.entrance
             source.check_before(first)
             check_receivers(self, self.receivers)
-            of_designed_element(self).check()
+            for focused in self.focused:
+                of_designed_element(focused).check()
             return
         optic = self.optic
         radii = {name: getattr(self.run, name) for name in ("min_radius", "min_tool_radius")}
@@ -163,13 +164,30 @@ class Scene(Part):
         stage_scenes(self)
 
     @property
+    def designed_numbers(self) -> tuple[int, ...]:
+        """Indices of the elements that the design shapes, in the order of the light."""
+        return tuple(number for number, each in enumerate(self.elements) if each.designed)
+
+    @property
     def designed_number(self) -> int:
-        """Index of the element that the design shapes."""
-        return next(number for number, each in enumerate(self.elements) if each.designed)
+        """Index of the last element that the design shapes."""
+        return self.designed_numbers[-1]
+
+    @property
+    def focused(self) -> "tuple[Scene, ...]":
+        """The scene for each element that the design shapes, the other elements left undesigned."""
+        numbers = self.designed_numbers
+        if len(numbers) == 1:
+            return (self,)
+        fixed = [each.undesigned if each.designed else each for each in self.elements]
+        return tuple(
+            self.model_copy(update={"elements": (*fixed[:k], self.elements[k], *fixed[k + 1 :])})
+            for k in numbers
+        )
 
     @property
     def optic(self) -> Element:
-        """The element that the design shapes, as the source's light meets it."""
+        """The last element that the design shapes, as the source's light meets it."""
         return self.elements[self.designed_number].lit(self.source.wavelength)
 
     @property
@@ -208,8 +226,12 @@ class Scene(Part):
 
     def with_optic(self, optic: Element) -> Self:
         """Return the scene with another element in place of `optic`, which goes with all else."""
+        return self.with_element(self.designed_number, optic)
+
+    def with_element(self, number: int, element: Element) -> Self:
+        """Return the scene with another element in place of the one with an index."""
         elements: list[Element] = list(self.elements)
-        elements[self.designed_number] = optic.lit(DEFAULT_WAVELENGTH)
+        elements[number] = element.lit(DEFAULT_WAVELENGTH)
         return self.model_copy(update={"elements": tuple(elements)})
 
     def with_images(self, images: Iterable[Image]) -> Self:
@@ -222,11 +244,14 @@ class Scene(Part):
         return f"elements[{self.designed_number}]"
 
     def face_path(self, name: str | None = None) -> str:
-        """Path of a face of `optic` in the scene, by its name; by default that of its last."""
-        optic = self.optic
-        name = name or optic.designed_face
-        path = next(placed.path for placed in optic.placed_faces if placed.name == name)
-        return f"{self.optic_path}.{path}"
+        """Path of a face in the scene, by its id; by default that of the last face of `optic`."""
+        name = name or self.optic.designed_face
+        return next(
+            f"elements[{number}].{placed.path}"
+            for number, element in enumerate(self.elements)
+            for placed in element.placed_faces
+            if placed.name == name
+        )
 
     @property
     def receiver(self) -> Receiver:
@@ -395,19 +420,23 @@ class Scene(Part):
 
     def with_net(self, shape: tuple[int, int] | None) -> Self:
         """The scene with what its ``"auto"`` control points come to; see `Element.with_net`."""
-        optic = self.optic.with_net(shape)
-        if optic.control_points == self.optic.control_points:
+        scene = self
+        for number in self.designed_numbers:
+            scene = scene.with_element(number, self.elements[number].with_net(shape))
+        if scene == self:
             return self
-        scene = self.with_optic(optic)
         scene.check()
         return scene
 
     def settled(self) -> Self:
         """The scene with numbers in place of what the program has chosen."""
-        optic = self.optic
-        if optic.known_shape is None:
-            return self
-        return self.with_optic(optic.shaped(control_points=optic.known_shape))
+        scene = self
+        for number in self.designed_numbers:
+            element = self.elements[number]
+            if element.known_shape is not None:
+                shaped = element.shaped(control_points=element.known_shape)
+                scene = scene.with_element(number, shaped)
+        return scene
 
     def in_unit(self, unit: Unit) -> Self:
         """The same scene with all its lengths in another unit.

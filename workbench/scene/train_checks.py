@@ -120,8 +120,6 @@ def _check_element(scene: "Scene", number: int) -> None:
         if refused.path.startswith("source."):  # a wavelength beyond the data of a material
             raise
         raise Refused(f"{path}.{refused.path}", refused.reason) from None
-    if number != designed and element.designed:
-        raise Refused(path, Said("a second designed element; one element is designed"))
     if any(isinstance(each.face, SplineFace) and each.face.fixed for each in element.placed_faces):
         raise Refused(path, Said("fixed B-spline faces are not traced yet; a conic face"))
     if number or not element.upright:  # the source sees to the rest

@@ -126,7 +126,7 @@ class OpticalTrain:
         turn, aperture = _turn(first), _place(first, first.front_z)
         faces: list[tuple[TracedFace, Boundary]] = []
         for number, (element, way) in enumerate(zip(elements, scene.ways, strict=True)):
-            designed = number == scene.designed_number
+            designed = element.designed
             stands, own_turn = _Stands(number == 0, False), _turn(element)
             if isinstance(element, Mirror | Diffuser) and way @ own_turn[:, 2] < 0:
                 stands, own_turn = _Stands(False, True), own_turn * [1.0, -1.0, -1.0]

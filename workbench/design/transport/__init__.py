@@ -7,6 +7,7 @@ from workbench.design.transport.first import (
     first_of_several,
 )
 from workbench.design.transport.refit import refitted
+from workbench.design.transport.shared import shared_start
 from workbench.design.transport.start import transport_start
 
 __all__ = [
@@ -15,5 +16,6 @@ __all__ = [
     "first_of",
     "first_of_several",
     "refitted",
+    "shared_start",
     "transport_start",
 ]
