@@ -24,7 +24,7 @@ DATA = {
     "source": {"kind": "collimated"},
     "elements": [
         LENS | {"name": "first", "half_width": [10, 8], "faces": FACES},
-        LENS | {"name": "second", "half_width": [12, 10], "faces": FACES, "position": [0, 0, 20]},
+        LENS | {"name": "second", "half_width": [16, 13], "faces": FACES, "position": [0, 0, 20]},
     ],
     "images": [
         {

@@ -112,7 +112,7 @@ def too_many(path: str, count: int, most: int) -> Refused:
 
 
 def _check_element(scene: "Scene", number: int) -> None:
-    path, designed = f"elements[{number}]", scene.designed_number
+    path = f"elements[{number}]"
     element = scene.elements[number].lit(scene.source.wavelength)
     try:
         element.check_element()
