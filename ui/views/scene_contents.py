@@ -103,8 +103,12 @@ class SceneContents:
         self.nets.draw(frame.state.heights, tool is not None and tool.shows_net)
         if tool is not None and tool.shows_handles:
             elements = frame.session.scene.elements
-            places = [element.position for element in elements] if len(elements) > 1 else []
-            handles.show(frame.source, np.reshape(places, (-1, 3)))
+            # At their rims: the source may be close to the vertex of the first one.
+            rims = [
+                element.in_scene(np.array([0.0, element.half_width[1], element.position[2]]))
+                for element in elements
+            ]
+            handles.show(frame.source, np.reshape(rims if len(rims) > 1 else [], (-1, 3)))
         else:
             handles.show(None)
 

@@ -241,20 +241,19 @@ def test_an_element_of_a_train_is_moved(make_tools, make_scene, drag, qtbot):
     view, document = tools.view, tools.document
     tools.commands["move_source"]()
     qtbot.waitUntil(lambda: len(view.handles._elements) == 2)
-    start = seen_at(view, (0, 0, 2))
+    start = seen_at(view, (0, 1, 2))  # its handle
     held = drag(view, start)
-    held.move(seen_at(view, (0.3, -0.2, 2)) - start)
+    held.move(seen_at(view, (0.3, 0.8, 2)) - start)
     x, y, z = document.session.scene.elements[1].position
     assert (x, y) == (pytest.approx(0.3, abs=0.05), pytest.approx(-0.2, abs=0.05)) and z == 2
     held.release()
     assert document.undo_stack.undoText() == "move the element"
-    there = document.session.scene.elements[1].position
-    qtbot.waitUntil(lambda: there in map(tuple, view.handles._elements), timeout=20_000)
+    qtbot.waitUntil(lambda: (x, y + 1, z) in map(tuple, view.handles._elements), timeout=20_000)
     # Along the axis, but not into the lens before it.
-    start = seen_at(view, (x, y, 2))
+    start = seen_at(view, (x, y + 1, 2))
     held = drag(view, start)
     ctrl = Qt.KeyboardModifier.ControlModifier
-    held.move(seen_at(view, (x, y, 3)) - start, ctrl)
+    held.move(seen_at(view, (x, y + 1, 3)) - start, ctrl)
     high = document.session.scene.elements[1].position[2]
     assert high == pytest.approx(3, abs=0.1)
     held.move(seen_at(view, (x, y, 0.3)) - seen_at(view, (x, y, 3)), ctrl)
