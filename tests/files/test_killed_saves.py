@@ -118,11 +118,7 @@ def test_a_session(make_session, tmp_path):
 @pytest.mark.timeout(3600)
 @pytest.mark.parametrize(
     "write, size, kills",
-    [
-        (save, (8, 8, 0), 200),
-        (save, (64, 512, 4), 200),
-        (export_all, (8, 16, 0), 200),
-    ],
+    [(save, (8, 8, 0), 200), (save, (64, 512, 4), 200), (export_all, (8, 16, 0), 200)],
     ids=["small", "large", "exports"],
 )
 def test_many_times(make_session, tmp_path, write, size, kills):

@@ -12,12 +12,7 @@ from workbench import __version__
 from workbench.design.lens_state import LensState
 from workbench.design.snapshot import Result
 from workbench.errors import Refused
-from workbench.files.session import (
-    Session,
-    open_design,
-    read_session,
-    write_session,
-)
+from workbench.files.session import Session, open_design, read_session, write_session
 from workbench.geometry.faces import FaceArrays
 
 TARGET, FACE = "images/0/target.npy", "faces/lens.back.npy"
@@ -209,9 +204,7 @@ class TestRefused:
 
 
 @settings(
-    max_examples=300,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
+    max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
 def test_no_damage_gets_past_the_refusals(session, path, data):

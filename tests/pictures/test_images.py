@@ -5,12 +5,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from workbench.pictures.axes import SIGNED, paint, round_scale
-from workbench.pictures.images import (
-    IrradianceImage,
-    full_scale,
-    signed_error,
-    target_irradiance,
-)
+from workbench.pictures.images import IrradianceImage, full_scale, signed_error, target_irradiance
 
 
 @pytest.fixture

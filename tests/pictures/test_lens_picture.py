@@ -70,11 +70,7 @@ def test_screen_reads_as_its_image(make_scene, plotter, state, dark):
 )
 def test_default_view_holds_lens_and_screen(make_scene, plotter, z, lens, screen):
     scene = make_scene(
-        {
-            "screen.z": z,
-            "screen.half_width": [screen, screen],
-            "lens.half_width": [lens, lens],
-        }
+        {"screen.z": z, "screen.half_width": [screen, screen], "lens.half_width": [lens, lens]}
     )
     LensPicture(plotter, scene, np.ones((32, 32))).fit()
     width, height = plotter.window_size

@@ -70,13 +70,7 @@ def derivative(make_scene):
 
 
 @pytest.mark.parametrize(
-    ("name", "rows"),
-    [
-        ("quick", COURSES),
-        ("bound", BOUNDED),
-        ("led", LIT),
-        ("mitsuba", TRACED),
-    ],
+    ("name", "rows"), [("quick", COURSES), ("bound", BOUNDED), ("led", LIT), ("mitsuba", TRACED)]
 )
 def test_writes_a_png(name, rows):
     file = BytesIO()

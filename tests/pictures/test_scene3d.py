@@ -6,10 +6,7 @@ import pytest
 from workbench.pictures import meshes
 from workbench.pictures.lens import LensPicture
 from workbench.pictures.projection import Projection
-from workbench.pictures.surface import (
-    face_colours,
-    scale_top,
-)
+from workbench.pictures.surface import face_colours, scale_top
 
 X, Y = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-1, 1, 31), indexing="ij")
 

@@ -26,10 +26,7 @@ def colours(rng):
 
 
 def test_what_is_displayed_is_read(save, colours):
-    windows = {
-        "displayWindow": ((10, 20), (13, 28)),
-        "dataWindow": ((8, 22), (14, 26)),
-    }
+    windows = {"displayWindow": ((10, 20), (13, 28)), "dataWindow": ((8, 22), (14, 26))}
     try:
         path = save(
             {"Y": colours["R"]},

@@ -6,15 +6,7 @@ from hypothesis import strategies as st
 from workbench.scene import Scene
 from workbench.targets import load_target
 
-F = np.array(
-    [
-        [1, 1, 1, 1],
-        [1, 0, 0, 0],
-        [1, 1, 1, 0],
-        [1, 0, 0, 0],
-        [1, 0, 0, 0],
-    ]
-)
+F = np.array([[1, 1, 1, 1], [1, 0, 0, 0], [1, 1, 1, 0], [1, 0, 0, 0], [1, 0, 0, 0]])
 
 
 def scene(target, pixels=(64, 64), half_width=(1.0, 1.0)):

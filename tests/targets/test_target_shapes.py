@@ -2,12 +2,7 @@ import numpy as np
 import pytest
 
 from workbench.errors import Refused
-from workbench.scene import (
-    RectangleTarget,
-    RingTarget,
-    Screen,
-    TextTarget,
-)
+from workbench.scene import RectangleTarget, RingTarget, Screen, TextTarget
 from workbench.targets.raster import coverage
 from workbench.targets.shapes import draw, flame
 

@@ -4,13 +4,7 @@ import numpy as np
 import pytest
 
 from workbench.analysis.benchmark import frontier
-from workbench.analysis.benchmark.frontier import (
-    METHODS,
-    Effort,
-    MethodLens,
-    courses,
-    verified,
-)
+from workbench.analysis.benchmark.frontier import METHODS, Effort, MethodLens, courses, verified
 from workbench.analysis.benchmark.machine import FreshRun
 from workbench.errors import RunFailed
 

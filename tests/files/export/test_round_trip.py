@@ -20,11 +20,7 @@ RAYS = 400_000
 def design(make_scene, tmp_path):
     """A top hat after a short run, and its target."""
     scene = make_scene(
-        {
-            "lens.half_width": [1.0, 0.8],
-            "lens.control_points": [20, 18],
-            "run.iterations": 25,
-        }
+        {"lens.half_width": [1.0, 0.8], "lens.control_points": [20, 18], "run.iterations": 25}
     )
     target = load_target(scene, tmp_path)
     history = History()
