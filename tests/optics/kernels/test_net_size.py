@@ -37,7 +37,6 @@ RAYS = {name: BEAMS[name] for name in ("collimated", "mirror")} | {
 
 def refused(plan, scene, face):
     """Trace lenses on larger, smaller and turned nets; what is said of each, and what fits."""
-    assert plan._choice.compiled
     assert plan.notes[0].startswith("fused")
     nets = freeform_nets(scene.optic)
     heights = {
