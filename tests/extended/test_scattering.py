@@ -8,6 +8,7 @@ import pytest
 from tests.diffusers import with_diffuser
 from workbench.analysis.tracing.elements import Crossings, TracedRays
 from workbench.analysis.tracing.interfaces import ScatterBoundary
+from workbench.extended.bound import Bound
 from workbench.extended.scatter_kernels import ScatteredRays
 from workbench.extended.scattering import Scattering, film_scene
 from workbench.scene import Diffuser, Scene
@@ -116,6 +117,12 @@ def test_a_gaussian_kernel_changes_with_the_direction_of_light():
         assert found.sum() == pytest.approx(1, abs=1e-3)
 
 
+def test_no_bound_is_known_behind_a_diffuser():
+    bound = Bound(_scene(), np.ones((40, 40)))
+    assert bound.sentences[0].startswith("No bound is known for a train")
+    assert bound.to_data()["relative_l2_bound"] is None
+
+
 def test_light_wanted_before_a_diffuser_is_sharper_than_the_target():
     scattering = Scattering.of(_scene())
     assert scattering is not None
@@ -123,7 +130,7 @@ def test_light_wanted_before_a_diffuser_is_sharper_than_the_target():
     target = np.where(np.hypot(x[:, None], x) < 10, 1.0, 0.1)
     light, (m_x, m_y) = scattering.unscattered(target)
     assert light.shape == (40 + 2 * m_y, 40 + 2 * m_x)
-    wanted = scattering.wanted(target, (3, 2), np.ones((1, 1)))
+    wanted = scattering.wanted(target, (3, 2), None)
     assert wanted.shape == (44, 46)
     inside = wanted[2:-2, 3:-3]
     np.testing.assert_allclose(inside, inside.sum() * target / target.sum())

@@ -9,7 +9,7 @@ leaning alone 0.47 %.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
@@ -119,6 +119,14 @@ class LensBlur:
 
     mean: Blur
     change: BlurChange | None = None
+
+    def scaled(self, factor: float) -> Self:
+        """Return it for so many times as many pixels along each axis."""
+        change = self.change
+        if change is not None:
+            x, y = change.half_extent
+            change = replace(change, half_extent=(factor * x, factor * y))
+        return replace(self, mean=self.mean.scaled(factor), change=change)
 
 
 def powers(x: Array, y: Array, degree: int) -> Array:

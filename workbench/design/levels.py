@@ -241,9 +241,7 @@ def _image_of(
     """One of the images of a scene, for lenses like one that is there."""
     scene, cells = film_scene(image.scene), None
     blur = lens_blur_of(scene, heights)
-    # Light of a source of some size is even within a pixel.
-    directions = directions_at_receiver(image.scene, heights)
-    scattering = Scattering.of(image.scene, directions, parts=1 if blur else None)
+    scattering = Scattering.of(image.scene, directions_at_receiver(image.scene, heights))
     if blur is None and _origins(scene) > 1:
         cells = fitting_source_cells(scene, heights, mirrored)
     return image_of(

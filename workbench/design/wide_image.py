@@ -85,7 +85,7 @@ class WideImage:
         fine = receiver.model_copy(update={"pixels": (parts * n_x, parts * n_y)})
         traced = scene.with_receiver(fine)
         plan: BeamPlan | BlurredPlan = (
-            BlurredPlan(traced, (cells[0], cells[1]), blur, mirrored)
+            BlurredPlan(traced, (cells[0], cells[1]), blur.scaled(parts), mirrored)
             if blur
             else BeamPlan(traced, cells, mirrored=mirrored)
         )
@@ -115,7 +115,8 @@ class WideImage:
         if scattering is None:
             wanted = wanted_light(flux, seen, (m_x, m_y))
         else:
-            wanted = scattering.wanted(flux, (m_x, m_y), seen.spread()[0])
+            source = None if seen.within_a_pixel else seen.spread()[0]
+            wanted = scattering.wanted(flux, (m_x, m_y), source)
         wanted = wanted / receiver.relative_measure(m_y)
         self._wanted = torch.as_tensor(wanted, dtype=torch.float32, device=device)
         self._relative = measure_of(receiver, device)

@@ -111,6 +111,11 @@ class Bound:
         return bool(self.scene.source.light_files)
 
     @property
+    def _single(self) -> bool:
+        """Whether one blur over the whole lens tells the bound, also where it is 0."""
+        return self.one_blur and not self._measured and not self.scene.is_train
+
+    @property
     def certified(self) -> bool:
         """Whether the bound is known and holds for all lenses; else it is an estimate."""
         return self.known and self.one_blur
@@ -146,6 +151,8 @@ class Bound:
     @property
     def sentences(self) -> tuple[str, ...]:
         """The bounds as sentences."""
+        if self.scene.is_train:
+            return ("No bound is known for a train of several elements, nor for a tilted one.",)
         if max(self.blur.widths) == 0:
             return ("No size of this source is known that blurs the image: it sets no bound.",)
         if self.blur.within_a_pixel:
@@ -175,7 +182,7 @@ class Bound:
     def to_data(self) -> dict[str, Any]:
         """All figures, for JSON."""
         return {
-            "relative_l2_bound": self.relative_l2 if self.one_blur and not self._measured else None,
+            "relative_l2_bound": self.relative_l2 if self._single else None,
             "relative_l2_reached": self.deblurred.error,
             "relative_l2_half_as_wide": self.half_as_wide,
             "efficiency_bound": self.on_receiver,

@@ -10,7 +10,8 @@ Where rays from several parts of a lens land at one place, all have the kernel o
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -60,9 +61,7 @@ class Scattering:
     parts: int = 1
 
     @classmethod
-    def of(
-        cls, scene: Scene, directions: Directions | None = None, parts: int | None = None
-    ) -> "Scattering | None":
+    def of(cls, scene: Scene, directions: Directions | None = None) -> "Scattering | None":
         """Return the scattering of a scene's diffuser; None without one.
 
         Parameters
@@ -72,8 +71,6 @@ class Scattering:
         directions : callable, optional
             Of light that comes to a plane behind a Gaussian diffuser; by default all of it comes
             from the middle of the element before it.
-        parts : int, optional
-            By default as many as the kernel needs.
         """
         diffuser, receiver = scene.diffuser, scene.receiver
         if diffuser is None:
@@ -98,7 +95,7 @@ class Scattering:
             ways = directions_in_far_field(u, v, onwards)
         rays = ScatteredRays(diffuser, receiver, onwards, u, v, ways)
         widths = rays.widths()
-        parts = parts or min(math.ceil(_PARTS / min(widths)), _MOST_PARTS)
+        parts = min(math.ceil(_PARTS / min(widths)), _MOST_PARTS)
         n_x, n_y = (parts * n for n in receiver.pixels)
         finer = receiver.model_copy(update={"pixels": (n_x, n_y)})
         found = rays._replace(receiver=finer).kernels()
@@ -125,18 +122,6 @@ class Scattering:
         terms = _powers(x[None, :], -y[:, None], math.isqrt(self.factors.shape[1]))  # rows go down
         return np.asarray(np.tensordot(self.factors, terms, 1))
 
-    @property
-    def margin(self) -> tuple[int, int]:
-        """Pixels along x and y that the kernel of whole pixels has on each side of its middle."""
-        rows, columns = self._whole.shape
-        return columns // 2, rows // 2
-
-    def spread(self, parts: int = 1) -> Array:
-        """The mean kernel for whole pixels of light, as `Blur.spread` gives it."""
-        if parts != 1:
-            raise ValueError("the kernel is that of whole pixels")
-        return self._whole[None]
-
     @cached_property
     def _whole(self) -> Array:
         """The mean kernel by pixels, for light that is uniform in one."""
@@ -158,39 +143,62 @@ class Scattering:
 
     def unscattered(self, target: Array) -> tuple[Array, tuple[int, int]]:
         """Light that, scattered, is closest to a target (n_y, n_x), and its margin (m_x, m_y)."""
-        near = self._within(target)
-        return spread_light(target, near), near.margin
+        kernel = _near(self._whole, target)
+        rows, columns = kernel.shape
+        return _closest_light(target, kernel), (columns // 2, rows // 2)
 
-    def wanted(self, target: Array, margin: tuple[int, int], source: Array) -> Array:
+    def wanted(self, target: Array, margin: tuple[int, int], source: Array | None) -> Array:
         """Light wanted on a receiver and around it, (n_y + 2 m_y, n_x + 2 m_x).
 
         Of 1 that comes to the plane of the receiver: what falls farther away is missing. On the
-        receiver it is the target (n_y, n_x). ``source`` is the kernel of the source's size.
+        receiver it is the target (n_y, n_x). ``source`` is the kernel of the source's size, if that
+        blurs it too.
         """
         from scipy.signal import fftconvolve  # late: it takes long to import
 
-        whole = self._with(fftconvolve(self._whole, source))
-        near = whole._within(target)
-        light = spread_light(target, near)
-        wide = fftconvolve(light, whole.kernels[0]).clip(min=0) / light.sum()
+        kernel = self._whole if source is None else fftconvolve(self._whole, source)
+        light = _closest_light(target, _near(kernel, target))
+        wide = fftconvolve(light, kernel).clip(min=0) / light.sum()
         (n_y, n_x), (m_x, m_y) = target.shape, margin
-        left, top = (one + other for one, other in zip(near.margin, whole.margin, strict=True))
+        top, left = ((w - n) // 2 for w, n in zip(wide.shape, target.shape, strict=True))
         wide = np.pad(wide, ((m_y, m_y), (m_x, m_x)))
         cut = wide[top : top + n_y + 2 * m_y, left : left + n_x + 2 * m_x]
         seen = slice(m_y, m_y + n_y), slice(m_x, m_x + n_x)
         cut[seen] = target / target.sum() * cut[seen].sum()
         return cut
 
-    def _within(self, target: Array) -> "Scattering":
-        """The mean kernel as far as half the image reaches, with all of its light."""
-        n_y, n_x = target.shape
-        (m_x, m_y), mean = self.margin, self._whole
-        k_x, k_y = min(m_x, n_x // 2), min(m_y, n_y // 2)
-        near = mean[m_y - k_y : m_y + k_y + 1, m_x - k_x : m_x + k_x + 1]
-        return self._with(near / near.sum())
 
-    def _with(self, kernel: Array) -> "Scattering":
-        return Scattering(kernel[None], self.factors[:0], self.widths)
+class _Kernel(NamedTuple):
+    """A blur of one kernel; see `workbench.extended.deblur.Spreading`."""
+
+    kernel: Array
+
+    def spread(self, parts: int = 1) -> Array:
+        if parts != 1:
+            raise ValueError("the kernel is that of whole pixels")
+        return self.kernel[None]
+
+
+def _near(kernel: Array, target: Array) -> Array:
+    """A kernel as far as half an image reaches, with all of its light."""
+    middles = [size // 2 for size in kernel.shape]
+    reach = [min(m, n // 2) for m, n in zip(middles, target.shape, strict=True)]
+    rows, columns = (slice(m - k, m + k + 1) for m, k in zip(middles, reach, strict=True))
+    near = kernel[rows, columns]
+    return np.asarray(near / near.sum())
+
+
+def _closest_light(target: Array, kernel: Array) -> Array:
+    share = target / target.sum()
+    return _kept_light(share.tobytes(), share.shape, kernel.tobytes(), kernel.shape).copy()
+
+
+@lru_cache(maxsize=4)  # a first design and both images of a run need the same one
+def _kept_light(
+    target: bytes, shape: tuple[int, ...], kernel: bytes, size: tuple[int, ...]
+) -> Array:
+    blur = _Kernel(np.frombuffer(kernel).reshape(size))
+    return spread_light(np.frombuffer(target).reshape(shape), blur)
 
 
 def film_scene(scene: Scene) -> Scene:

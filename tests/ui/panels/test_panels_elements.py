@@ -108,9 +108,24 @@ def test_the_added_lens_is_chosen_and_its_faces_are_edited(begin, qtbot):
     assert elements(document)[1].faces[1].coefficients == ()
 
 
+def test_a_diffuser_is_added_and_its_scatter_chosen(begin, qtbot):
+    document, forms = begin()
+    click(qtbot, forms, "Add diffuser")
+    added = elements(document)[1]
+    assert (added.kind, added.half_width) == ("diffuser", elements(document)[0].half_width)
+    enter(qtbot, forms, "elements[1].scatter.sigma", "8")
+    assert elements(document)[1].scatter.sigma == 8
+    choose(forms, "elements[1].scatter.kind", "lambertian")
+    assert elements(document)[1].scatter.kind == "lambertian"
+    choose(forms, "elements[1].scatter.kind", "gaussian")
+    assert elements(document)[1].scatter.sigma == 5
+    click(qtbot, forms, "Add lens")
+    assert "behind the diffuser" in row(forms, "elements").refusal
+
+
 @pytest.mark.parametrize(
     ("button", "reason"),
-    [("Add mirror", "not traced yet"), ("Duplicate", "a second designed element")],
+    [("Add mirror", "may touch the element mirror"), ("Duplicate", "a second designed element")],
 )
 def test_an_element_that_no_train_can_have_is_refused_below_the_list(begin, qtbot, button, reason):
     document, forms = begin()

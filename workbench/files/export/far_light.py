@@ -96,6 +96,7 @@ def directions_of(h: Array, v: Array) -> Array:
 def far_light(design: Design) -> FarLight:
     """Return the intensity of the light that leaves a lens; raise Refused if there is none."""
     scene = design.scene
+    scene.check_no_diffuser("a file of intensities")
     heights = {
         face: torch.as_tensor(np.array(each, dtype=np.float64))
         for face, each in design.result.state.heights.items()

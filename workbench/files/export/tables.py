@@ -164,6 +164,7 @@ class Rays(NamedTuple):
 
 def _traced(design: Design, ends: Callable[[Path, Arrival], tuple[Vector, Tensor]]) -> Rays:
     """Rays of all lines of the light in float64: those that ``ends`` takes, and where they end."""
+    design.scene.check_no_diffuser("a file of rays")
     heights = {face: torch.tensor(each) for face, each in design.result.state.heights.items()}
     lines = design.scene.lines
     tables, wavelengths = [], []
