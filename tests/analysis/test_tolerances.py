@@ -5,11 +5,19 @@ import pytest
 
 from tests.lamps import crooked_lamp, led
 from workbench.analysis.tolerance_fields import Tolerances
-from workbench.analysis.tolerances import Distribution, Perturbation, Perturbed, draw, perturbed
+from workbench.analysis.tolerances import (
+    Distribution,
+    ElementError,
+    Perturbation,
+    Perturbed,
+    draw,
+    perturbed,
+)
 from workbench.analysis.tracing.pose import Pose
 from workbench.analysis.validation import validate
 from workbench.errors import Refused
 from workbench.geometry.surface import ControlNet
+from workbench.scene import Scene
 
 INDEX = 1.5
 RAYS = 16 * 64 * 64
@@ -248,3 +256,43 @@ def test_refusals(make_scene, tolerances, message):
     with pytest.raises(Refused) as refused:
         tolerances.check(make_scene())
     assert str(refused.value).startswith(message)
+
+
+class TestTrains:
+    @pytest.fixture
+    def train(self, make_scene):
+        """A wavy lens and a wide plane plate, which is turned by 90 degrees about z."""
+        data = make_scene({"screen.pixels": [16, 16]}).to_data()
+        first = data["elements"][0]
+        plate = first | {"name": "plate", "position": [0, 0, 2], "tilt": [0, 0, 90]}
+        plate |= {"half_width": [3, 3], "thickness": 0.2, "min_thickness": 0.1}
+        plate |= {"faces": [{"shape": "plane"}, {"shape": "plane"}]}
+        return Scene.from_data(data | {"elements": [first, plate]})
+
+    def test_each_element_has_errors_of_its_own(self, train, rng):
+        heights = {"lens.back": 0.5 + 0.01 * rng.normal(size=train.optic.net_shape)}
+        lens = ElementError(decentre=(0.01, 0.02), index=0.003)
+        plate = ElementError(tilt=(math.radians(3), 0.0), decentre=(0.1, 0.0))
+        off, own = Perturbation(elements=(lens, plate)).applied(train, heights)
+        assert off.elements[0].position == pytest.approx((0.01, 0.02, 0))
+        assert off.elements[0].index == pytest.approx(train.optic.index + 0.003)
+        # Its own x is the y of the scene.
+        assert off.elements[1].position == pytest.approx((0, 0.1, 2), abs=1e-12)
+        turn = off.elements[1].turn
+        assert turn[:, 2] == pytest.approx(
+            [math.sin(math.radians(3)), 0, math.cos(math.radians(3))]
+        )
+        assert own["lens.back"] == pytest.approx(heights["lens.back"])
+        drawn = list(draw(Tolerances(tilt=0.1), 2, 1, 2))
+        assert len({each.tilt for errors in drawn for each in errors.elements}) == 4
+
+    def test_a_decentred_plane_plate_changes_nothing(self, train):
+        target, flat = np.ones((16, 16)), {"lens.back": np.full(train.optic.net_shape, 0.5)}
+        moved = Perturbation(elements=(ElementError(), ElementError(decentre=(0.5, -0.5))))
+        nominal = validate(train, target, flat, 20_000, 1)
+        off, own = moved.applied(train, flat)
+        found = validate(off, target, own, 20_000, 1)
+        assert found.relative_l2 == pytest.approx(nominal.relative_l2, abs=1e-12)
+        assert found.efficiency == pytest.approx(nominal.efficiency, abs=1e-12)
+        with pytest.raises(Refused, match="exit_tilt"):
+            Tolerances(exit_tilt=0.1).check(train)

@@ -179,18 +179,21 @@ class Tolerances:
     def check(self, scene: "Scene") -> None:
         """Raise `Refused` with the tolerance if one is not possible for a scene."""
         scene.check_one_image("tolerances")
-        scene.check_one_element("tolerances")
+        if scene.is_train:
+            _check_train(scene, self.sizes)
         for name, size in self.sizes.items():
             ABOUT[name].check(f"{name}[0]" if name in PAIRS else name, size, scene)
         optic = scene.optic
         if self.index:
             _check_below("index", self.index, optic.index - 1, Said("else there may be no glass"))
         if self.distance:
-            limit = optic.onwards * (scene.receiver.plane_z - optic.edge_z)
+            last = scene.elements[-1]
+            limit = last.onwards * (scene.receiver.plane_z - last.edge_z)
             touch = Said("else the screen may touch the {optic}", optic=optic.called)
             _check_below("distance", self.distance, limit, touch)
         if self.source_shift:
-            limit = optic.front_z - scene.source.nearest_z
+            source, first = scene.entrance
+            limit = first.front_z - source.nearest_z
             touch = Said("else the source may touch the {optic}", optic=optic.called)
             _check_below("source_shift", self.source_shift, limit, touch)
         width = 2 * max(optic.half_width)
@@ -215,6 +218,15 @@ ABOUT: Mapping[str, ToleranceField] = {
 
 PAIRS = frozenset(each.name for each in fields(Tolerances) if isinstance(each.default, tuple))
 """Names of the tolerances with an RMS and a correlation length."""
+
+
+def _check_train(scene: "Scene", sizes: Mapping[str, float]) -> None:
+    """Refuse errors that are known of one upright element alone."""
+    if len(scene.elements) == 1:
+        scene.check_one_element("tolerances")
+    for name in ("source_tilt", "exit_tilt", "exit_decentre"):
+        if sizes[name]:
+            raise Refused(name, Said("{size:g}; a train has no such error, 0", size=sizes[name]))
 
 
 def _check_below(name: str, size: float, limit: float, otherwise: str) -> None:

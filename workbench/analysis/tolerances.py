@@ -23,13 +23,42 @@ from workbench.geometry.surface import ControlNet, freeform_nets
 from workbench.said import Said
 from workbench.scene import Element, Lens, Scene, SplineFace
 from workbench.scene.material import denser
+from workbench.scene.turning import tilt_of, turned
+
+
+@dataclass(frozen=True)
+class ElementError:
+    """Errors of one element of a train, in its own coordinates.
+
+    ``tilt`` is a rotation vector in radians about the front vertex, ``decentre`` a shift in scene
+    units, ``index`` that of the refractive index.
+    """
+
+    tilt: tuple[float, float] = (0.0, 0.0)
+    decentre: tuple[float, float] = (0.0, 0.0)
+    index: float = 0.0
+
+    def applied(self, element: Element, scene: Scene) -> Element:
+        """Return the element with its errors."""
+        turn = element.turn
+        place = element.position + turn[:, :2] @ self.decentre
+        tilt = tilt_of(turn @ turned(tuple(np.degrees(self.tilt).tolist())))
+        update: dict[str, Any] = {"position": tuple(place.tolist()), "tilt": tilt}
+        if self.index and isinstance(element, Lens):
+            lit = element.lit(scene.source.wavelength)
+            update["material"] = denser(lit.material, lit.index, self.index)
+        return element.model_copy(update=update)
 
 
 @dataclass(frozen=True)
 class Perturbation:
-    """Errors of one lens: as `Tolerances`, with directions and signs."""
+    """Errors of one lens, or of a train: as `Tolerances`, with directions and signs.
+
+    A train has the errors of its ``elements``, and of its ``pose`` those of the source alone.
+    """
 
     pose: Pose = field(default_factory=Pose)
+    elements: tuple[ElementError, ...] = ()
     # Errors of the refractive index and of the screen's distance.
     index: float = 0.0
     distance: float = 0.0
@@ -42,6 +71,8 @@ class Perturbation:
         self, scene: Scene, heights: Mapping[str, Array]
     ) -> tuple[Scene, Mapping[str, Array]]:
         """Return scene and control heights of the perturbed lens; nets may be finer."""
+        if self.elements:
+            scene, heights = self._moved(scene, heights)
         optic = scene.optic
         if self.index and isinstance(optic, Lens):
             material = denser(optic.material, optic.index, self.index)
@@ -58,9 +89,33 @@ class Perturbation:
                 heights = {**heights, face: with_noise(net, smooth, amplitude, scale, rng)}
         scene = scene.with_optic(_with_nets(optic, heights))
         if self.distance:
-            screen = scene.receiver.moved_to(scene.receiver.plane_z + optic.onwards * self.distance)
+            along = scene.onwards(scene.receiver) * self.distance
+            screen = scene.receiver.moved_to(scene.receiver.plane_z + along)
             scene = scene.with_receiver(screen)
         return scene, heights
+
+    @property
+    def traced(self) -> Pose:
+        """The pose for the check: of a train, the scene itself has all errors."""
+        return Pose() if self.elements else self.pose
+
+    def _moved(
+        self, scene: Scene, heights: Mapping[str, Array]
+    ) -> tuple[Scene, Mapping[str, Array]]:
+        """Return a train with the errors of its elements and its source, and its heights."""
+        pairs = zip(self.elements, scene.elements, strict=True)
+        elements = tuple(error.applied(element, scene) for error, element in pairs)
+        rises = {  # heights count from `Element.origin`
+            placed.name: moved.position[2] - element.position[2]
+            for element, moved in zip(scene.elements, elements, strict=True)
+            for placed in element.placed_faces
+        }
+        source = scene.source
+        if source.place is not None:
+            x, y, z = np.add(source.place, self.pose.source_shift).tolist()
+            source = source.placed((x, y, z))
+        heights = {face: z + rises[face] for face, z in heights.items()}
+        return scene.model_copy(update={"elements": elements, "source": source}), heights
 
 
 def _net_of(optic: Element, heights: Mapping[str, Array], face: str) -> tuple[ControlNet, Array]:
@@ -74,7 +129,10 @@ def _net_of(optic: Element, heights: Mapping[str, Array], face: str) -> tuple[Co
 
 def _with_nets(optic: Element, heights: Mapping[str, Array]) -> Element:
     """Return an element with the nets of the heights."""
+    own = [placed.name for placed in optic.placed_faces]
     for face, each in heights.items():
+        if face not in own:
+            continue
         if face not in freeform_nets(optic):
             optic = optic.with_face(face, SplineFace(shape="bspline"))
         optic = optic.shaped(face, control_points=each.shape)
@@ -93,7 +151,15 @@ class Perturbed:
         """The figures by name, for JSON; angles in degrees."""
         off = self.perturbation
         drawn = {**vars(off.pose), "index": off.index, "distance": off.distance}
+        if off.elements:
+            drawn = {"source_shift": off.pose.source_shift, "distance": off.distance}
+        elements = [
+            {"tilt": np.degrees(each.tilt).tolist(), "decentre": list(each.decentre)}
+            | {"index": each.index}
+            for each in off.elements
+        ]
         return {
+            **({"elements": elements} if elements else {}),
             **{
                 name: np.degrees(size).tolist()
                 if ABOUT[name].unit == "degrees"
@@ -105,13 +171,28 @@ class Perturbed:
         }
 
 
-def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbation]:
-    """Yield random perturbations within tolerances; the same seed gives the same ones."""
+def draw(
+    tolerances: Tolerances, samples: int, seed: int, elements: int = 1
+) -> Iterator[Perturbation]:
+    """Yield random perturbations within tolerances; the same seed gives the same ones.
+
+    Each of several ``elements`` has errors of its own.
+    """
+    of_elements = [np.random.default_rng([seed, 2003 + number]) for number in range(elements)]
     rng, of_source, of_exit = (
         np.random.default_rng([seed, number]) for number in (2000, 2001, 2002)
     )
     for _ in range(samples):
         tilt, decentre = _in_disc(rng, tolerances.tilt), _in_disc(rng, tolerances.decentre)
+        errors = [
+            ElementError(
+                _in_disc(own, tolerances.tilt),
+                _in_disc(own, tolerances.decentre),
+                tolerances.index * own.uniform(-1, 1),
+            )
+            for own in of_elements
+        ]
+        index = tolerances.index * rng.uniform(-1, 1)
         yield Perturbation(
             Pose(
                 tilt,
@@ -121,7 +202,8 @@ def draw(tolerances: Tolerances, samples: int, seed: int) -> Iterator[Perturbati
                 _in_disc(of_exit, tolerances.exit_tilt),
                 _in_disc(of_exit, tolerances.exit_decentre),
             ),
-            index=tolerances.index * rng.uniform(-1, 1),
+            elements=tuple(errors) if elements > 1 else (),
+            index=index if elements == 1 else 0.0,
             distance=tolerances.distance * rng.uniform(-1, 1),
             surface=tolerances.surface,
             entrance_surface=tolerances.entrance_surface,
@@ -161,7 +243,7 @@ def perturbed(
     tolerances.check(scene)
     _check_faces(scene.optic, heights, tolerances)
     yield _trace(scene, target, heights, Perturbation(), rays, seed)
-    for perturbation in draw(tolerances, samples, seed):
+    for perturbation in draw(tolerances, samples, seed, len(scene.elements)):
         try:
             yield _trace(scene, target, heights, perturbation, rays, seed)
         except RunFailed:  # a dark image has an error of 1
@@ -202,7 +284,7 @@ def _trace(
     seed: int,
 ) -> Perturbed:
     off, heights = perturbation.applied(scene, heights)
-    found = validate(off, target, heights, rays, seed, pose=perturbation.pose)
+    found = validate(off, target, heights, rays, seed, pose=perturbation.traced)
     return Perturbed(perturbation, found.relative_l2_corrected, found.efficiency)
 
 
