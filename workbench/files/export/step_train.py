@@ -26,6 +26,7 @@ from workbench.files.export.step_model import (
     write_shapes,
 )
 from workbench.geometry.basis import basis_matrix, greville
+from workbench.geometry.face_grids import element_sides
 from workbench.geometry.frames import Frame
 from workbench.geometry.outlines import outline_of
 from workbench.geometry.surface import ControlNet
@@ -42,7 +43,7 @@ _CORNERS = ((0, 0), (-1, 0), (-1, -1), (0, -1))
 
 
 def write_step_train(design: Design, file: BinaryIO) -> Deviation:
-    """Write all elements as solids; the error is the largest of all fits."""
+    """Write all elements that are solid; the error is the largest of all fits."""
     scene, model, items = design.scene, Model(), []
     off = 0.0
     for number, element in enumerate(scene.elements):
@@ -52,8 +53,10 @@ def write_step_train(design: Design, file: BinaryIO) -> Deviation:
             shape = partial(solid_shape, name=element.name)
             item, error = shape_of(shape, model, design.faces)
             model.turned = False
-        else:
+        elif _is_solid(element):
             item, error = _fixed_solid(model, element)
+        else:
+            continue
         items.append(item)
         off = max(off, error)
     model.frame = None
@@ -159,6 +162,13 @@ class _FixedFace:
             spline_curve(model, _DEGREE, [model.point(p) for p in side.tolist()], net.knots[0])
             for side in sides
         ]
+
+
+def _is_solid(element: Element) -> bool:
+    """Whether its sides are apart: those of a diffuser are one plane."""
+    middle = np.zeros(1)
+    front, back = element_sides(element, middle, middle, {})
+    return not np.array_equal(front, back)
 
 
 def _fixed_solid(model: Model, element: Element) -> tuple[str, float]:
