@@ -1,5 +1,7 @@
 """Blur of an extended source in the design: even, changing, and the first lens for it."""
 
+import math
+
 import numpy as np
 import pytest
 import torch
@@ -8,7 +10,8 @@ from workbench.analysis.validation import validate
 from workbench.design.aim import first_lens
 from workbench.design.blurred_light import LightBlurring
 from workbench.design.blurred_plan import BlurredPlan
-from workbench.design.lens_blur import LensBlur
+from workbench.design.lens_blur import BlurChange, LensBlur
+from workbench.design.levels import lens_blur_of
 from workbench.design.transport import transport_start
 from workbench.extended.blur import Blur
 from workbench.extended.bound import Bound
@@ -96,14 +99,57 @@ SUN = {
     "lens.control_points": [12, 12],
     "source": {"kind": "collimated", "angular_diameter": 3.0},
     "screen.z": 5.0,
-    "screen.half_width": [1.2, 1.2],
-    "screen.pixels": [40, 32],
+    "screen.half_width": [2.0, 1.6],
+    "screen.pixels": [50, 40],
 }
 
 
 @pytest.fixture
 def sun(make_scene):
     return make_scene(SUN)
+
+
+def lens_of(scene, power, noise=0.0, rng=None):
+    """A bowl or a dome: places bend light by more the farther they are from the axis."""
+    x, y = ControlNet.of(scene.optic).positions
+    bowl = scene.optic.base.height + power * (x[:, None] ** 2 + y**2)
+    return {
+        "lens.back": torch.as_tensor(bowl if rng is None else bowl + noise * rng.random(bowl.shape))
+    }
+
+
+def test_widths_change_as_rays_of_the_source_say(sun):
+    """Light that comes in at two angles to a place of a bowl, by Snell's law."""
+    heights, net, n = lens_of(sun, 0.1), ControlNet.of(sun.optic), sun.optic.index
+
+    def hit(x, angle):
+        z, slope, _ = (each.item() for each in net.at(x, np.zeros(1), heights["lens.back"].numpy()))
+        lean = math.atan(slope)
+        leaves = math.asin(n * math.sin(math.asin(math.sin(angle) / n) + lean)) - lean
+        return x.item() + (sun.receiver.z - z) * math.tan(leaves)
+
+    def width(x):
+        half = math.radians(1.5)
+        return hit(x, half) - hit(x, -half)
+
+    change = BlurChange.of(sun, heights).at((50, 40), (0, 0))
+    rim = np.array([0.9])
+    column = round(25 * (1 + hit(rim, 0.0) / 2.0) - 0.5)
+    found = (1 + change[0, 20, column]) / (1 + change[0, 20, 25])
+    assert found == pytest.approx(width(rim) / width(np.zeros(1)), abs=1e-3)
+    assert abs(found - 1) > 0.008
+
+
+def test_image_with_a_changing_blur_is_nearer_to_that_of_many_origins(sun, rng):
+    heights = lens_of(sun, -0.12, 0.004, rng)
+    found, margin = lens_blur_of(sun, heights), (4, 4)
+    assert found is not None
+    all_of_it = BeamPlan(sun, Corners(96, 96, 512)).trace(heights, margin).flux
+    off = [
+        (BlurredPlan(sun, (256, 256), blur).trace(heights, margin).flux - all_of_it).norm()
+        for blur in (found, LensBlur(found.mean))
+    ]
+    assert off[0] < 0.5 * off[1]
 
 
 @pytest.fixture
@@ -125,7 +171,8 @@ def test_blurred_image_is_the_image_of_many_origins(sun, heights):
     assert middle.account.on_screen == pytest.approx(all_of_it.account.on_screen, abs=5e-3)
 
 
-def test_account_of_a_blurred_image_adds_up_and_counts_its_light(sun, heights):
+def test_account_of_a_blurred_image_adds_up_and_counts_its_light(make_scene, heights):
+    sun = make_scene(SUN | {"screen.half_width": [1.2, 1.2], "screen.pixels": [40, 32]})
     light = blurred(sun).trace(heights)
     account = light.account
     assert account.on_screen + sum(account.lost.values()) == pytest.approx(1, abs=1e-9)
@@ -133,9 +180,12 @@ def test_account_of_a_blurred_image_adds_up_and_counts_its_light(sun, heights):
     assert account.lost["off_screen"] > 1e-4
 
 
-def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, heights, rng):
-    plan, way = blurred(sun, (64, 64)), torch.as_tensor(rng.random((12, 12)) - 0.5)
-    weight = torch.as_tensor(rng.random((32, 40)))
+@pytest.mark.parametrize("changing", [False, True])
+def test_gradient_of_a_blurred_image_is_that_of_central_differences(sun, rng, changing):
+    heights = lens_of(sun, 0.1, 0.004, rng)
+    blur = lens_blur_of(sun, heights)
+    plan = BlurredPlan(sun, (64, 64), blur if changing else LensBlur(blur.mean))
+    way, weight = (torch.as_tensor(rng.random(shape) - 0.5) for shape in ((12, 12), (40, 50)))
 
     def value(heights):
         return (plan.trace({"lens.back": heights}).flux.double() * weight).sum()
