@@ -123,15 +123,11 @@ def test_a_diffuser_is_added_and_its_scatter_chosen(begin, qtbot):
     assert "behind the diffuser" in row(forms, "elements").refusal
 
 
-@pytest.mark.parametrize(
-    ("button", "reason"),
-    [("Add mirror", "may touch the element mirror"), ("Duplicate", "a second designed element")],
-)
-def test_an_element_that_no_train_can_have_is_refused_below_the_list(begin, qtbot, button, reason):
+def test_an_element_that_no_train_can_have_is_refused_below_the_list(begin, qtbot):
     document, forms = begin()
-    click(qtbot, forms, button)
+    click(qtbot, forms, "Add mirror")
     assert names(document) == ["lens"]
-    assert reason in row(forms, "elements").refusal
+    assert "may touch the element mirror" in row(forms, "elements").refusal
     assert forms.take_back()
     click(qtbot, forms, "Add lens")
     assert names(document) == ["lens", "lens-2"] and not forms.refused
