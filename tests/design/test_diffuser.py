@@ -105,3 +105,21 @@ def test_a_diffuser_behind_a_lens_in_slanted_light_scatters_about_it():
     for axis in (0, 1):
         profile, wanted = image.sum(axis), checked.sum(axis)
         assert np.linalg.norm(profile - wanted) < 0.02 * np.linalg.norm(wanted)
+
+
+def test_a_diffuser_behind_a_fold_mirror_is_lit_from_its_back():
+    data = with_diffuser(position=[-30, 0, 24], tilt=[0, 90, 0])
+    lens, film = data["elements"]
+    fold = {"kind": "mirror", "name": "fold", "position": [0, 0, 24], "tilt": [0, 45, 0]}
+    fold |= {"half_width": [25, 25], "face": {"shape": "plane"}}
+    receiver = {"position": [-38, 0, 24], "tilt": [0, -90, 0]}
+    data["elements"] = [lens, fold, film]
+    data["images"][0]["receiver"] |= receiver
+    scene, heights = Scene.from_data(data), _lens()
+    image = finest_image(scene, np.ones((40, 40)), tensors_of(heights, scene))
+    seen = image.step(tensors_of(heights, scene)).state
+    checked = validate(scene, np.ones((40, 40)), heights, rays=500_000)
+    assert seen.account.efficiency == pytest.approx(checked.efficiency, abs=2e-3)
+    for axis in (0, 1):
+        profile, wanted = seen.irradiance.sum(axis), checked.irradiance.sum(axis)
+        assert np.linalg.norm(profile - wanted) < 0.02 * np.linalg.norm(wanted)
