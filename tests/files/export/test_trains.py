@@ -1,14 +1,18 @@
 """Trains of several elements as solids, read by OpenCASCADE."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.files.export.conftest import designed
+from workbench.errors import Refused
+from workbench.files.export.meshes import write_stl
+from workbench.files.export.step import write_step
 from workbench.files.export.step_train import write_step_train
 from workbench.geometry.frames import Frame
-from workbench.scene import Diffuser, Mirror, Scene
+from workbench.scene import ConicFace, Diffuser, Mirror, Scene
 
 LENS = {"kind": "lens", "thickness": 2.0, "material": {"index": 1.5}}
 PLANE = {"shape": "plane"}
@@ -67,6 +71,14 @@ def corners(element, low, high):
     own = np.array([[x, y, z] for x in (-r_x, r_x) for y in (-r_y, r_y) for z in (low, high)])
     frame = Frame.at(element.position, element.tilt)
     return own @ frame.rotation.T + frame.position
+
+
+@pytest.mark.parametrize("writer", [write_step, write_stl])
+def test_a_conic_front_of_the_designed_lens_is_refused(train, write, writer):
+    front = ConicFace.model_validate(BOWL)
+    optic = train.scene.optic.model_copy(update={"faces": (front, train.scene.optic.faces[1])})
+    with pytest.raises(Refused, match=r"elements\[1\].faces\[0\]"):
+        write(writer, replace(train, scene=train.scene.with_optic(optic)), "lens.step")
 
 
 def test_each_element_is_a_solid_in_its_place(train, write, read_solid, volume):

@@ -10,11 +10,13 @@ import numpy as np
 from workbench import units
 from workbench.arrays import Array
 from workbench.design.snapshot import Result
+from workbench.errors import Refused
 from workbench.files.export.options import MILLIMETRES, PLAIN, Cutting
 from workbench.geometry.outlines import Outline, outline_of
 from workbench.geometry.surface import ControlNet, GridBasis, freeform_nets
 from workbench.progress import Progress, no_progress
-from workbench.scene import Scene
+from workbench.said import Said
+from workbench.scene import ConicFace, Scene
 
 if TYPE_CHECKING:
     from workbench.files.export.gcode import CutPlan
@@ -94,6 +96,15 @@ class Design:
     def flat_z(self) -> float:
         """Z of the flat side of the solid part, scene units."""
         return self.scene.optic.flat_z(self.heights)
+
+    def check_flat_side(self) -> None:
+        """Refuse a conic front face before the designed one, which solids do not have yet."""
+        optic, front = self.scene.optic, self.scene.optic.placed_faces[0]
+        if len(optic.placed_faces) > 1 and isinstance(front.face, ConicFace):
+            raise Refused(
+                f"{self.scene.optic_path}.{front.path}",
+                Said("a conic front face of the designed element is not exported; a plane one"),
+            )
 
     @property
     def largest_chord_error(self) -> float:

@@ -194,6 +194,7 @@ def solid_shape(
     model: Model, faces: Sequence[Design], rims: Sequence[Rim], name: str = "freeform lens"
 ) -> str:
     """Add the solid of the designed element."""
+    faces[0].check_flat_side()
     nets = [_Net.of(face, model) for face in faces]
     surface, *entrance = (
         _surface(model, net, name)

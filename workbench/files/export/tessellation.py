@@ -55,6 +55,7 @@ class Tessellation(NamedTuple):
         faces, strips end at the knots of both. Raise Refused if the coordinates cannot be so
         precise or there are too many triangles.
         """
+        design.check_flat_side()
         largest = design.largest_chord_error
         rounding = max(_rounding(face, precision) for face in design.faces)
         if largest < 2 * rounding:
