@@ -22,6 +22,7 @@ from workbench.scene import (
     Source,
 )
 from workbench.scene.kinds import row_of
+from workbench.scene.points import AnySource
 
 # In half-widths of the lens: how far before it parallel light starts.
 _BEFORE = 0.1
@@ -108,9 +109,18 @@ def _emitter(
         return rays_as_light(mi, source, optic, unit, rays, seed)
     shape, whole = {"rectangle": ("rectangle", 4.0), "ellipse": ("disk", math.pi)}[source.outline]
     r_x, r_y = (r / unit for r in source.half_width)
-    place = mi.ScalarTransform4f().translate(np.array(source.position) / unit).scale([r_x, r_y, 1])
+    place = _standing(mi, source, np.array(source.position) / unit).scale([r_x, r_y, 1])
     light = {"type": shape, "to_world": place, "emitter": {"type": "area", "radiance": _EVEN}}
     return {"light": light}, math.pi * whole * r_x * r_y
+
+
+def _standing(mi: Any, source: AnySource, place: Array) -> Any:
+    """Where a face of a source stands that is at a place."""
+    to_world = np.eye(4)
+    to_world[:3, 3] = place
+    if source.turn is not None:
+        to_world[:3, :3] = source.turn
+    return mi.ScalarTransform4f(to_world)
 
 
 def _points(
@@ -138,12 +148,12 @@ def _points(
             radius = _DISK * (z - point[2])
             lights[f"light{number}"] = {
                 "type": "disk",
-                "to_world": to().translate(point).scale([radius, radius, 1]),
+                "to_world": _standing(mi, source, point).scale([radius, radius, 1]),
                 "emitter": {"type": "area", "radiance": _EVEN},
             }
             # Area of the disk times the projected solid angle of the cone.
             sine2 = versine * (2 - versine)
-            emitted += math.pi * radius**2 * math.pi * sine2 * axis[2]
+            emitted += math.pi * radius**2 * math.pi * sine2 * (axis @ source.facing)
     return lights, emitted
 
 

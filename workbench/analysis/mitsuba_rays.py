@@ -86,6 +86,8 @@ def _facets(mi: Any, places: Array, ways: Array, flux: Array) -> Any:
     properties["emitter"] = mi.load_dict(
         {"type": "directionalarea", "radiance": {"type": "rgb", "value": 1.0}}
     )
+    # Light that a mirror sends back goes through them.
+    properties["bsdf"] = mi.load_dict({"type": "null"})
     mesh = mi.Mesh("", 3 * count, count, props=properties, has_vertex_normals=True)
     content = mi.traverse(mesh)
     content["vertex_positions"] = vertices.astype(np.float32).ravel()
@@ -116,9 +118,9 @@ def _from_area(
     """Light of random places of an emitter to random ones of the face."""
     start = _in_disc(random, count) if source.outline == "ellipse" else _in_square(random, count)
     (a, b), (r_x, r_y) = start, source.half_width
-    place = np.column_stack([r_x * a, r_y * b, np.zeros(count)]) + source.position
-    x, y, way, solid = _onto_face(place, optic, random)
-    intensity = way[:, 2] / math.pi if source.emission == "lambertian" else 1 / (2 * math.pi)
+    x, y, way, solid = _onto_face(source.places(r_x * a, r_y * b), optic, random)
+    ahead = (way @ source.facing).clip(min=0)
+    intensity = ahead / math.pi if source.emission == "lambertian" else (ahead > 0) / (2 * math.pi)
     return FaceRays(x, y, way, intensity * solid, float(count))
 
 
@@ -130,8 +132,8 @@ def _from_points(
     x, y, way, solid = _onto_face(points[random.integers(len(points), size=count)], optic, random)
     cones = covering_cones(points, optic.half_width, optic.front_z)
     if source.emission == "lambertian":
-        power = math.pi * cones.versine * (2 - cones.versine) * cones.axis[:, 2]
-        solid = solid * way[:, 2]
+        power = math.pi * cones.versine * (2 - cones.versine) * (cones.axis @ source.facing)
+        solid = solid * (way @ source.facing).clip(min=0)
     else:
         power = 2 * math.pi * cones.versine
     return FaceRays(x, y, way, solid, count * float(power.mean()))

@@ -122,7 +122,7 @@ class Mirror(Element):
     @property
     def _range(self) -> tuple[float, float]:
         """The height range, or the most that it may automatically be."""
-        most = max(self.half_width)
+        most = max(self.half_width) if self.designed else 0.0
         return self.height_range or (-most, most)
 
     @property
