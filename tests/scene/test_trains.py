@@ -52,6 +52,16 @@ TRAIN = {
     ],
 }
 
+FOLD = {
+    "kind": "mirror",
+    "name": "fold",
+    "position": [0, 0, -4],
+    "tilt": [45, 0, 0],
+    "half_width": [3, 4],
+    "face": {"shape": "plane"},
+}
+FAR = {"kind": "far_field", "half_angle": [9, 9], "pixels": [8, 8]}
+
 
 def train(change=lambda data: None):
     data = copy.deepcopy(TRAIN)
@@ -85,6 +95,17 @@ def test_the_designed_element_alone_sees_source_and_receiver_through_the_plates(
             r"elements\[1\]\.position\[2\]: 0 reaches into dome; at least 0.5",
         ),
         (lambda data: data["elements"][2].update(name="lens"), "is the name of another element"),
+        (
+            lambda data: data["elements"].insert(1, FOLD),
+            r"elements\[2\]\.position: \[0, 0, 0\] is not where light of fold goes",
+        ),
+        (
+            lambda data: (
+                data["elements"].__setitem__(2, FOLD | {"position": [0, 0, 20]}),
+                data["images"][0].update(receiver=FAR),
+            ),
+            "light leaves fold at 90 degrees from the z axis, too far for a far field",
+        ),
         (
             lambda data: data["elements"][1].update(tilt=[120, 0, 0]),
             r"elements\[1\]\.tilt: light comes to the back of lens, at 120 degrees",

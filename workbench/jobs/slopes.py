@@ -40,10 +40,15 @@ def needed_slopes(scene: Scene, part: tuple[float, float, float, float] | None =
 
     `part`: left, right, bottom and top of the lit part of the receiver; all of it by default.
     """
+    (wide, high), scene = scene.receiver.half_extent, scene.alone
     optic, receiver = scene.optic, scene.receiver
+    r_u, r_v = receiver.half_extent  # as the optic sees it
     steps = np.linspace(-1, 1, _POINTS)
     x, y = np.meshgrid(*(half * steps for half in optic.half_width), indexing="ij")
-    left, right, bottom, top = part or receiver.bounds
+    left, right, bottom, top = receiver.bounds
+    if part:
+        factors = r_u / wide, r_u / wide, r_v / high, r_v / high
+        left, right, bottom, top = (end * by for end, by in zip(part, factors, strict=True))
     u, v = np.meshgrid(
         *((low + high + (high - low) * steps) / 2 for low, high in ((left, right), (bottom, top))),
         indexing="ij",
