@@ -63,7 +63,7 @@ REPORTED = {
     | light("collimated", direction=[30, 0])
     | screen(5),
     "a lamp of a file right before the lens": lens()
-    | light("photometric", file="narrow.ies", position=[0, -0.5, -0.001])
+    | light("photometric", file="crooked.ies", position=[0, -0.5, -0.001])
     | screen(100, [30, 18]),
     "a very far screen": lens() | light("collimated") | screen(1e9, [1, 1]),
     "nearly all directions": lens() | light("collimated") | far(89.9, 89.9),

@@ -57,8 +57,6 @@ def words_for(receiver: AnyReceiver | type[AnyReceiver]) -> dict[str, tuple[str,
 # half-widths of the lens or wider 5e-6, a point 0.02 half-widths before two freeform faces 6e-3,
 # and beams of 0.01 half-widths that come slanted to them 2.3e-2. Known to be more, and a defect: a
 # lamp of 2° with wide light 0.03 half-widths before the lens, and turned lamps before wavy faces.
-# The cause is the table of `workbench.optics.patterns`, by places of the entrance face: right
-# before a lens, light of all directions lies within a few of them.
 _SAMPLING = 2.5e-2
 
 

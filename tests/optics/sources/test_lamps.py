@@ -194,6 +194,20 @@ def test_samples_have_all_the_light_that_enters(width, distance, aside):
     assert sum(shares.values()) - account.emitted == pytest.approx(account.emitted, abs=1e-9)
 
 
+@pytest.mark.parametrize("distance", [3e-4, 1e-3, 0.01])
+def test_light_of_a_wide_lamp_right_before_a_lens_is_that_of_a_lambertian_point(distance):
+    lamp = scene_of(1.0, distance, aside=True)
+    cosine = ies([0], GAMMA, np.cos(np.radians(GAMMA))[None]).encode()
+    source = lamp.source.model_copy(update={"rotation": (0.0, 0.0, 0.0)})
+    lamp = lamp.model_copy(update={"source": source}).carrying({"narrow.ies": cosine})
+    point = {"kind": "point", "position": [0.41, 0.31, -distance], "emission": "lambertian"}
+    known = Scene.from_data(lamp.to_data() | {"source": point})
+
+    found, expected = (traced(scene, 64).to_data() for scene in (lamp, known))
+
+    assert found == pytest.approx(expected, abs=5e-3)
+
+
 @pytest.mark.parametrize("optic", ["lens", "two faces"])
 @pytest.mark.parametrize("outline", ["rectangle", "ellipse"])
 def test_all_light_of_a_narrow_lamp_passes_flat_faces(optic, outline):
